@@ -1,5 +1,4 @@
-// Mistakes that people make in a text, of whatever language: each is told at its place, in a sentence that says what to
-// write.
+// Common mistakes in a text of any language: each error has the right place and advice.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -13,9 +12,9 @@
 namespace panicle::tests {
 
 struct Mistake {
-  // « stands before the place that is told.
+  // « marks the expected place of the error.
   std::string text;
-  // What the sentence has in it; several between |.
+  // Parts that the message must contain, separated by |.
   std::string advice;
 };
 
@@ -36,7 +35,7 @@ inline Diagnostic place_in(std::string& text) {
   return place;
 }
 
-// `trouble(text)`: what is wrong with it, as a Diagnostic.
+// Checks the errors of all mistakes. `trouble(text)` returns the error of a text as a Diagnostic.
 template <class Mistakes, class Trouble>
 void check_mistakes(const Mistakes& mistakes, Trouble trouble) {
   for (const Mistake& mistake : mistakes) {

@@ -1,4 +1,4 @@
-// A tree by divisor functions, as far as one of its stages: what each costs is what it adds to the one before.
+// A tree by divisor functions, up to one of its stages: the cost of a stage is its difference to the one before.
 #pragma once
 
 #include <cstdint>

@@ -30,7 +30,7 @@ constexpr std::string_view by_chance =
     "F --> F[+F]F[-F]F : 0.33\n"
     "F --> F[+F]F : 0.33\n"
     "F --> F[-F]F : 0.34\n";
-// Figure 1.31 b there, after Hogeweg and Hesper: every module but turns has both neighbours asked.
+// Figure 1.31 b there, after Hogeweg and Hesper: every module but turns has productions with both contexts.
 constexpr std::string_view in_context =
     "ignore: + - F\n"
     "axiom: F I F I F I\n"
@@ -54,8 +54,8 @@ double derive(std::string_view text, std::uint32_t steps) {
   return derived ? static_cast<double>(derived->modules_written) : -1;
 }
 
-// The paper's procedure: the same bunch over and over down a longer rachis: lengths and widths are kept from shrinking,
-// else the tip's would vanish.
+// The paper's procedure, for the same bunch repeated along a longer rachis. Lengths and widths do not shrink, else the
+// tip's would vanish.
 bunch::BunchRequest longer_bunch(std::uint32_t factor) {
   constexpr std::int32_t axes[] = {8, 4, 6, 6, 3, 2, 3, 3, 1, 1, 1, 1};  // shouldered conical
   bunch::BunchRequest request;

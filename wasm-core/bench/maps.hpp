@@ -1,4 +1,4 @@
-// Generalized maps: what building one costs, proving it whole, and placing it anew.
+// Generalized maps: the cost of building one, of checking it, and of placing its vertices.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +12,6 @@ double build_map(std::uint32_t darts);
 // Of a map made so before the clock starts. Work: darts; negative where the map is not whole.
 double check_map(std::uint32_t darts);
 double embed_map(std::uint32_t darts);    // its vertices numbered and its volumes put in order
-double place_map(std::uint32_t darts);  // all placed by shapes, once laid
+double place_map(std::uint32_t darts);  // places all vertices by shapes, after embed_map
 
 }  // namespace panicle::bench

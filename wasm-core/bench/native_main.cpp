@@ -19,7 +19,7 @@ void time_runs(long rounds, long runs, Work work) {
   double amount = work(1);
   std::printf("{\"microseconds\":[");
   for (long run = 0; run < runs; ++run) {
-    const std::clock_t begin = std::clock();  // of this process alone, whatever else the machine does
+    const std::clock_t begin = std::clock();  // of this process alone, independent of the machine's load
     amount = work(rounds);
     const double spent = static_cast<double>(std::clock() - begin) * (1e6 / CLOCKS_PER_SEC);
     std::printf("%s%.3f", run ? "," : "", spent / static_cast<double>(rounds));

@@ -1,4 +1,4 @@
-// Particles against those who do the same otherwise: the search for neighbours that looks at everyone, and a tree by
+// Particles against alternatives with the same result: a search for neighbours that compares all pairs, and a tree by
 // space colonisation of as many points.
 #pragma once
 

@@ -1,5 +1,5 @@
-// A request (exports/panicle.h) from the standard input, grown natively; the answer to the standard output. Tests
-// compare it with what the wasm gives.
+// Grows a request (exports/panicle.h) from the standard input natively, and writes the response to the standard output.
+// Tests compare it with the response of the wasm.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>

@@ -1,5 +1,5 @@
-// Texts of every language with a few changes each, as a hand, a program or malice makes them: whatever comes of it, it
-// takes no more work and memory than the limits say. The changes are the same in each run (fuzz_dice.hpp).
+// Texts of every language with random changes: each ends within the limits on work and memory. The changes are the same
+// in each run (fuzz_dice.hpp).
 #include <doctest/doctest.h>
 #include <sys/resource.h>
 
@@ -37,7 +37,7 @@ std::vector<Language> languages() {
 
 bool is_of_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.'; }
 
-// Lines, or words and what is between them: put together they are the text again.
+// Splits a text into lines, or into words and the characters between them; joined, the pieces give the text.
 std::vector<std::string> parts_of(const std::string& text, bool lines) {
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -149,7 +149,7 @@ TEST_CASE("texts with changes take no more work and memory than the limits say")
     WorkBudget budget(limits.work, limits.bytes);
     limits.budget = &budget;
     const Result<Plant> plant = grow(language, text, limits);
-    // What was refused has been asked for once.
+    // The work that was refused last counts as spent, too.
     CHECK(budget.spent() <= limits.work + limits.work / 10);
     CHECK(budget.held() <= limits.bytes);
     REQUIRE(most_bytes_held() <= most);

@@ -1,4 +1,4 @@
-// What cannot be read says where, and what to do.
+// Errors of texts: each has its line and column, and advice.
 #include "lsystem/grammars.hpp"
 
 using namespace panicle;

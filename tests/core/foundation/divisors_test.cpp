@@ -63,7 +63,7 @@ TEST_CASE("a sieve of divisors agrees with their definition") {
 
 TEST_CASE("sums of divisors are multiplicative where their rule is") {
   for (const DivisorRule& rule : rules) {
-    // Divisors told by a remainder other than 1 modulo 2 are not.
+    // Remainders other than 1 modulo 2 do not select alternating divisors.
     if (rule.kind == Kind::residue && !(rule.remainder == 1 && rule.modulus == 2)) continue;
     const Sums sums = sums_of(rule, 40'000);
     for (std::size_t m = 1; m <= 200; ++m)
@@ -117,7 +117,7 @@ TEST_CASE("sums that would not be exact are refused, and those that are just exa
   CHECK_FALSE(divisor_sums({Kind::all, 53}, 2));
   CHECK(sums_of({Kind::odd_quotient, 53}, 2)[2] == std::int64_t{1} << 53);
   CHECK(sums_of({Kind::all, 52}, 2)[2] == (std::int64_t{1} << 52) + 1);
-  // What is passed on the way to a sum does not count: −(2^53) + 1.
+  // Sums on the way may pass the limit, the result may not: −(2^53) + 1.
   CHECK(sums_of({Kind::alternating, 53}, 2)[2] == 1 - (std::int64_t{1} << 53));
   const auto none = divisor_sums({Kind::all, 4'000'000'000u}, 3);
   REQUIRE_FALSE(none);

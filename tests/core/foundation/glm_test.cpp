@@ -1,5 +1,5 @@
-// The order in which GLM computes: fingerprints of frozen links depend on it. 0.9.9.8, which Debian 12 and 13 have, and
-// 1.0.1 compute as written here; of any other version this test says whether it does.
+// The order in which GLM computes: fingerprints of frozen links depend on it. 0.9.9.8 (in Debian 12 and 13) and 1.0.1
+// compute as written here; for any other version this test shows whether it does.
 #include <doctest/doctest.h>
 
 #include <cmath>

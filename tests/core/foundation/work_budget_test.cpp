@@ -49,7 +49,7 @@ TEST_CASE("a share reserves the rest of the work until it ends") {
     CHECK(budget.spend(30));
     CHECK_FALSE(budget.spend(500));
   }
-  // What was refused has not been done.
+  // Refused work is not counted as done.
   CHECK(budget.spent() == 50);
   CHECK(budget.left() == 50);
   {

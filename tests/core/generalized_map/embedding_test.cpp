@@ -56,7 +56,7 @@ glm::vec3 area_of(const Map& map, const Placed& placed, std::uint32_t v, Face fa
   return sum;
 }
 
-// What the volume inside a map's boundary is, by the divergence of each face's cone.
+// The volume inside a map's boundary, as the sum of the cones of its faces (divergence theorem).
 double volume_of(const Map& map, const Placed& placed, std::uint32_t v) {
   double sum = 0;
   for (Face face = 0; face < map.volume(v).order + 2; ++face) {
@@ -172,7 +172,7 @@ TEST_CASE("what is glued meets in the mean of what both propose") {
 TEST_CASE("a vertex of a cut that nobody proposes lies midway on its edge, and what stands there on it") {
   Map map = stack_of(4, 2);
   const SplitResult parted = map.split(1, side(2), 0, 0);
-  // Half as long, and half as far from there: what it was before.
+  // The part has half the length, at half the distance: together the shape before the split.
   const Placed placed(map, {cube, {0, 0, 0, 1, 0.5f, 1}, {0, 0, 0, 0.5f, 1, 1}});
   std::uint32_t midway = 0;
   for (const Cut& cut : map.cuts()) midway += placed.at(cut.first) == (placed.at(cut.from) + placed.at(cut.to)) * 0.5f;
@@ -214,7 +214,7 @@ TEST_CASE("placing again with the same shapes gives the same bytes, with others 
 }
 
 TEST_CASE("whatever has been grown, glued and split has a place for every vertex") {
-  // Of the first 400 one has a vertex that is in nobody's end, and was made by no cut.
+  // In the first 400 maps one vertex is in no volume's end and was made by no cut.
   for (std::uint64_t seed = 240; seed < 300; ++seed) {
     CAPTURE(seed);
     Map map;
@@ -226,7 +226,7 @@ TEST_CASE("whatever has been grown, glued and split has a place for every vertex
       CHECK(position != glm::vec3(0));  // where they are before anybody proposes
       furthest = std::max(furthest, glm::length(position));
     }
-    CHECK(furthest < 2.0f * static_cast<float>(map.volumes()) + 2);  // false of what is not a number, too
+    CHECK(furthest < 2.0f * static_cast<float>(map.volumes()) + 2);  // false for NaN, too
     CHECK(furthest > 0.5f);
   }
 }

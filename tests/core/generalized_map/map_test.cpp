@@ -112,7 +112,8 @@ TEST_CASE("a map has no more darts than it may") {
 
 TEST_CASE("adjacent faces are glued about their edge") {
   Map map = corner_of_cubes(5);
-  // Volumes 1 and 2 stand at right angles on two sides of a cube: what looks at the corner between them meets there.
+  // Volumes 1 and 2 stand at right angles on two sides of a cube: the faces that look at the corner between them are
+  // adjacent.
   const Adjacency hinge = map.adjacent(1, side(2), 5, side(4));
   CHECK(hinge.volume == 2);
   CHECK(map.adjacent(1, side(2), 6, side(4)).volume == none);

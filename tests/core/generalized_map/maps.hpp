@@ -1,4 +1,4 @@
-// What tests of maps share.
+// Helpers of the tests of maps.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -38,7 +38,7 @@ inline Map corner_of_cubes(std::uint32_t label = 0) {
   return map;
 }
 
-// One random operation, of whatever outcome; the same for the same numbers.
+// Tries one random operation, which may be refused; deterministic for the same numbers.
 inline Refusal random_operation(Map& map, std::uint64_t seed, std::uint64_t turn, std::uint32_t largest = 6) {
   const auto draw = [&](std::uint64_t stream, std::uint32_t high) {
     return static_cast<std::uint32_t>(random_integer(seed, stream, turn, 0, static_cast<std::int32_t>(high)));
@@ -51,7 +51,7 @@ inline Refusal random_operation(Map& map, std::uint64_t seed, std::uint64_t turn
     return map.grow(v, face, draw(4, 4) ? map.degree(map.dart_of(v, face)) : 3 + draw(5, largest - 3), draw(6, 2))
         .refusal;
   if (kind < 7) return map.split(v, face, draw(6, 2), draw(7, 2), turn / 4).refusal;
-  if (kind < 9 && map.is_free(v, face)) {  // with what lies across a gap: few pairs drawn at random are adjacent
+  if (kind < 9 && map.is_free(v, face)) {  // the neighbour across a gap: few random pairs are adjacent
     std::uint32_t d = map.dart_of(v, face);
     for (std::uint32_t turns = draw(8, 7); turns > 0; --turns) d = map.alpha(1, map.alpha(0, d));
     const std::uint32_t beyond = map.across_gap(d);

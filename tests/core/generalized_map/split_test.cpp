@@ -78,7 +78,7 @@ TEST_CASE("split along a side, the part is a cube that stands on the cut and the
   CHECK(map.volume(1).parent == 2);
   CHECK(map.volume(2).parent == 0);
   CHECK(map.volume(2).parent_face == side(2));
-  // Each side of the rest where it was, with what has been cut off replaced.
+  // Each side of the rest keeps its neighbour; the part that was cut off is replaced.
   for (std::uint32_t i = 0; i < 6; ++i) {
     CHECK(map.degree(map.dart_of(0, side(i + 1))) == 4);
     CHECK(map.face_of()[map.dart_of(0, side(i + 1))] == side(i + 1));
@@ -101,7 +101,7 @@ TEST_CASE("a neighbour gets vertices on the edges that are cut and an edge acros
   CHECK(map.volume(1).faces == 7);
   OrbitWalk walk(map);
   CHECK(neighbours(walk, map, 1) == std::vector<Neighbour>{{base_face, 0, side(3)}, {base_face, 2, side(3)}});
-  // It has grown on what is left.
+  // The neighbour has grown on the rest.
   CHECK(map.volume(1).parent == 0);
 }
 
@@ -154,7 +154,8 @@ TEST_CASE("a face that a neighbour has divided, and one with a vertex more, are 
 }
 
 TEST_CASE("a corner that no edge leaves is refused") {
-  // Four cubes about an edge: what cuts the first one's puts a vertex on that of the one across, which nothing divides.
+  // Four cubes around an edge: the cut of the first one's edge puts a vertex on the opposite cube, which has no new
+  // faces.
   Map map = corner_of_cubes();
   map.grow(1, side(2), 4, 0);
   bool glued = false;
@@ -189,7 +190,7 @@ TEST_CASE("what stands unsewn on the face that is cut off goes with it") {
   CHECK_FALSE(map.is_free(3, end_face));
   CHECK_FALSE(map.is_free(0, side(1)));
   CHECK(map.is_free(3, side(1)));
-  // What itself stands unsewn, and is split along its base, leaves its place to the part.
+  // A volume that is attached unsewn and split along its base gives its place to the part.
   const SplitResult parted = map.split(1, base_face, 0, 0);
   CHECK(is_whole(map));
   CHECK(map.volume(parted.part).attached);

@@ -138,7 +138,7 @@ TEST_CASE("one ball more hides more or as much") {
       CHECK(now <= before);
       before = now;
     }
-    // Those that are only summed up may be told a little otherwise.
+    // Bodies that are only summed up may differ slightly.
     const std::vector<SkyBody> many = soup(seed, 40);
     CHECK(seen(many, glm::vec3(0), normal) <= before + 12);
   }
@@ -194,9 +194,9 @@ TEST_CASE("nobody's sky is hidden by itself, by its bearer, by what it bears or 
   CHECK(hides_from(-1, -1));
   CHECK(hides_from(9, 8));
   CHECK(!hides_from(5, 8));  // its own
-  CHECK(!hides_from(9, 5));  // borne by it
-  CHECK(!hides_from(3, 1));  // its bearer
-  CHECK(!hides_from(6, 3));  // of the same bearer
+  CHECK(!hides_from(9, 5));  // attached to it
+  CHECK(!hides_from(3, 1));  // its parent
+  CHECK(!hides_from(6, 3));  // of the same parent
   speck.owner = speck.parent = -1;
   CHECK(hides_from(-1, -1));
   const SkyBody own = ball({0, 2, 0}, 1, 4);

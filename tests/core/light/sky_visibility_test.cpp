@@ -29,7 +29,7 @@ TEST_CASE("matter is laid into the cells that its places are in") {
     for (float x = -1; x < 8; x += 0.5f) CHECK(light.at({x, 1, 1}) == expected.at({x, 1, 1}));
     CHECK(light.at({5, 1, 1}) < light.at({1, 1, 1}));
   }
-  // What lies beside the lattice counts in the cell next to it.
+  // Matter beside the lattice counts in the nearest cell.
   DensityGrid beside({0, 0, 0}, {5, 0, 0}, 2);
   beside.put({99, -3, 7}, 0.5f);
   CHECK(beside.light(all_round(12)).at({5, 1, 1}) == cells.light(all_round(12)).at({5, 1, 1}));
@@ -62,7 +62,7 @@ TEST_CASE("a rod hides as much as a screen of a quarter of its surface") {
   rod.radius = 0.2f;
   rod.radius_end = 0.1f;
   const std::vector<Segment> rods(1, rod);
-  // Its surface: 2π × 0.15 × 2. The lattice is told by the same ends.
+  // Its surface: 2π × 0.15 × 2. The lattice is bounded by the same ends.
   const std::vector<Occluder> screens = {{{0, 1, 0}, 0.25f * 3.14159265f * 0.3f * 2}, {{0, 0, 0}, 0}, {{0, 2, 0}, 0}};
   const SkyVisibility of_rod(rods, {}), of_screen({}, screens);
   for (float y = 0; y <= 2; y += 0.125f) CHECK(of_rod.at({0, y, 0}) == of_screen.at({0, y, 0}));

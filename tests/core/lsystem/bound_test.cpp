@@ -8,7 +8,7 @@ namespace {
 
 std::shared_ptr<const lsystem::Program> program_from(std::string text) {
   auto program = sound(lsystem::compile(text, Limits{}));
-  text.assign(text.size(), '?');  // whoever still looked at it would see this
+  text.assign(text.size(), '?');  // a reader of the old text would see this
   return program;
 }
 

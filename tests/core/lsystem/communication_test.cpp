@@ -1,4 +1,4 @@
-// ?E: asked during interpretation, answered by the listener, applied in place (Měch and Prusinkiewicz 1996).
+// ?E: queried during interpretation, with a response from the listener, applied in place (Měch and Prusinkiewicz 1996).
 #include "lsystem/grammars.hpp"
 
 using namespace panicle;

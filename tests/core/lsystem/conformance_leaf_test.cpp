@@ -1,4 +1,4 @@
-// Leaves of published grammars: outlines of the topiary paper's table 2 as their botanical names say, and the book's
+// Leaves of published grammars: outlines of the topiary paper's table 2 match their botanical names, and the book's
 // leaves of polygons.
 #include <algorithm>
 #include <cmath>

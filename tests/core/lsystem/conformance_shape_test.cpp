@@ -1,5 +1,5 @@
-// Published grammars look as published: what their turtles draw has the properties that the figures and their captions
-// tell of. A production remembered wrongly leaves the grid, comes to a point twice or does not close.
+// Published grammars draw the published shapes: their turtles' lines have the properties that the figures and captions
+// show. A wrong production leaves the grid, visits a point twice or does not close.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,7 +25,7 @@ Recorder drawing(const char* name, std::uint32_t steps, const Inputs& inputs = {
 
 using Point = std::array<int, 3>;
 
-// In a hundredth of the unit, so that points of any lattice are told apart.
+// Rounded to a hundredth of the unit, so that points of any lattice are distinct.
 Point rounded(const vec3& at) {
   const auto whole = [](float x) { return static_cast<int>(std::lround(100 * x)); };
   return {whole(at.x), whole(at.y), whole(at.z)};
@@ -188,7 +188,7 @@ TEST_CASE("chapter 2: trees have the lengths, widths and angles of their tables"
   CHECK(ternary.lines.size() == 1 + 2 * (729 - 1));
   CHECK(length_of(ternary.lines.front()) == doctest::Approx(200 * std::pow(1.109, 6)));
   CHECK(ternary.lines.front().after.width == doctest::Approx(std::pow(1.732, 6)).epsilon(1e-3));
-  // Tropism points down: what it bends hangs lower.
+  // The tropism points down: bent branches hang lower.
   const auto mean_height = [](const Recorder& of) {
     double sum = 0;
     for (const Recorder::Line& line : of.lines) sum += line.after.position.y;

@@ -172,7 +172,7 @@ TEST_CASE("published grammars: none has anything that is passed over, and all ar
   for (const std::string& name : published_names()) {
     INFO(name);
     const std::string text = published(name);
-    if (text.find("#input") != std::string::npos) continue;  // wants what only its model gives
+    if (text.find("#input") != std::string::npos) continue;  // needs inputs that only its model provides
     const BoundPointer bound = compiled_published(text);
     for (const lsystem::Remark& remark : lsystem::remarks(lsystem::program_of(*bound))) FAIL(lsystem::to_text(remark));
     CHECK(text.size() < 2048);
@@ -195,7 +195,7 @@ TEST_CASE("published grammars: inflorescences have the tips that their recurrenc
   };
   CHECK(flowers("panicle", 14) == tips(9, 1, 3));
   CHECK(flowers("lilac", 16) == tips(9, 2, 4));
-  // Ten nodes bear two cymes each, of 0.12 n + 0.3, halved (0.65) in pairs down to 0.5; and the axis ends in a flower.
+  // Ten nodes have two cymes each, of 0.12 n + 0.3, halved (0.65) in pairs down to 0.5; and the axis ends in a flower.
   std::uint64_t thyrsus = 1;
   for (int n = 1; n <= 10; ++n) {
     std::uint64_t cyme = 1;

@@ -202,7 +202,7 @@ TEST_CASE("neighbours' parameters are read (equation 1.4), and decide") {
   CHECK(in_context("A(3) B(2) C(5)", text) == "A(3)G(1)C(5)");
   CHECK(in_context("A(3) B(2) C", text) == "A(3)G(1)C");
   CHECK(in_context("A(9,9) B(2) C(5)", text) == "A(9,9)B(2)C(5)");
-  // Registers are loaded four at a time; what stands beside must survive that.
+  // Registers are loaded four at a time; the registers behind must not change.
   CHECK(in_context("A(1,2) B(3,4,5,6,7) C(8,9)", "A(a,b) < B(c,d,e,f,g) > C(h,i) --> R(a,b,c,d,e,f,g,h,i)") ==
         "A(1,2)R(1,2,3,4,5,6,7,8,9)C(8,9)");
 }
@@ -222,7 +222,7 @@ TEST_CASE("all modules see the string as it was before the step, what a cut remo
 }
 
 TEST_CASE("figure 1.31 a grows as worked out by hand from its productions") {
-  // After Hogeweg and Hesper 1974; 0 and 1 are o and i here. What stands at an end has a neighbour on one side alone.
+  // After Hogeweg and Hesper 1974; 0 and 1 are o and i here. A module at an end has a neighbour on one side alone.
   const char* text =
       "ignore: + - F\n"
       "axiom: F i F i F i\n"

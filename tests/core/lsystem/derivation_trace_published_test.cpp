@@ -1,5 +1,5 @@
-// What is told of derivations holds together, for every published grammar and for texts by chance: of two steps that
-// follow each other, of the last string, and of the text.
+// Traces of derivations are consistent, for every published grammar and for random texts: between consecutive steps,
+// with the last string, and with the text.
 #include "lsystem/derivation/string_text.hpp"
 #include "lsystem/derivation_traces.hpp"
 #include "lsystem/fuzz.hpp"
@@ -37,7 +37,7 @@ struct Grown {
   Derived derive() const { return sound(lsystem::develop_so_far(*bound, 1, steps, limits, options)); }
 };
 
-// What stands at a place of a text; columns count code points.
+// The text from a place on; columns count code points.
 std::string_view text_at(std::string_view text, const Place& place) {
   for (std::uint32_t line = 1; line < place.line; ++line) text = text.substr(text.find('\n') + 1);
   std::uint32_t column = 1;
@@ -50,7 +50,7 @@ std::string_view text_at(std::string_view text, const Place& place) {
 
 std::string symbol_of(const std::string& module) { return module.substr(0, module.find('(')); }
 
-// A production that is told stands in the text, with the symbol that it rewrites.
+// Whether a traced production begins at its place in the text, with the symbol that it rewrites.
 bool stands(const Grown& grown, const Place& place, const std::string& module) {
   return text_at(grown.text, place).starts_with(symbol_of(module));
 }
@@ -116,7 +116,7 @@ void check_last(const Grown& grown) {
     const DerivationTrace last = grown.trace({.step = 0xffffffff, .first = first, .count = 30, .module = module});
     CHECK(last.counts().back() == modules);
     CHECK(last.modules().size() == std::min(30u, modules - first));
-    // Where a limit ends a step, what was answered before it stands in the string.
+    // Where a limit ends a step, the string has the responses from before it.
     for (std::size_t i = 0; i < last.modules().size(); ++i)
       if (last.modules()[i].response.empty()) CHECK(last.modules()[i].text == texts[first + i]);
     if (modules == 0) return;
@@ -176,7 +176,7 @@ TEST_CASE("of every published grammar what is told of two steps, of the last str
   }
 }
 
-// A module with nothing beside it, as an axiom: one step makes of it what is told.
+// A module without neighbours, as an axiom: one step rewrites it as traced.
 TEST_CASE("a production that is told, applied anew, writes the children that are told") {
   std::size_t applied = 0;
   for (const std::string& name : published_names()) {

@@ -1,4 +1,4 @@
-// What is told of derivations, worked out by hand.
+// Traces of derivations, worked out by hand.
 #include "lsystem/derivation_traces.hpp"
 
 using namespace panicle;

@@ -1,4 +1,4 @@
-// What the tests of chronicles share.
+// Helpers of the tests of derivation traces.
 #pragma once
 
 #include "lsystem/grammars.hpp"
@@ -6,7 +6,7 @@
 
 namespace panicle::tests {
 
-// Ignores all events, and leaves what it is asked as it is.
+// Ignores all events and leaves queried parameters unchanged.
 class Drawn : public Listener {
  public:
   void line(std::int32_t, const Turtle&, const Turtle&, const Lineage&) override {}

@@ -1,4 +1,4 @@
-// How many steps a grammar takes: as the request says, else as the text says, else until nothing is rewritten.
+// How many steps a grammar takes: as the request sets, else as the text sets, else until nothing is rewritten.
 #include "lsystem/grammars.hpp"
 
 using namespace panicle;

@@ -1,4 +1,4 @@
-// Tries a text in every way there is: what the fuzz tests of this folder share.
+// Compiles, derives and draws a text in every way: shared by the fuzz tests of this folder.
 #pragma once
 
 #include <algorithm>
@@ -44,7 +44,7 @@ inline Limits small_limits() {
   return limits;
 }
 
-// Steps and answers in turn. Whatever is answered, the string stays whole.
+// Alternates steps and queries. After every response the string must be well-formed.
 inline Diagnostic derive_open(const BoundProgram& bound, Contrary& listener, const Limits& limits) {
   lsystem::Derivation derivation(bound, 1, limits);
   while (derivation.steps() < 12 && derivation.query_environment({}, listener)) {
@@ -71,7 +71,8 @@ inline bool draws_conditions(const lsystem::Program& program) {
                      [](const lsystem::Production& production) { return production.by_chance; });
 }
 
-// 0: derived and drawn; 1, 2, 3: what failed. A diagnostic that concerns the text has a place in it.
+// Returns 0 for a text that is derived and drawn; 1, 2 or 3 for the stage that failed. A diagnostic about the text must
+// have a place in it.
 inline int tried(const std::string& text, std::uint32_t mood) {
   const Inputs inputs{{{"m", 3}, {"x", 2}}, {{"n", {1, 2, 0}}}};
   const Limits limits = small_limits();
@@ -96,7 +97,7 @@ inline int tried(const std::string& text, std::uint32_t mood) {
   const auto string = lsystem::develop(*bound.value(), 1, 30, limits);
   if (so_far && so_far->stopped.reason != Reason::none) CHECK(so_far->stopped.reason == Reason::limit);
   if (!string) {
-    // What a limit ended is shown all the same.
+    // The string that a limit ended can still be drawn.
     Contrary viewer;
     if (so_far) lsystem::interpret(*bound.value(), *so_far->string, {}, viewer, 1, limits, &space);
     return blamed(string.error()), 2;

@@ -20,7 +20,7 @@ std::vector<std::string> texts_in(const std::string& folder) {
   return texts;
 }
 
-// Lines, or words with what stands between them: put together they are the text again.
+// Splits a text into lines, or into words and the characters between them; joined, the pieces give the text.
 std::vector<std::string> parts_of(const std::string& text, bool lines) {
   const auto kind = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.' ? 2 : 1; };
   std::vector<std::string> parts;

@@ -1,5 +1,5 @@
-// Texts put together from tokens at random, and good texts with tokens changed: each ends in a value or a diagnostic,
-// whatever it is. Meant for the sanitizers; the seeds are fixed, so a failure comes again.
+// Texts of random tokens, and good texts with changed tokens: each ends in a value or a diagnostic. Meant for the
+// sanitizers; the seeds are fixed, so a failure can be repeated.
 #include "lsystem/fuzz.hpp"
 
 using namespace panicle;

@@ -1,4 +1,4 @@
-// What the tests of the L-system engine share: one-line ways to compile, derive and listen.
+// Helpers of the tests of the L-system engine: one-line ways to compile, derive and record events.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -40,8 +40,8 @@ inline std::string after(std::string_view text, std::uint32_t steps, const Input
   return text_of(*bound, derived(*bound, steps, seed));
 }
 
-// "reason line:column" of what goes wrong when a text is compiled, bound and derived, step by step and to its end;
-// "none" when nothing does.
+// The first error of a text that is compiled, bound and derived, step by step and to its end, as "reason line:column";
+// "none" without an error.
 inline std::string trouble(std::string_view text, const Inputs& inputs = {}, const Limits& limits = {},
                            std::string* message = nullptr) {
   static const char* const reasons[] = {"none",      "bad_request", "bad_input", "syntax",
@@ -62,7 +62,7 @@ inline std::string trouble(std::string_view text, const Inputs& inputs = {}, con
          ":" + std::to_string(diagnostic.column);
 }
 
-// Writes down all it hears, and gives the answers it is told to give.
+// Records all events, and responds to queries with given parameters.
 class Recorder : public Listener {
  public:
   struct Line {

@@ -154,9 +154,9 @@ TEST_CASE("what would lie too far away, or be too large or too small to be drawn
   refused_in_cpfg("@M(1e12,0,0) F", "Module 1 of the string, @M(1e12,0,0), leads farther");
   refused_in_cpfg("@Di(1e38) {(1) F(1e-38) }", "Module 2 of the string, {(1), is thicker");
   refused_in_cpfg("@R(1e38,1e38,0) F", "Module 2 of the string, F, has no direction");
-  // What is drawn in a module's place is named by what it draws.
+  // Errors of drawing a homomorphism name the drawn module.
   refused("A\nhomomorphism:\nA --> F(1e20)", "Module 1 of the string, F(1e20)", "larger");
-  // Up to the bounds all is drawn, and what has no size is passed over.
+  // Sizes up to the bounds are drawn, and zero sizes are skipped.
   const Recorder recorder = drawn("axiom: F(9e8) F(-9e8) S(1e-17) F(0) S(0) !(9e8) F(2)", 0);
   CHECK(recorder.lines.size() == 3);
   CHECK(recorder.spheres.size() == 1);

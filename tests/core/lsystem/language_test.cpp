@@ -1,4 +1,4 @@
-// What cpfg has beside productions and contexts: notations, sections, parts, blocks, curves, questions to the turtle.
+// cpfg's features besides productions and contexts: notations, sections, parts, blocks, curves, turtle queries.
 #include <algorithm>
 #include <glm/geometric.hpp>
 
@@ -10,7 +10,7 @@ using namespace panicle::tests;
 
 namespace {
 
-// Hears what is drawn besides lines.
+// Records the events that are no lines.
 class Whole : public Recorder {
  public:
   struct Polygon {
@@ -41,7 +41,7 @@ class Whole : public Recorder {
   std::vector<std::string> notes;
 };
 
-// Looking along −z: heading up, left to the left, up axis to who looks.
+// Looking along −z: heading up, left to the left, up axis towards the viewer.
 Turtle upright() {
   Turtle turtle;
   turtle.heading = {0, 1, 0};
@@ -110,7 +110,7 @@ TEST_CASE("letters of cpfg are symbols of one's own in the paper's notation") {
   CHECK(heard("axiom: F G(2) T(3) g(4) F").lines.size() == 2);
   CHECK(after("axiom: G(2)\nG(x) --> T(x)", 1) == "T(2)");
   CHECK(heard(cpfg + "F(1,7,8) G(2) F").lines.size() == 3);
-  // What cpfg does not know is the text's own where it rewrites it, and drawn where it does not.
+  // A symbol that cpfg lacks is the text's own where the text rewrites it, and the turtle's where it does not.
   CHECK(heard(cpfg + "S(1) T(2) F S(3)").spheres.size() == 2);
   CHECK(heard(cpfg + "S(1) T(2) F S(3,4)\nS(x,y) --> T\nT --> S(1,2)").spheres.empty());
   CHECK(trouble("axiom: F(1,2)") == "syntax 1:8");
@@ -150,7 +150,7 @@ TEST_CASE("the turtle can be levelled, moved, headed and made larger") {
   const Turtle headed = heard(cpfg + "@R(1,0,0,0,1,1) F").lines[0].after;
   is_at(headed.up, 0, 0.70710678f, 0.70710678f);
   is_at(glm::cross(headed.heading, headed.left), headed.up.x, headed.up.y, headed.up.z);
-  // @D says the size, @Di and @Dd change it; widths stay.
+  // @D sets the size, @Di and @Dd change it; widths stay.
   is_at(end_of(cpfg + "[@D(3) F F] @D(2) F @D(2) F @D(1) F"), 0, 5, 0);
   is_at(end_of(cpfg + "@D(2) F @Di(3) F @Dd(4) F @Dd(0) F"), 0, 2 + 6 + 1.5f + 1.5f, 0);
   CHECK(heard(cpfg + "!(2) @D(3) F !(1) F").lines[1].after.width == 1);
@@ -337,9 +337,9 @@ TEST_CASE("questions to the turtle are answered after each step, for contexts to
   const BoundPointer bound = compiled(pruned);
   CHECK(text_of(*bound, sound(lsystem::develop(*bound, 1, {}, Limits{}, {upright()}))) == "F F F B?P(0,3,0)");
   CHECK(located("#turtle cpfg\naxiom: ?P(0,0,0) A ?P(0,0,0)\nA --> F(4)\n?P(x,y,z) : y>1 --> *", 2) == "?P(0,0,0)F(4)");
-  // Where what is drawn moves the turtle, it counts.
+  // A production whose lines move the turtle is not skipped.
   CHECK(located(cpfg + "A ?P(0,0,0)\nhomomorphism\nA --> F(5)", 0) == "A?P(0,5,0)");
-  // So it does where only some of it is in branches, and where it changes what lines after it do.
+  // Nor is one with only some lines in branches, or one that changes the lines after it.
   CHECK(located(cpfg + "A ?P(0,0,0)\nhomomorphism\nA --> [ +(90) F(2) ~leaf(1) ] '", 0) == "A?P(0,0,0)");
   CHECK(located(cpfg + "A ?P(0,0,0)\nhomomorphism\nA --> [ F(2) ] F(3) [ F ]", 0) == "A?P(0,3,0)");
   CHECK(located(cpfg + "A F ?P(0,0,0)\nhomomorphism\nA --> [ F(2) ] @D(3)", 0) == "A F?P(0,3,0)");

@@ -1,5 +1,4 @@
-// What people type when they copy a grammar out of a book or come from another program: each mistake is told at its
-// place, in a sentence that says what to write instead.
+// Common mistakes when a grammar is copied from a book or another program: each error has the right place and advice.
 #include "lsystem/published.hpp"
 
 using namespace panicle;
@@ -8,9 +7,9 @@ using namespace panicle::tests;
 namespace {
 
 struct Mistake {
-  // « stands before the place that is told.
+  // « marks the expected place of the error.
   const char* text;
-  // What the sentence has in it; several between |.
+  // Parts that the message must contain, separated by |.
   const char* advice;
 };
 

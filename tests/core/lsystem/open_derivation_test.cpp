@@ -12,7 +12,7 @@ std::string text_of(const BoundProgram& bound, const Derivation& derivation) {
   return lsystem::to_text(lsystem::program_of(bound), derivation.string());
 }
 
-// Tells everyone how far above the floor they are.
+// Responds with the height of each module above the floor.
 class Floor : public Recorder {
  public:
   explicit Floor(float y) : y_(y) {}
@@ -52,7 +52,7 @@ TEST_CASE("a shoot grows until the environment tells it that it has come to the 
   Derivation derivation(*bound, 1, Limits{});
   Floor floor(-2.5);
   const char* const strings[] = {"F?E(2.5)", "F F?E(1.5)", "F F[+L]L", "F F[+S(0.5)]S(0.5)"};
-  std::vector<std::size_t> seen;  // the environment is told of all that stands already
+  std::vector<std::size_t> seen;  // the environment observes the whole string before it responds
   for (const char* string : strings) {
     floor.lines.clear();
     REQUIRE(derivation.query_environment({}, floor));

@@ -1,4 +1,4 @@
-// The published grammars, and what is counted in their strings.
+// The published grammars, and counts of modules in their strings.
 #pragma once
 
 #include <algorithm>

@@ -60,7 +60,7 @@ TEST_CASE("ran and nran have the moments they should have") {
 TEST_CASE("values depend on the seed, and on nothing else") {
   const auto first = draws("ran(1)", 20, 5);
   CHECK(draws("ran(1)", 20, 6) != first);
-  CHECK(draws("ran(1)", 20, 5) == first);  // whatever was drawn between
+  CHECK(draws("ran(1)", 20, 5) == first);  // independent of draws in between
   CHECK(draws("ran(1)", 20, 1ull << 40) != draws("ran(1)", 20, 0));
 }
 
@@ -109,7 +109,7 @@ TEST_CASE("where no steps are asked for, a random condition is tried once") {
   const char* text = "axiom: A(0)\nA(k) : k<9 --> B(k) A(k+1)\nB(k) : ran(1)<0.5 --> C(k)\nC(k) --> C2(k)";
   const BoundPointer bound = compiled(text);
   const Derived end = sound(lsystem::unfold(*bound, 1, Limits{}));
-  CHECK(end.steps < 15);  // what was not drawn at first is not drawn again
+  CHECK(end.steps < 15);  // modules that failed their draw are not drawn again
   CHECK(text_of(*bound, end).find("B(") != std::string::npos);
   CHECK(text_of(*bound, end).find("C2(") != std::string::npos);
 }

@@ -1,4 +1,4 @@
-// What a text says and the engine passes over is told.
+// Remarks: parts of a text that the engine ignores are reported.
 #include "lsystem/grammars.hpp"
 
 using namespace panicle;
@@ -35,7 +35,7 @@ TEST_CASE("there is nothing to remark on where everything is heeded") {
            "axiom: F F(1)\nF(x) --> F",  // the turtle draws the other
            // Conditions that differ in double precision alone.
            "#numbers double\naxiom: A(1)\nA(x) : x<1 --> F\nA(x) : x<1.00000001 --> A(0)",
-           // What is drawn by weights, or narrower first.
+           // Productions that are drawn by weights, or that match fewer modules, are no duplicates.
            "axiom: A\nA --> B : 0.5\nA --> C : 0.5",
            "axiom: A(1)\nA(x) : x>1 --> B\nA(x) : x>0 --> C\nA(x) --> F",
            "axiom: A(1)\nA(x) : x>1 --> B\nA(y) : y>2 --> C\nA(z) : ran(1)<0.5 --> F\nA(z) : ran(1)<0.5 --> G\n"
@@ -170,7 +170,7 @@ TEST_CASE("a context that a bracket prevents from matching gets a remark") {
   CHECK(remarked("axiom: [ B ] A\nB < A --> C") ==
         "2:1 B is before A only in a branch that is closed between them, in line 1, and a left context does not "
         "match modules in it; write B before that bracket.");
-  // What is between may vanish.
+  // Modules between two others may vanish.
   CHECK(remarked("axiom: A [ B ] X B\nX --> *\nA > B --> C") == "");
 }
 

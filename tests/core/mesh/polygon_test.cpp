@@ -25,7 +25,7 @@ double area_of(const Corners& corners, const std::vector<std::uint32_t>& triangl
   return area;
 }
 
-// Whatever comes in: three different corners a triangle, not on a line, and all of them there.
+// Invariants for every input: three different corners a triangle, not on a line, and all corners used.
 void check_clean(const Corners& corners, const std::vector<std::uint32_t>& triangles) {
   REQUIRE(triangles.size() % 3 == 0);
   for (std::size_t k = 0; k < triangles.size(); k += 3) {
@@ -84,7 +84,7 @@ TEST_CASE("triangles go counter-clockwise seen against the normal of what they f
 }
 
 TEST_CASE("what comes back to where it was is filled without triangles that are lines") {
-  // Corners told twice, one between others on a line, a way out and back, and the first once more at the end.
+  // Duplicate corners, one between others on a line, a way out and back, and the first once more at the end.
   const Corners untidy{{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0},
                        {3, 2, 0}, {2, 2, 0}, {0, 2, 0}, {0, 1, 0}, {0, 0, 0}};
   const auto triangles = fill_polygon(untidy);

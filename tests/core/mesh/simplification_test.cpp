@@ -40,7 +40,7 @@ glm::vec3 normal_of(const Patch& patch, const std::array<std::uint32_t, 3>& tria
 
 bool is_flat(const std::array<std::uint32_t, 3>& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
-// Does what the list says and checks each step; how many triangles turned over.
+// Applies the list of collapses and checks each step; returns how many triangles turned over.
 void check_laws(const Patch& patch, const std::vector<Collapse>& thinning) {
   auto triangles = patch.triangles;
   std::set<std::uint32_t> gone;
@@ -79,7 +79,7 @@ TEST_CASE("thinning: a ridge outlasts the planes beside it") {
   const Patch patch = grid(12, roof);
   const std::vector<Collapse> thinning = thinning_of(patch);
   check_laws(patch, thinning);
-  // Ninety-nine of its vertices are in a plane or along the ridge; the height is kept as long as those go.
+  // Ninety-nine of its vertices are in a plane or along the ridge; the height stays until those are gone.
   for (const Collapse& each : thinning)
     if (each.error < 0.3f)
       CHECK(patch.positions[each.vertex].z <= patch.positions[each.into].z + (each.vertex % 13 == 6 ? 0.0f : 12.0f));
@@ -177,7 +177,7 @@ TEST_CASE("a patch of more triangles than are compared is thinned on grids, and 
     left = each.triangles;
   }
   CHECK(left < 1300);
-  // As many triangles are left as the list says.
+  // The list's count of remaining triangles is right.
   std::vector<std::uint32_t> to(large.positions.size());
   for (std::uint32_t v = 0; v < to.size(); ++v) to[v] = v;
   for (std::size_t i = thinning.size(); i-- > 0;) to[thinning[i].vertex] = to[thinning[i].into];

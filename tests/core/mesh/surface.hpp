@@ -1,4 +1,4 @@
-// What every mesh of ours must be, measured in double from the floats that leave the core.
+// Invariants of every mesh, measured in double from the floats that leave the core.
 #pragma once
 
 #include <doctest/doctest.h>

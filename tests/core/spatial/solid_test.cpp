@@ -73,7 +73,7 @@ TEST_CASE("parts that overlap, touch or are turned inside out count as they wind
   Surface turned = box({0, 0, 0}, {1, 1, 1});
   for (std::size_t t = 0; t < turned.triangles.size(); t += 3) std::swap(turned.triangles[t], turned.triangles[t + 1]);
   CHECK(Solid(turned).contains({0.5f, 0.5f, 0.5f}));
-  // A hole: what is turned within another.
+  // A hole: a part that is turned inside out within another.
   Surface hollow = box({-1, -1, -1}, {2, 2, 2});
   append(hollow, turned);
   CHECK_FALSE(Solid(hollow).contains({0.5f, 0.5f, 0.5f}));

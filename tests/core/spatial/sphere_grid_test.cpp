@@ -52,7 +52,7 @@ Push push_of_all(const std::vector<Sphere>& spheres, const Sphere& probe, std::u
 
 struct Cloud {
   const char* name;
-  float largest;  // what the grid is told
+  float largest;  // passed to the grid
   float smallest_radius, largest_radius;
   float extent;  // of the cube of centres
   glm::vec3 middle;

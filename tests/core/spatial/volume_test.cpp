@@ -67,7 +67,7 @@ TEST_CASE("a volume holds what is in it, wherever it stands and however it is tu
     }
 }
 
-// Whether the way up to `far` is inside, and what lies a little further is not.
+// The whole way up to `far` is inside, and a point a little further is not.
 void check_reach(const Volume& volume, const glm::vec3& from, const glm::vec3& way, float most, float little) {
   const float far = volume.reach(from, way, most);
   CHECK(far >= 0);
@@ -104,7 +104,7 @@ TEST_CASE("reach is exact: from a middle it is half a size, and all that is aske
   CHECK(ball.reach({1, 2, 3}, {0, 0.6f, 0.8f}, 0.7f) == 0.7f);
   CHECK(ball.reach({1, 2.5f, 3}, {1, 0, 0}, 5) == near(std::sqrt(0.75), 1e-4));
   const Volume box(Kind::box, {0, 0, 0}, {2, 4, 6}, glm::quat(std::sqrt(0.5f), 0, std::sqrt(0.5f), 0));
-  // A hundred-thousandth of the size is kept from the surface.
+  // The reach ends a hundred-thousandth of the size before the surface.
   CHECK(box.reach({0, 0, 0}, {1, 0, 0}, 9) < 3 - 2e-5);
   CHECK(box.reach({0, 0, 0}, {1, 0, 0}, 9) == near(3, 1e-4));  // turned by a right angle about the upright
   CHECK(box.reach({0, 0, 0}, {0, 0, 1}, 9) == near(1, 1e-4));

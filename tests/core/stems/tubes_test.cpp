@@ -212,7 +212,7 @@ TEST_CASE("an axis ends in the shape that it is given") {
   CHECK(widest_below(-55, flared) > 6);
   CHECK(widest_below(-55, shrunk) < 4);
   CHECK(widest_below(-55, {}) == doctest::Approx(5).epsilon(0.15));
-  // A rounded end is as high as it is told.
+  // A rounded end has the height that is set.
   const auto lowest = [&](const StemEnd& end) {
     const Mesh mesh = sweep_stems({{&twig, 1}, {}, {&end, 1}}, twelve, 1).mesh;
     float y = 0;

@@ -1,4 +1,4 @@
-// What the module imports from its host, under the name `env` (tools/host.js declares it to the linker).
+// Functions that the module imports from its host, under the name `env` (tools/host.js declares them to the linker).
 #pragma once
 
 #ifdef __EMSCRIPTEN__

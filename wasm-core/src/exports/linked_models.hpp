@@ -7,7 +7,7 @@
 
 namespace panicle {
 
-// Defined by what is linked: one model in each .wasm, all of them natively.
+// Defined by the linked models: one in each .wasm, all of them natively.
 std::span<const Model* const> linked_models();
 
 }  // namespace panicle

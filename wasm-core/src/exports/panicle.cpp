@@ -32,7 +32,8 @@ CompiledTexts& compiled_texts() {
   return texts;
 }
 
-// What a model keeps from its last growth. Natively several are linked, and it is that of the one asked for last.
+// The cache of a model's last growth. Natively several models are linked: only the cache of the last requested one is
+// stored.
 CacheSlot& cache_of(const Model& model) {
   static const Model* whose = nullptr;
   static CacheSlot cache;
@@ -41,7 +42,8 @@ CacheSlot& cache_of(const Model& model) {
   return cache;
 }
 
-// The last plant, whose large arrays its answer only refers to: until the answer is released, or another asked for.
+// The last plant, whose large arrays its response refers to. It is freed when the response is released or another plant
+// is requested.
 struct Answered {
   Plant plant;
   std::uint8_t* block = nullptr;
@@ -51,7 +53,7 @@ Answered& answered() {
   return last;
 }
 
-// Errors: those of compiling; limit where too many are kept.
+// Errors: those of compiling; limit where too many texts are stored.
 Result<std::uint32_t> compile(std::string_view text) {
   const Model& model = *linked_models().front();
   if (model.compile_text == nullptr)

@@ -39,7 +39,8 @@ constexpr Pure pure_functions[] = {
 constexpr std::size_t first_pure = static_cast<std::size_t>(Op::remainder);
 static_assert(std::size(pure_functions) == static_cast<std::size_t>(Op::clamp) - first_pure);
 
-// Every whole number from a to b, whichever is larger, equally likely. `wrong` says why there is none.
+// Returns a random whole number from a to b in either order, all equally likely. `wrong` describes the error if there
+// is none.
 void draw_whole(float a, float b, const Sources& sources, std::uint64_t stream, float& out, std::string& wrong) {
   const float low = std::ceil(std::min(a, b));
   const float high = std::floor(std::max(a, b));
@@ -60,8 +61,8 @@ float draw_normal(float mean, float deviation, const Sources& sources, std::uint
   return mean + deviation * std::sqrt(-2 * logarithm(1 - radius)) * sincos_degrees(360 * angle).cosine;
 }
 
-// Without a space everything is outside. Productions that compete ask the same, one after the other: the last answer of
-// reach() is kept.
+// Queries the space; without a space every place is outside. Competing productions often repeat a query: the last
+// response of reach() is cached.
 float query_space(const Sources& sources, Op op) {
   const std::array<float, most_handed_over>& of = sources.handed_over;
   if (sources.space == nullptr) return 0;
@@ -87,7 +88,7 @@ void read_element(const std::string& name, const std::vector<float>& array, floa
   wrong += size == 0 ? " has no values." : sentence(" goes from 1 to %.", {std::to_string(size)});
 }
 
-// What can go wrong, apart from the rest: that would make room for what went wrong as well.
+// Instructions that can fail, in a function of their own, so that the others need no stack space for errors.
 [[gnu::noinline]] bool execute_fallible(const Code& code, std::uint32_t at, float a, float b, float& out,
                                         const Sources& sources, Diagnostic& fault) {
   const Instruction& step = code.instructions[at];

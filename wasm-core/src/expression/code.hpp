@@ -1,6 +1,6 @@
 // The byte code of expressions: three-address instructions over one file of registers that the whole program shares.
-// Registers 0 … 31 are the module's parameters; numbers of the text and what follows from the inputs have theirs for
-// good; each other result has its own.
+// Registers 0 … 31 are the module's parameters. Constants of the text, and values that depend on the inputs alone, have
+// permanent registers; each other result has its own.
 #pragma once
 
 #include <array>
@@ -56,39 +56,41 @@ struct Curve {
 struct Code {
   std::vector<Instruction> instructions;
   std::vector<Place> places;        // of each instruction
-  std::vector<float> registers;     // what they hold at first: the numbers of the text
+  std::vector<float> registers;  // initial values: the numbers of the text
   bool doubles = false;             // whether expressions are worked out in double precision
-  std::vector<double> precise;      // then: what the registers hold at first
+  std::vector<double> precise;  // the same in double precision, where `doubles`
   std::vector<std::string> arrays;  // names
   std::vector<std::uint64_t> streams;
   std::vector<Curve> curves;
 };
 
-// What running a range takes, in 32nds of a unit of work.
+// The cost of running a range, in 32nds of a unit of work.
 inline std::uint32_t cost_of(const Code& code, Range range) {
   std::uint32_t cost = 0;
   for (std::uint32_t at = range.begin; at < range.end; ++at) cost += cost_of(code.instructions[at].op);
   return cost;
 }
 
-// What instructions read beside registers: the lists that the inputs gave, and for whom random values are drawn.
+// Data that instructions read besides registers: the arrays of the inputs, the seed and address of random values, and
+// the space.
 struct Sources {
   std::span<const std::vector<float>> arrays;
   std::uint64_t seed = 0;
   std::uint64_t address = 0;
   const Space* space = nullptr;
   mutable std::array<float, most_handed_over> handed_over{};
-  mutable std::array<float, most_handed_over> reached_for{};  // what reach() was last asked with
+  mutable std::array<float, most_handed_over> reached_for{};  // arguments of the last query of reach()
   mutable std::optional<float> reached{};                     // and its answer
 };
 
-// One of the rarer instructions, from Op::remainder on. False when it went wrong; `fault` says how.
+// Executes one of the rarer instructions, from Op::remainder on. False when it fails; `fault` describes the error.
 bool execute_one(const Code& code, std::uint32_t at, float* registers, const Sources& sources, Diagnostic& fault);
-// The same in double precision, but for sines, logarithms and the like, lists, curves and what is drawn or asked.
+// The same in double precision; sines, logarithms and the like, arrays, curves, random values and queries remain in
+// single precision.
 bool execute_one(const Code& code, std::uint32_t at, double* registers, const Sources& sources, Diagnostic& fault);
 
-// Runs instructions from `begin` to before `end`; what most rules consist of without a call. False when one went wrong;
-// `fault` says how. Number is float or double.
+// Executes instructions from `begin` to before `end`, the most frequent ones without a call. False when one fails;
+// `fault` describes the error. Number is float or double.
 template <class Number>
 inline bool execute(const Code& code, std::uint32_t begin, std::uint32_t end, Number* registers, const Sources& sources,
                     Diagnostic& fault) {

@@ -1,4 +1,4 @@
-// Where something stands in a grammar's text, and what to say about it.
+// Places in a grammar's text, and error messages with them.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@ struct Place {
   std::uint32_t column = 0;
 };
 
-// What stands in a sentence for each of its %, in order. Sentences are put together out of line, in one place: sums of
-// strings would be a fifth of the .wasm.
+// The values that replace each % of a message pattern, in order. Messages are assembled by one function that is not
+// inlined: concatenations would be a fifth of the .wasm.
 using Pieces = std::initializer_list<std::string_view>;
 
 std::string sentence(const char* pattern, Pieces pieces = {});

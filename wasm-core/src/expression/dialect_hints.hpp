@@ -1,4 +1,5 @@
-// What cpfg, its preprocessor and the papers write and this notation lacks: what each means there, and what to do here.
+// Hints for syntax of cpfg, its preprocessor and papers that this notation lacks: its meaning there, and its
+// replacement here.
 #pragma once
 
 #include <string_view>

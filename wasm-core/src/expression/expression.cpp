@@ -43,7 +43,7 @@ constexpr std::array<Operator, 15> operators = {{{"&&", 2, Op::truth, Logic::bot
                                                  {"%", 6, Op::remainder},
                                                  {"^", 8, Op::power}}};
 
-// What waits on the stack: an operator, or a group that is still open.
+// An entry of the operator stack: an operator, or an open group.
 struct Waiting {
   enum class Kind : std::uint8_t { operation, parenthesis, call, index };
   Kind kind = Kind::operation;
@@ -244,8 +244,8 @@ class Parser {
     return push({Waiting::Kind::operation, op.precedence, node});
   }
 
-  // Puts out the operators on top of the stack that bind at least as strongly as `precedence`. 1 < x < 3 would compare
-  // the truth of 1 < x with 3, which nobody means.
+  // Outputs the operators on top of the stack that bind at least as strongly as `precedence`. A chain such as 1 < x < 3
+  // is an error, because it would compare the truth of 1 < x with 3.
   bool pop_operators(std::uint32_t precedence, std::uint32_t following = 0) {
     while (!waiting_.empty() && waiting_.back().kind == Waiting::Kind::operation &&
            waiting_.back().precedence >= precedence) {

@@ -153,7 +153,7 @@ bool Lowering::operation(const Node& node) {
   return true;
 }
 
-// What the space answers is asked anew each time.
+// Queries of the space are never shared: each is executed.
 bool Lowering::space_query(const Node& node) {
   if (!in_production_)
     return fail(Reason::syntax, node.place, "% belongs to a place of the plant; ask in a production, not in a #define.",

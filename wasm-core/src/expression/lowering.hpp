@@ -1,5 +1,5 @@
-// Expression → byte code. What follows from numbers of the text alone is worked out here; what follows from the inputs
-// as well becomes code that runs once when they are bound; the rest is left for the modules.
+// Expression → byte code. Values that depend on constants of the text alone are computed here; values that depend on
+// the inputs as well become code that runs once when the inputs are bound; all others are computed for each module.
 #pragma once
 
 #include <array>
@@ -48,8 +48,8 @@ class Lowering {
   Result<std::uint32_t> lower(const Expression& expression);
   Known known(std::uint32_t reg) const { return static_cast<Known>(known_[reg]); }
 
-  // Puts the code that runs once the inputs are bound behind all other code, and tells where it is. An instruction of
-  // it that goes wrong is no error by itself: it stands once more in the code of each expression that needs it.
+  // Appends the code that runs once the inputs are bound behind all other code, and returns its range. An instruction
+  // in it that fails is no error by itself: the code of each expression that needs the value repeats it.
   Range finish();
   // How much of that there is by now.
   std::uint32_t once_bound() const { return static_cast<std::uint32_t>(once_bound_.size()); }
@@ -80,7 +80,7 @@ class Lowering {
   void put(std::uint32_t reg) { stack_.push_back(reg); }
 
   Code& code_;
-  // What a definition stands for: a register, or a place among the lists.
+  // The meaning of a definition: a register, or the index of an array.
   struct Meaning {
     bool array;
     std::uint32_t at;

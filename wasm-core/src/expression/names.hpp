@@ -1,4 +1,4 @@
-// Names → dense numbers: what belongs to a name stands in a vector at its number.
+// Names → dense numbers, which index vectors.
 #pragma once
 
 #include <cstdint>
@@ -8,13 +8,13 @@
 
 namespace panicle::expression {
 
-// One hash table with open addressing for every room of the front end: the cost is linear in the text, whatever it
-// says. Names are any bytes and are copied.
+// One hash table with open addressing, for all parts of the front end: the cost is linear in the text for every input.
+// Names are any bytes and are copied.
 class Names {
  public:
   static constexpr std::uint32_t none = 0xffffffff;
 
-  // The name's number; one that is new gets what `size()` was before.
+  // Returns the name's number; a new name gets the next number.
   std::uint32_t add(std::string_view name);
   // `none` for a name that was never added.
   std::uint32_t find(std::string_view name) const;

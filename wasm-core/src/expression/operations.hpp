@@ -1,4 +1,4 @@
-// What expressions are made of: the operations of the byte code, and the functions that spell some of them.
+// The operations of the byte code, and the functions of the language that compile to one of them.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 namespace panicle::expression {
 
 enum class Op : std::uint8_t {
-  // What most rules consist of.
+  // The most frequent operations.
   add,
   subtract,
   multiply,
@@ -45,10 +45,10 @@ enum class Op : std::uint8_t {
   logarithm,
   // Of three; the byte code makes two of it.
   clamp,
-  // What can go wrong, or draws.
+  // Operations that can fail or draw random values.
   element,
   curve,
-  // What the space is asked; several arguments are handed over one by one.
+  // Queries of the space; several arguments are handed over one by one.
   hand_over,
   bound,
   reach,
@@ -63,7 +63,7 @@ constexpr bool is_random(Op op) { return op >= Op::random_whole; }
 constexpr bool is_space_query(Op op) { return op >= Op::hand_over && op < Op::random_whole; }
 inline constexpr std::uint32_t most_handed_over = 8;
 
-// What an operation takes, in 32nds of a unit of work.
+// The cost of an operation, in 32nds of a unit of work.
 constexpr std::uint32_t cost_of(Op op) {
   if (op < Op::remainder || op == Op::hand_over) return 1;
   if (op == Op::reach) return 512;

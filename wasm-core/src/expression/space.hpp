@@ -1,12 +1,12 @@
-// What a text asks of the space about its plant by bound() and reach() (Seo et al. 2014: clipping volumes).
+// Queries of the space around a plant, for bound() and reach() of a text (Seo et al. 2014: clipping volumes).
 #pragma once
 
 #include <glm/vec3.hpp>
 
 namespace panicle::expression {
 
-// Answers for whoever grows a grammar, in the grammar's unit. The same question has the same answer for as long as a
-// plant grows.
+// The space around a growing plant, implemented by models, in the grammar's unit. The same query must have the same
+// response for as long as a plant grows.
 class Space {
  public:
   virtual ~Space() = default;

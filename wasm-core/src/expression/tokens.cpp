@@ -15,7 +15,7 @@ constexpr std::string_view signs = "+-*/^%&|\\!()[]{}.,:;=<>?#$~@'";
 
 bool is_digit(char32_t c) { return c >= U'0' && c <= U'9'; }
 
-// What people paste from papers, and how the notation spells it.
+// Typographic characters that are pasted from papers, and their spelling in this notation.
 struct Spelling {
   char32_t pasted;
   std::string_view written;

@@ -33,8 +33,8 @@ inline bool touching(const Token& token, const Token& next) {
   return token.text.data() + token.text.size() == next.text.data();
 }
 
-// What a text is written of: strings of modules, or rules as papers print them, where an arrow may be
-// short (->, →), a name may have a part (volume.h), words stand in quotes, and a number may be in degrees (60°).
+// The kind of text: strings of modules; or rules as papers print them, where an arrow may be short (->, →), a name may
+// have a part (volume.h), words may be quoted, and a number may be in degrees (60°).
 enum class Writing : std::uint8_t { modules, rules };
 
 // The tokens of a text. `text` must outlive them. Errors: syntax.

@@ -100,7 +100,7 @@ Blade make_twig(const Blade& leaf, std::uint32_t leaves) {
     const bool tip = i + 1 == leaves;
     const auto place = static_cast<float>(i);
     const float side = i % 2 == 0 ? 1.0f : -1.0f, share = place / static_cast<float>(leaves - 1);
-    // Golden sections of a turn stand in for luck: one mesh is all the tree's.
+    // Leaves vary by multiples of the golden ratio, not by random values: all trees share one mesh.
     const float scatter = 0.618034f * place - std::floor(0.618034f * place), other = std::fmod(3.7f * scatter, 1.0f);
     const SinCos off = sincos_degrees(tip ? 0 : side * glm::mix(off_foot, off_tip, share));
     const SinCos roll = sincos_degrees(rolled * (2 * scatter - 1)), lift = sincos_degrees(lifted * (2 * other - 1));

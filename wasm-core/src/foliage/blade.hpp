@@ -1,4 +1,4 @@
-// What one leaf of a tree looks like: a mesh that all of them share.
+// The mesh of one leaf, or of a twig with leaves, that all leaves of a tree share.
 #pragma once
 
 #include <cstdint>

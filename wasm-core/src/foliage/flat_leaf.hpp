@@ -1,4 +1,5 @@
-// A leaf as a request brings it: grown by another model, baked flat (docs/foliage.md), for whoever bears it to bend.
+// A leaf blade in a request: grown by another model, baked flat (docs/foliage.md), and bent by the model that attaches
+// it.
 #pragma once
 
 #include <cstdint>
@@ -16,17 +17,17 @@ struct FlatLeaf {
   std::span<const float> between;            // one a point: 0 on one of the larger veins … 1 in the midst between them
   std::span<const float> uvs;                // × 2, within 0 … 1
   std::span<const std::uint32_t> triangles;  // × 3, counter-clockwise
-  std::span<const float> petiole = {};       // length and width; empty where whoever bears it has petioles of its own
+  std::span<const float> petiole = {};  // length and width; empty where the plant has petioles of its own
 };
 
 // Errors: bad_request, where the numbers are none of a leaf.
 Diagnostic check(const FlatLeaf& leaf);
 
-// Bends a line of a leaf into an arc, downwards, by `radians` (> 0) a length: what stood on it still does.
+// Bends a line of a leaf into an arc, downwards, by `radians` (> 0) a length. Heights above the line are preserved.
 void bend(float& along, float& height, float radians);
 
-// The leaf with its points where `places` says, one each, its normals the mean of its triangles'. `mirrored`: left for
-// right, so that the upper face is counter-clockwise again.
+// Returns the leaf's mesh with its points at `places` and normals that average its triangles'. `mirrored`: swaps left
+// and right, so that the upper face is counter-clockwise again.
 Mesh raised(const FlatLeaf& leaf, std::span<const glm::vec3> places, bool mirrored = false);
 
 }  // namespace panicle

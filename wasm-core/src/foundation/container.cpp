@@ -23,7 +23,7 @@ std::uint32_t word(const std::uint8_t* bytes, std::size_t index) {
 
 Diagnostic refused(const char* why) { return {Reason::bad_request, why, 0, 0}; }
 
-// One entry of the directory, if what it names lies within the bytes.
+// Reads one entry of the directory; false if its name or data lie outside the bytes.
 bool read_entry(std::span<const std::uint8_t> bytes, std::size_t entry, ColumnView& column) {
   const std::size_t row = header_words + entry * entry_words;
   const std::uint64_t name = word(bytes.data(), row), letters = word(bytes.data(), row + 1);

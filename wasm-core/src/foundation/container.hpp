@@ -1,4 +1,4 @@
-// Named arrays in one block of bytes: what crosses the border, both ways.
+// Named arrays in one block of bytes: the format of requests and responses at the boundary (exports/panicle.h).
 //
 // Little-endian 32-bit words; everything begins at a word:
 //   0  magic 0x4c434e50 ("PNCL")
@@ -58,12 +58,12 @@ struct ColumnView {
   }
 };
 
-// Reads a block, which must outlive what comes back and begin at a word. Whatever the bytes are, nothing outside them
-// is looked at. Errors: bad_request.
+// Reads a block, which must begin at a word and outlive the views that are returned. No byte outside the block is read,
+// for any content. Errors: bad_request.
 Result<std::vector<ColumnView>> read_container(std::span<const std::uint8_t> bytes);
 
-// Collects columns and writes them into one block. What is added by `add` is viewed, not copied, until `write`; names,
-// and what is added by `copy`, belong to the writer.
+// Collects columns and writes them into one block. `add` refers to the caller's values until `write`; `copy` and names
+// are stored by the writer.
 class ContainerWriter {
  public:
   template <class Value>
@@ -100,8 +100,8 @@ class ContainerWriter {
   // The block, from malloc: free it with std::free. Null when memory is out or the block would pass 2 GiB.
   std::uint8_t* write() const { return write(no_limit); }
 
-  // The same, but that added columns of `large` bytes or more stay where they are: the directory says where they begin,
-  // counted from the block's first byte and modulo 2^32, which is all of a 32-bit memory. They must outlive the block.
+  // The same, but added columns of `large` bytes or more are not copied: the directory has their addresses relative to
+  // the block's first byte, modulo 2^32 (the range of a 32-bit memory). They must outlive the block.
   std::uint8_t* write(std::uint64_t large) const;
 
  private:

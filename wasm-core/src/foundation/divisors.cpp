@@ -31,7 +31,7 @@ std::int64_t weight_of(const DivisorRule& rule, std::uint32_t d) {
   return weight;
 }
 
-// Adds to the sums from `first` to `last` what their divisors count: each n = d · q with d ≤ q once, where d counts
+// Adds the divisors of all numbers from `first` to `last` to their sums: each n = d · q with d ≤ q once, where d counts
 // with q as its quotient and q with d.
 void add_divisors(bool odd_quotients, std::span<const std::int64_t> weights, std::span<std::int64_t> sums,
                   std::uint64_t first, std::uint64_t last) {

@@ -22,7 +22,7 @@ struct DivisorRule {
   std::uint32_t remainder = 0, modulus = 1;  // b and m, of a residue
 };
 
-// What stands in the argument of a divisor function to make it grow faster: B(x, y) = x^y (equation 5).
+// The factor B in the argument of a divisor function, which makes it grow faster: B(x, y) = x^y (equation 5).
 struct DivisorArgument {
   std::uint32_t base = 1, exponent = 0;
 };

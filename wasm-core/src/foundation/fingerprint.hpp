@@ -1,5 +1,5 @@
-// The fingerprint: FNV-1a, 64 bits wide, fed whole 32-bit words instead of bytes (Fowler, Noll, Vo; prime and start
-// are theirs). docs/fingerprint.md says which words a result is, so that anyone can compute it again from the JSON.
+// FNV-1a hash, 64 bits wide, fed whole 32-bit words instead of bytes (Fowler, Noll, Vo; prime and offset are theirs).
+// docs/fingerprint.md lists the words that are hashed, so that a fingerprint can be recomputed from the JSON.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Four floats or words at once: what compilers make SSE, NEON and wasm's 128-bit instructions of. Each lane rounds as
-// a single float does, so results stay the same everywhere.
+// Vectors of four floats or words, which compilers translate to instructions of SSE, NEON or WebAssembly SIMD. Each
+// lane rounds as a single float does, so results are the same everywhere.
 #pragma once
 
 #include <cmath>
@@ -43,10 +43,10 @@ inline Four square_root(const Four& v) {
 #endif
 }
 
-// e to the power of what is 0 at the most, within 2 ulp (the polynomial of Moshier's Cephes); below −87 as there.
+// e to the power of x ≤ 0, within 2 ulp (the polynomial of Moshier's Cephes); below −87 as at −87.
 inline Four exponential(Four x) {
   constexpr float least = -87, per_doubling = 1.44269504f, doubling = 0.693359375f, rest = 2.12194440e-4f;
-  constexpr float rounder = 12582912;  // 1.5 · 2²³: the low bits of what is added to it are a whole number
+  constexpr float rounder = 12582912;  // 1.5 · 2²³: added to a number, rounds it; the low bits of the sum are the whole number
   x = x < least ? Four{least, least, least, least} : x;
   const Four shifted = x * per_doubling + rounder, whole = shifted - rounder;
   const Four r = (x - whole * doubling) + whole * rest;

@@ -17,8 +17,8 @@ constexpr double half_pi = 1.57079632679489661923;
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
-// Adding and taking away 1.5 × 2^52 rounds to the nearest whole number, and leaves that number in the low bits of
-// the sum: no conversion to int, which would be undefined for what does not fit.
+// Adding and subtracting 1.5 × 2^52 rounds to the nearest whole number, and leaves that number in the low bits of the
+// sum: no conversion to int, which would be undefined for large numbers.
 constexpr double rounder = 6755399441055744.0;
 
 struct Nearest {

@@ -1,5 +1,5 @@
 // Random values as hashes: a value belongs to (seed, stream, address), never to "the n-th draw", so that adding a
-// branch changes nothing elsewhere. The same arguments give the same value for ever: links depend on it.
+// branch changes nothing elsewhere. The values for given arguments are frozen: links depend on them.
 #pragma once
 
 #include <cstdint>
@@ -47,7 +47,7 @@ std::int32_t random_integer(std::uint64_t seed, std::uint64_t stream, std::uint6
 // A unit vector, uniform on the sphere.
 glm::vec3 random_direction(std::uint64_t seed, std::uint64_t stream, std::uint64_t address);
 
-// The same values of one seed's stream, for whoever draws many: half of the hash is always the same.
+// The same values of one seed and stream, for many draws: half of the hash is computed once.
 class RandomStream {
  public:
   RandomStream(std::uint64_t seed, std::uint64_t stream)

@@ -19,10 +19,10 @@ enum class Reason : std::uint32_t {
   limit = 6,        // a work limit was reached (foundation/limits.hpp)
 };
 
-// What went wrong and where. Line and column count from 1 and are 0 where no text is concerned.
+// An error and its place. Line and column count from 1 and are 0 for errors that concern no text.
 struct Diagnostic {
   Reason reason = Reason::none;
-  std::string message;  // one plain sentence that says what to do
+  std::string message;  // one plain sentence with advice
   std::uint32_t line = 0;
   std::uint32_t column = 0;
 };

@@ -1,4 +1,4 @@
-// What one request may take, and what it has taken so far.
+// The work and memory that one request may use, and has used so far.
 #pragma once
 
 #include <cstdint>
@@ -48,7 +48,7 @@ class WorkBudget {
   bool time_has_ended_work() const { return time_has_ended_work_; }
   TimePassed clock() const { return time_passed_; }
 
-  // Takes bytes of what is made. False: there are not as many; none are taken.
+  // Takes bytes of memory for results. False: fewer are left; none are taken.
   bool hold(std::uint64_t bytes) {
     if (bytes > bytes_ - held_) return false;
     held_ += bytes;
@@ -57,8 +57,8 @@ class WorkBudget {
   std::uint64_t held() const { return held_; }
   std::uint64_t bytes() const { return bytes_; }
 
-  // While it lives, only so much of the work that is left can be spent: the rest is kept for what follows, such as
-  // drawing what has been derived until then.
+  // While it lives, only so much of the remaining work can be spent: the rest is reserved for later stages, such as
+  // drawing the string derived so far.
   class Share {
    public:
     Share(WorkBudget& budget, std::uint64_t work) : budget_(budget), whole_(budget.work_) {
@@ -66,7 +66,7 @@ class WorkBudget {
       budget.look_again();
     }
     ~Share() {
-      // What was refused has not been done. Where the time ended, the work of its share is lost.
+      // Refused work has not been done. Where the time ended, the work of its share is lost.
       if (budget_.spent_ > budget_.work_ || budget_.time_is_over_) budget_.spent_ = budget_.work_;
       budget_.work_ = whole_;
       budget_.look_again();

@@ -3,10 +3,10 @@
 namespace panicle::generalized_map {
 namespace {
 
-// Which darts run counter-clockwise seen from outside of their volume: 1 those that do. What neighbours see from the
-// other side runs the other way, as every involution leads to a dart of the other kind.
+// Orientation by dart: 1 for darts that run counter-clockwise seen from outside of their volume. Every involution leads
+// to a dart of the other orientation.
 std::vector<std::uint8_t> turning(const Map& map) {
-  // Of prisms it stands in how their darts are numbered; what has been cut has others between.
+  // The darts of prisms have their orientation by number; in volumes that were cut, other darts lie between.
   if (map.cuts().empty()) {
     std::vector<std::uint8_t> forward(map.darts());
     for (std::uint32_t v = 0; v < map.volumes(); ++v) {

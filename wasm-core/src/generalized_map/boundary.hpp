@@ -1,4 +1,4 @@
-// What a map shows to the world: its free faces, which are a closed surface, for at each edge exactly two of them meet.
+// The boundary of a map: its free faces. They are a closed surface, for at each edge exactly two of them meet.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,8 @@ struct Boundary {
   std::vector<Face> face;             // and which
 };
 
-// Of a map that `embedding` has laid and placed. Where sheets touch in a vertex alone they share it.
+// Returns the boundary of a map whose `embedding` has been built and placed. Sheets that touch in a vertex alone share
+// it.
 Boundary boundary_of(const Map& map, const Embedding& embedding);
 
 }  // namespace panicle::generalized_map

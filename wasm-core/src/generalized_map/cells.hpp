@@ -29,7 +29,7 @@ struct Orbits {
 // `orbits_of(map, of_cell(0))`: the map's vertices; `of_cell(0) & in_volume`: those of each volume by itself.
 Orbits orbits_of(const Map& map, Involved involved);
 
-// Single orbits, one after another: what was seen is remembered between questions, not cleared.
+// Finds single orbits, one after another. Marks of visited darts are numbered by query instead of being cleared.
 class OrbitWalk {
  public:
   explicit OrbitWalk(const Map& map) : map_(map) {}

@@ -31,7 +31,7 @@ bool is_home(const Involutions& m, std::uint32_t d) {
 
 bool is_unfolded(const Involutions& m, std::uint32_t d) { return m.a3[d] == d || m.volume[m.a3[d]] != m.volume[d]; }
 
-// What one dart shows, in the order of the list.
+// Returns the first fault at one dart, in the order of the list.
 Fault fault_of(const Involutions& m, std::uint32_t d) {
   if (!is_involutive(m, d)) return Fault::involution;
   if (!moves(m, d)) return Fault::fixed;

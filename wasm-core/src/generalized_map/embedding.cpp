@@ -72,7 +72,7 @@ void Embedding::place(std::span<const Shape> shapes) {
   std::fill(proposals_.begin(), proposals_.end(), 0);
   is_settled_.assign(cuts_.size(), 0);
   for (const Placement& placement : placements_) place(placement, shapes[placement.volume]);
-  // Where what grew on a volume's base was split, and then the volume, its base may have corners that are in nobody's
+  // Where a child on a volume's base was split, and then the volume, its base may have corners that are in no volume's
   // end.
   if (!cuts_.empty())
     for (const Placement& placement : placements_) propose_rest(placement, shapes[placement.volume]);
@@ -81,7 +81,7 @@ void Embedding::place(std::span<const Shape> shapes) {
     places_[vertex] /= static_cast<float>(proposals_[vertex]);
     proposals_[vertex] = 1;
   }
-  // Anew: what was settled on the way was so before all had proposed.
+  // Settles the cuts again: the earlier pass used vertices for which not all volumes had proposed places yet.
   for (std::uint32_t cut = 0; cut < cuts_.size(); ++cut)
     if (!is_proposed(cuts_[cut].vertex)) settle_cut(cut);
   for (std::uint32_t cut = 0; cut < cuts_.size(); ++cut)
@@ -143,7 +143,7 @@ glm::vec3 Embedding::centre(std::span<const std::uint32_t> vertices, const glm::
   return known > 0 ? sum / known : otherwise;
 }
 
-// Settles a vertex that only a cut tells of, and the earlier cuts that its edge's ends are.
+// Settles a vertex that only a cut determines, after the earlier cuts that its edge's ends are.
 void Embedding::settle(std::uint32_t vertex) {
   waiting_.assign(1, vertex);
   needed_.clear();

@@ -1,11 +1,11 @@
-// Where a map's vertices are. Topology and shape are apart (Petrenko 2014, section 2.2.1: a map has no geometry of its
-// own, and any number of embeddings): `build` follows the map and is needed again only when that has changed, `place`
-// follows the shapes.
+// The positions of a map's vertices. Topology and shape are apart (Petrenko 2014, section 2.2.1: a map has no geometry
+// of its own, and any number of embeddings): `build` depends on the map and is needed again only when that has changed,
+// `place` depends on the shapes.
 //
-// A volume that has grown on a face has that face for its base, whatever its own length and width: it *proposes* places
-// for the corners of its end alone. One that is planted, or stands on a face of another order, does so for those of its
-// base, too. A vertex that several volumes hold in their ends lies in the mean of what they propose: so glued lobes run
-// into each other. A vertex that nobody proposes was made by a cut, and lies midway on the edge that was cut.
+// A volume that has grown on a face has that face for its base, for any length and width of its own: it *proposes*
+// places for the corners of its end alone. One that is planted, or attached to a face of another order, does so for
+// those of its base, too. A vertex in the ends of several volumes is placed at the mean of their proposals: so glued
+// lobes run into each other. A vertex without proposals was made by a cut, and lies midway on the edge that was cut.
 #pragma once
 
 #include <cstdint>
@@ -21,11 +21,11 @@ namespace panicle::generalized_map {
 
 class Embedding {
  public:
-  // Numbers the vertices, and finds what each volume stands on and in which order they are placed: each after its
-  // parent, else as they were made.
+  // Numbers the vertices, and finds the supporting face of each volume and the order of placing: each after its parent,
+  // else as they were made.
   void build(const Map& map);
 
-  // Places all vertices, by a shape for each volume of the map that was laid. What is planted stands at the origin.
+  // Places all vertices, by a shape for each volume of the map that was built. Planted volumes stand at the origin.
   void place(std::span<const Shape> shapes);
 
   std::span<const std::uint32_t> vertex_of() const { return vertex_of_; }  // by dart
@@ -35,13 +35,13 @@ class Embedding {
   std::uint64_t bytes() const;                                      // that it holds
 
  private:
-  // What a volume is to be placed by.
+  // The topology that the placement of one volume needs.
   struct Placement {
     std::uint32_t volume, parent, order, parent_order;
     Face parent_face;
     bool proposes_base;
     std::uint32_t corners;                 // where its base's vertices begin, its end's after them
-    std::uint32_t support, support_count;  // of what is attached, the vertices of the face below
+    std::uint32_t support, support_count;  // range in `supports_`: for an attached volume, the vertices of its parent's face
   };
   struct Ends {
     std::uint32_t vertex, from, to;

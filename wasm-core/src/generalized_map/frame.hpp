@@ -1,5 +1,5 @@
-// Where something stands and how it is turned, and so what stands on it: all by angles and orders, never from where
-// corners have come to lie, for faces may shrink to nothing.
+// Positions and orientations of prisms and of their faces: all by angles and orders, never from the places of corners,
+// for faces may shrink to nothing.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -27,8 +27,8 @@ struct Shape {
 // Turned about its own x, then its own y, then its own z.
 Frame turned(const Frame& frame, const Shape& shape);
 
-// What grows on a face of a prism whose frame this is: on the end as the prism stands, on a side outwards with the
-// prism's axis up, on the base the other way.
+// Returns the frame of a volume that grows on a face of a prism with frame `frame`: on the end as the prism stands, on
+// a side outwards with the prism's axis up, on the base the other way.
 Frame on_face(const Frame& frame, std::uint32_t order, Face face);
 
 // Corners of a base or an end in x and y, counter-clockwise, the edge from the first to the second at −y: of order 4

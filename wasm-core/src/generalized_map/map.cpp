@@ -185,7 +185,8 @@ Grown Map::grow(std::uint32_t v, Face face, std::uint32_t order, std::uint32_t l
   }
   list_[grown.volume].parent = v;
   list_[grown.volume].parent_face = face;
-  // A base seen from outside runs clockwise: what grows there meets it backwards, or the map would be a Möbius band.
+  // A base seen from outside runs clockwise: a volume that grows there is sewn backwards, or the map would be a Möbius
+  // band.
   sew_faces(list_[grown.volume].first, face == base_face ? alpha_[0][support] : support);
   return grown;
 }

@@ -3,14 +3,14 @@
 // After Lienhardt 1994, "N-dimensional generalized combinatorial maps and cellular quasi-manifolds"; sewing is his. The
 // one element is the *dart*: a corner's view along an edge, of a face, of a volume. α0 leads to the dart at the edge's
 // other end, α1 to the other edge at the corner, α2 to the other face at the edge, α3 to the volume on the other side
-// of the face. All four are involutions; α0α2, α0α3 and α1α3 are, too: that is what makes cells meet whole. A cell is
-// what the other involutions reach (cells.hpp). A dart whose α3 is itself is *free*: nothing lies beyond its face. α0,
+// of the face. All four are involutions; α0α2, α0α3 and α1α3 are, too: so cells meet whole. A cell is all darts
+// that the other involutions reach (cells.hpp). A dart whose α3 is itself is *free*: nothing lies beyond its face. α0,
 // α1 and α2 fix none, so each volume is closed.
 //
 // Volumes begin as prisms (prism.hpp) and are made by the three operations of 3Gmap L-systems (Terraz et al. 2009,
 // "3Gmap L-systems: an application to the modelling of wood"; Petrenko 2014, "Simulation of flowering plants",
-// section 2.2.1): grow, glue, split. Each either does all that it says or refuses and leaves the map as it was. `check`
-// (check.hpp) proves what it left.
+// section 2.2.1): grow, glue, split. Each either succeeds or refuses and leaves the map as it was. `check`
+// (check.hpp) verifies the result.
 #pragma once
 
 #include <array>
@@ -39,7 +39,7 @@ enum class Refusal : std::uint8_t {
   full,          // the map would have more darts than it may
 };
 
-// What is wrong, and what to do, in one sentence; empty for `nothing`.
+// The reason of a refusal and advice, in one sentence; empty for `nothing`.
 const char* words(Refusal refusal);
 
 struct Volume {
@@ -51,9 +51,9 @@ struct Volume {
   // Cells of its boundary. Of a prism 2 n, 3 n, n + 2; a cut at one of its edges adds a vertex and an edge, one across
   // a face an edge and a face.
   std::uint32_t vertices = 0, edges = 0, faces = 0;
-  // Where its darts are: a prism's stand together, those of what was split are listed in the map.
+  // Indices of its darts: a prism's are contiguous, those of a split volume are listed in the map.
   std::uint32_t first = none, corners = none;
-  std::uint32_t last_attached = none, attached_before = none;  // what stands on it, as a list
+  std::uint32_t last_attached = none, attached_before = none;  // linked list of the volumes attached to it
 };
 
 // An edge that a split has cut: the new vertex, and the ends that the edge had then, as darts at them.
@@ -85,7 +85,7 @@ class Map {
   // `most`: darts it may have.
   explicit Map(std::uint32_t most = Limits{}.darts) : most_(most) {}
 
-  void clear();                                              // memory is kept
+  void clear();  // keeps its memory
   void reserve(std::uint32_t darts, std::uint32_t volumes);  // or doubling takes three times the memory for a while
 
   std::uint32_t darts() const { return static_cast<std::uint32_t>(volume_.size()); }
@@ -148,9 +148,9 @@ class Map {
 
   // A -F-> B C: every face at F is divided and both halves are closed by a new face. C, the new volume, is the part at
   // F: a prism as if it had grown where the cut is, its end F and its base the cut, C1 at F's first edge. B keeps A's
-  // number, faces and place, and the cut for F. Where F is the base C is what stands on A's support, and B on C's end.
+  // number, faces and place, and the cut for F. Where F is the base, C stands on A's support, and B on C's end.
   //
-  // The cut goes through each edge that leaves F, so those who share these edges get a vertex more, and those who share
+  // The cut goes through each edge that leaves F, so volumes that share these edges get a vertex more, and those that share
   // the divided faces an edge across theirs. Splits with the same `step` (other than `none`) meet in the vertices that
   // one of them has made: neighbours that are split in one step of a derivation are cut all along one surface.
   SplitResult split(std::uint32_t v, Face face, std::uint32_t rest_label, std::uint32_t part_label,

@@ -1,4 +1,4 @@
-// How the darts of a prism are numbered, and what its faces are called.
+// Numbers of the darts of a prism, and names of its faces.
 //
 // A prism of order n has 2n corners, 3n edges and n + 2 faces: the base O, the end E and the sides C1 … Cn. Of its 12 n
 // darts, two to each edge of each face, the base's come first, then the end's, then the sides':

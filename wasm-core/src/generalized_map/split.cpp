@@ -93,7 +93,8 @@ class Splitting {
     keep_corners(part);
     Volume& rest = map_.list_[v_];
     rest.label = rest_label;
-    // What both have is what was there, the vertices and edges of the cut twice, and the two faces that close it.
+    // Together both parts have the cells of the volume, the vertices and edges of the cut twice, and the two faces that
+    // close it.
     rest.vertices += m - 2 * m;
     rest.edges += m - 3 * m;
     rest.faces += 2 - (m + 2);
@@ -116,7 +117,7 @@ class Splitting {
     if (after == cuts.begin()) return false;
     const Cut& cut = after[-1];
     if (dart >= cut.first + cut.count) return false;
-    // Whatever the step, two edges of the volume that are glued together are cut once.
+    // For every step, two edges of the volume that are glued together are cut once.
     if (cut.first < first_new_ && (step == none || cut.step != step)) return false;
     return goes_on(dart, cut) && goes_on(a(2, dart), cut);
   }
@@ -245,7 +246,7 @@ class Splitting {
     return a(1, a(2, across(at(a(2, a(1, d))) == f ? a(1, a(0, d)) : a(1, d))));
   }
 
-  // Who has grown from whom, and what stands on F.
+  // Updates parents, and the volumes that are attached to F.
   void inherit(std::uint32_t part) {
     std::vector<Volume>& list = map_.list_;
     Volume &rest = list[v_], &own = list[part];

@@ -1,4 +1,4 @@
-// Many small things that shade each other, laid into a lattice of cells for light to go through.
+// A grid of cells with the density of many small objects that shade each other, for VoxelLight.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ class DensityGrid {
   // number would not be finite, or at least 4,096.
   DensityGrid(const glm::vec3& low, const glm::vec3& high, float edge);
 
-  // Something at a place (what is beside the lattice: in the cell next to it) that hides so much area, taken over all
+  // Adds an object at a place (beside the lattice: in the nearest cell) that hides so much area, as a mean over all
   // directions: half of a sheet's area, a quarter of a rod's surface.
   void put(const glm::vec3& place, float area);
 

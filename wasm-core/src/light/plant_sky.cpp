@@ -42,7 +42,7 @@ void add_triangles(const Mesh& mesh, std::size_t first, std::size_t end, std::in
     speck.square = shown / pi;
     speck.facing = facing / shown;
   } else {
-    speck.square = area / (4 * pi);  // what goes round shows a quarter of its surface, from whichever side
+    speck.square = area / (4 * pi);  // a round part shows a quarter of its surface from every side
   }
   specks.push_back(speck);
 }

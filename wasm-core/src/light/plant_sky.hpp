@@ -1,4 +1,4 @@
-// The sky of what plants are made of: stems, and whatever is a mesh. Each hides some, and each sees some.
+// The visible sky of the parts of a plant: stems and meshes. Each part hides sky from others, and receives some.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ inline SkyBody sky_ball(const glm::vec3& centre, float radius, std::int32_t owne
   return {centre, radius * radius, glm::vec3(0), owner};
 }
 
-// Adds what a segment hides, in pieces no longer than eight times its thickness.
+// Adds the bodies that approximate a segment, in pieces no longer than eight times its thickness.
 void add_specks(const Segment& segment, std::int32_t owner, std::vector<SkyBody>& specks);
 
 // A part of a mesh: runs of its arrays.
@@ -25,8 +25,8 @@ struct MeshPart {
   std::uint32_t first_index = 0, index_count = 0;
 };
 
-// Adds what a part hides: its triangles, some at a time. Where they lie flat, as in a leaf, what they hide depends on
-// the side they are seen from; where they go round, as in a tube, it does not.
+// Adds the bodies that approximate a part: groups of its triangles. A flat group, as in a leaf, hides sky depending on
+// the side it is seen from; a round one, as in a tube, does not.
 void add_specks(const Mesh& mesh, const MeshPart& part, std::int32_t owner, std::vector<SkyBody>& specks);
 
 // A byte a vertex of a skin swept over `segments`, whose indices are the owners.

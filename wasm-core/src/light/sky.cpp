@@ -12,7 +12,7 @@ namespace {
 constexpr float ball_horizon = 6, speck_horizon = 5;  // in radii of the largest
 constexpr float touching = 0.1f;                      // of a receiver's extent: nearer than that counts as touching it
 constexpr float worth_a_look = 0.4f;                  // radius over distance, from the surface to the ball's
-// Of a body without an owner, without a bearer, and of a receiver without either: no two are the same.
+// Numbers for a body without an owner, one without a parent, and a receiver without either: no two are the same.
 constexpr std::uint32_t no_owner = 0xffffffffu, no_parent = 0xfffffffeu, no_receiver = 0xfffffffdu;
 
 std::uint32_t number(std::int32_t owner, std::uint32_t none) {
@@ -131,7 +131,7 @@ Sky::Bands Sky::sum(const BodyTable& bodies, const SkyReceiver& receiver, bool l
       y += unit * dy;
       z += unit * dz;
       if (!look) continue;
-      // What a ball hides of a body goes with its apparent size seen from the body's surface.
+      // The weight of a ball is its apparent size seen from the receiver's surface.
       const Four gap = greater(away - receiver.extent, Four{}) + touching * receiver.extent;
       const Four radius = four(BodyTable::radius), weight = where(seen, radius / gap);
       const float least = count_ < nearest ? worth_a_look : weights_[nearest - 1];
@@ -169,11 +169,11 @@ void Sky::set_frame(const SkyFrame& frame) {
   far_specks_.cosine = within(far_specks_.cosine);
 }
 
-// What is left of the sky at four points.
+// The visible share of the sky at four points.
 Four Sky::unoccluded(const Vec3x4& place, const Vec3x4& normal) const {
   const auto hidden_by = [&](const Bands& far) {
     const Four sum = far.cosine.x * normal.x + far.cosine.y * normal.y + far.cosine.z * normal.z + far.constant;
-    return greater(sum, Four{});  // what lies behind a point adds no light
+    return greater(sum, Four{});  // bodies behind a point add no light
   };
   const Four sum = hidden_by(far_balls_) + hidden_by(far_specks_);
   // e^−sum to within a hundredth: sums are hardly ever above 2.

@@ -1,10 +1,10 @@
 // How much of the sky a point of a plant sees, weighted by the cosine to its normal, as a byte: 255 all of it, 0 none.
 //
 // The sky is the whole sphere of directions, as bright everywhere; a point sees the half before its normal. The nearest
-// balls are taken one by one: a ball wholly above a point's horizon hides sin²α · cos γ of its sky exactly (α: apparent
-// radius, γ: angle to the normal), one that sets hides a parabola that meets this smoothly, and what several leave is
-// the product of what each leaves. All else is summed up about a receiver's centre as constant and cosine, the first
-// two bands of Σ sin²α · max(0, cos γ) (Ramamoorthi & Hanrahan 2001), and leaves e^−sum.
+// balls are evaluated one by one: a ball wholly above a point's horizon hides sin²α · cos γ of its sky exactly (α:
+// apparent radius, γ: angle to the normal), one that sets hides a parabola that meets this smoothly, and visible shares
+// are multiplied. All other bodies are summed up about a receiver's centre as constant and cosine, the first two bands
+// of Σ sin²α · max(0, cos γ) (Ramamoorthi & Hanrahan 2001); the visible share is e^−sum.
 #pragma once
 
 #include <array>
@@ -24,15 +24,15 @@ struct SkyBody {
   glm::vec3 centre{0};
   float square = 0;          // of the radius
   glm::vec3 facing{0};       // unit, of a disc: seen edge-on it hides nothing; 0: a ball
-  std::int32_t owner = -1;   // hides nothing from its owner, nor
-  std::int32_t parent = -1;  // from its owner's bearer, or from others that this one bears; −1: none
+  std::int32_t owner = -1;   // it hides nothing from its owner,
+  std::int32_t parent = -1;  // nor from its owner's parent, nor from others with the same parent; −1: none
 };
 
-// A body, or a piece of one, that is small beside what is around it.
+// A body, or a piece of one, that is small compared with its distance to others.
 struct SkyReceiver {
   glm::vec3 centre{0};
   float extent = 0;         // from the centre to its farthest point
-  std::int32_t owner = -1;  // its number, and its bearer's; −1: none
+  std::int32_t owner = -1;  // its number, and its parent's; −1: none
   std::int32_t parent = -1;
 };
 
@@ -49,12 +49,12 @@ class Sky {
   // good.
   static constexpr std::size_t nearest = 8;
 
-  // `specks` are what hides a little and is never looked at closely: pieces of stems, of leaves. What is not finite is
-  // left out. Balls count up to six radii of the largest from a receiver's centre, specks up to five: sums of what is
-  // farther, most of it hidden behind what is near, would leave too little.
+  // `specks` are bodies that each hide a little and are never evaluated one by one: pieces of stems, of leaves. Bodies
+  // that are not finite are left out. Balls count up to six radii of the largest from a receiver's centre, specks up to
+  // five: sums over farther bodies, most of them hidden behind nearer ones, would leave too little.
   Sky(std::span<const SkyBody> balls, std::span<const SkyBody> specks);
 
-  // Surveys what is around a receiver, whose points `see` is asked for next.
+  // Sums up the bodies around a receiver, for the calls of `sample` that follow.
   void set_receiver(const SkyReceiver& receiver);
 
   // Points of that receiver are given in this frame, until it faces another.

@@ -28,7 +28,7 @@ VoxelLight light_of(std::span<const Segment> segments, std::span<const Occluder>
   if (!(low.x <= high.x)) low = high = glm::vec3(0);
   const glm::vec3 size = high - low;
   const float edge = std::max({size.x, size.y, size.z, least}) / cells;
-  // A cell of air about all, for what looks out.
+  // A margin of one empty cell all around, for points at the surface that face outwards.
   DensityGrid matter(low - edge, high + edge, edge);
   for (const Occluder& screen : screens) matter.put(screen.place, screen.area);
   // A rod hides a quarter of its surface.

@@ -1,5 +1,5 @@
-// How much of the sky reaches a place of a plant: by a lattice of cells and what is in them, so that it costs the same
-// for a hundred lines as for a hundred thousand.
+// How much of the sky reaches a place of a plant, by a grid of cells with densities: the cost is the same for a hundred
+// lines as for a hundred thousand.
 #pragma once
 
 #include <algorithm>
@@ -22,8 +22,8 @@ struct Occluder {
 
 class SkyVisibility {
  public:
-  // Of rods and screens. What lies between their ends has so many cells along its longest edge, lit from so many
-  // directions.
+  // Builds the grid from segments and occluders. The box of their ends has so many cells along its longest edge, lit
+  // from so many directions.
   SkyVisibility(std::span<const Segment> segments, std::span<const Occluder> screens, float cells = 32,
                 std::uint32_t directions = 32);
 

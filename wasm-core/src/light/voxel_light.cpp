@@ -65,8 +65,8 @@ std::size_t VoxelLight::index(std::int32_t x, std::int32_t y, std::int32_t z) co
   return static_cast<std::size_t>((z * count_[1] + y) * count_[0] + x);
 }
 
-// Layer by layer away from the lamp, across the axis that it lies nearest to: what a cell's middle is behind is what
-// the place towards the lamp in the layer before is behind, and the matter on the way.
+// Sweeps layer by layer away from the light, along its dominant axis: the optical depth at a cell's middle is that at
+// the place towards the light in the layer before, plus the matter on the way.
 void VoxelLight::shine(const LightDirection& lamp, std::span<const float> matter, Planes& planes) {
   int main = 0;
   for (int k = 1; k < 3; ++k)
@@ -75,8 +75,8 @@ void VoxelLight::shine(const LightDirection& lamp, std::span<const float> matter
   const std::size_t strides[3] = {1, index(0, 1, 0), index(0, 0, 1)};
   const auto width = static_cast<std::size_t>(count_[across]), height = static_cast<std::size_t>(count_[along]),
              layers = static_cast<std::size_t>(count_[main]), stride = strides[across];
-  // Towards the lamp lie four places of the layer before, the same ones for each cell. What lies beside the box is
-  // empty: a border of the planes, which have room for the last cells of a row as lanes.
+  // The place towards the light lies among four cells of the layer before, at the same offsets for each cell. Cells
+  // beside the box are empty: a border of the planes, which have room for the last cells of a row as lanes.
   const std::size_t pitch = width + 1 + lanes;
   auto& [before, here] = planes;
   before.assign(pitch * (height + 2), 0.0f);

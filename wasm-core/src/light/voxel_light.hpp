@@ -25,8 +25,8 @@ std::vector<LightDirection> all_round(std::uint32_t count);
 
 class VoxelLight {
  public:
-  // Cells of `edge`, `x` × `y` × `z` of them from the corner `low`. `matter`: what is in each, x fastest; light that
-  // has gone a length of 1 through 1 of it is exp(−1) of what it was.
+  // Cells of `edge`, `x` × `y` × `z` of them from the corner `low`. `matter`: the density in each, x fastest; over a
+  // length of 1 a density of 1 attenuates light by exp(−1).
   VoxelLight(const glm::vec3& low, float edge, std::uint32_t x, std::uint32_t y, std::uint32_t z,
              std::span<const float> matter, std::span<const LightDirection> lamps);
 
@@ -50,7 +50,7 @@ class VoxelLight {
     float share[3];
   };
   Corner corner_of(const glm::vec3& p) const;
-  // What light has gone through by a layer, and by the one before it.
+  // The optical depth at a layer, and at the one before it.
   struct Planes {
     std::vector<float> before, here;
   };

@@ -23,9 +23,8 @@ namespace panicle::lsystem {
 // Grammars are made of expressions, whose names are used as if they were declared here.
 using namespace expression;
 
-// What a request gives to the text. A scalar with the name of a `#define` replaces it, one with the name of an
-// `#input` provides it; names the text does not know are passed over. Arrays provide `#input n[]` and are read from
-// index 1.
+// Inputs of a request for a text. A scalar with the name of a `#define` replaces it, one with the name of an `#input`
+// provides it; names the text does not know are ignored. Arrays provide `#input n[]` and are read from index 1.
 struct Inputs {
   struct Scalar {
     std::string name;
@@ -39,12 +38,12 @@ struct Inputs {
   std::vector<Array> arrays;
 };
 
-// Whether modules remember where they come from. A program that draws random values or asks its environment always
-// keeps lineages; any other does without, and is faster, unless a listener wants them.
+// Whether modules store their lineage. A program that draws random values or queries its environment always stores
+// lineages; any other does without, and is faster, unless a listener needs them.
 enum class Lineages { where_needed, always };
 
-// Which way the turtle turns, and what some letters mean, where the text does not say it in a line `#turtle …`:
-// Table 1 of Huang et al. (2013), or cpfg (docs/turtle.md).
+// The turtle's sense of rotation, and the meaning of some letters, where the text has no line `#turtle …`: Table 1 of
+// Huang et al. (2013), or cpfg (docs/turtle.md).
 enum class Notation : std::uint8_t { huang, cpfg };
 
 class Watcher;
@@ -57,9 +56,9 @@ Result<std::shared_ptr<const Program>> compile(std::string_view text, const Limi
 
 class BoundProgram;  // a program with its inputs and all that follows from them alone; immutable, shared freely
 
-// Costs a small part of what compiling does: every request may bind anew. Errors: bad_input (an input without a value,
-// or one that is no finite number), evaluation (a #define or a number for the turtle that is none); with line and
-// column.
+// Binds inputs to a program, at a small part of the cost of compiling: every request may bind anew. Errors: bad_input
+// (an input without a value, or one that is no finite number), evaluation (a #define or a number for the turtle that is
+// none); with line and column.
 Result<std::shared_ptr<const BoundProgram>> bind(std::shared_ptr<const Program> program, const Inputs& inputs,
                                                  const Limits& limits);
 
@@ -68,7 +67,7 @@ const Program& program_of(const BoundProgram& bound);
 // The value of a `#define` or scalar `#input`, or `otherwise`.
 float constant(const BoundProgram& bound, std::string_view name, float otherwise);
 
-// What was given and what follows from it, for tools: in the order of the text.
+// A definition of the text with its values, for tools: in the order of the text.
 struct Definition {
   enum class Kind : std::uint8_t { define, input, array };
   std::string name;
@@ -79,8 +78,8 @@ std::span<const Definition> definitions(const BoundProgram& bound);
 // Symbols that productions rewrite, without repetition, in the order of the text.
 std::vector<std::string_view> predecessors(const Program& program);
 
-// Roles that the text declares by `#role name symbol …`; the engine does not know what they mean. Symbols are numbered
-// as in Lineage.
+// Roles that the text declares by `#role name symbol …`; only models know their meaning. Symbols are numbered as in
+// Lineage.
 struct Roles {
   static constexpr std::uint32_t none = 0xffffffff;
   std::vector<std::string> names;        // in the order of the text
@@ -91,11 +90,11 @@ struct Roles {
 const Roles& roles(const Program& program);
 // Whether the axiom or a production writes ?E.
 bool has_queries(const Program& program);
-// What symbols are called, by number: the turtle's and those of the text.
+// The names of symbols, by number: the turtle's and those of the text.
 std::span<const std::string> symbols(const Program& program);
 
-// What a text says and the engine passes over, in one sentence that says what to do. Line and column are 0 where no
-// text is concerned.
+// A part of a text that the engine ignores, in one sentence with advice. Line and column are 0 for remarks that concern
+// no text.
 struct Remark {
   std::string message;
   std::uint32_t line = 0;
@@ -108,8 +107,8 @@ std::vector<Remark> remarks(const Program& program, std::span<const Inputs::Scal
 // With the place before it, for a list of notes.
 std::string to_text(const Remark& remark);
 
-// What surrounds a plant while it is derived: where its turtle begins, for ?P and the like; what bound() and reach()
-// are asked; who answers ?E between steps, if anyone does; who watches (watcher.hpp).
+// Options of a derivation: the turtle at the start, for ?P and the like; the space of bound() and reach(); the
+// environment that responds to ?E between steps, or null; the watcher, or null (watcher.hpp).
 struct DerivationOptions {
   Turtle start;
   const Space* space = nullptr;
@@ -124,31 +123,31 @@ struct Derived {
   std::shared_ptr<const String> string;
   std::uint32_t steps = 0;            // the last step that rewrote anything
   std::uint64_t modules_written = 0;  // sum of the lengths of the strings over all steps
-  Diagnostic stopped;                 // of develop_so_far: what ended it before its time
+  Diagnostic stopped;  // of develop_so_far: the error that ended it early
 };
 
-// What the text says in its line `derivation length: …`, if there is one.
+// The derivation length that the text sets, if any.
 std::optional<std::uint32_t> derivation_length(const BoundProgram& bound);
 
-// The string that a grammar grows to: after `steps` steps where they are given, else after as many as the text says,
-// else where nothing rewrites any more (`unfold`). Random values are hashes of (seed, stream, address of the module in
+// Derives the string of a grammar: after `steps` steps where they are given, else after as many as the text sets, else
+// until nothing is rewritten any more (`unfold`). Random values are hashes of (seed, stream, address of the module in
 // the derivation tree), `stream` being the call's own place in its production; with steps those of conditions and
-// weights are of the step as well (docs/language.md). Errors: evaluation, with line and column; limit, also where more
-// than `limits.steps` steps are asked for. For a string between steps, or answers to ?E: derivation.hpp.
+// weights depend on the step as well (docs/language.md). Errors: evaluation, with line and column; limit, also for more
+// than `limits.steps` steps. For strings between steps, or responses to ?E: derivation.hpp.
 Result<Derived> develop(const BoundProgram& bound, std::uint64_t seed, std::optional<std::uint32_t> steps,
                         const Limits& limits, const DerivationOptions& options = {});
 
-// The same, but where a limit ends it, it is the string after the last whole step, and `stopped` says why. Such a text
-// is derived by steps, also where it gives none.
+// The same, but where a limit ends it, the result is the string after the last whole step, with the error in `stopped`.
+// Such a text is derived by steps, also where it sets none.
 Result<Derived> develop_so_far(const BoundProgram& bound, std::uint64_t seed, std::optional<std::uint32_t> steps,
                                const Limits& limits, const DerivationOptions& options = {});
 
-// The string that steps without end would lead to, without the strings between: each module is rewritten to its end
-// before the next is looked at, so that the cost grows with what comes out and not with the steps as well. Productions
-// without neighbours see nothing but a module's own parameters and address, so the order makes no difference; where any
-// has neighbours, steps are taken, as `develop` tells of them. A random condition draws once. Else `steps` is the
-// deepest module's generation, `modules_written` the length. Errors: evaluation, with line and column; limit, also
-// where there is no end.
+// Derives the string that steps without end would lead to, without the strings between: each module is rewritten to its
+// end before the next, so that the cost grows with the result and not with the steps as well. Productions without
+// context depend on nothing but a module's own parameters and address, so the order makes no difference; where any has
+// a context, steps are taken, as by `develop`. A random condition draws once. `steps` is the deepest module's
+// generation, `modules_written` the length. Errors: evaluation, with line and column; limit, also where there is no
+// end.
 Result<Derived> unfold(const BoundProgram& bound, std::uint64_t seed, const Limits& limits,
                        const DerivationOptions& options = {});
 
@@ -159,14 +158,15 @@ std::uint64_t length(const String& string);
 // back.
 std::string to_text(const Program& program, const String& string);
 
-// Walks the string from left to right and tells the listener. Returns how many lines were drawn. Errors: evaluation
-// (an answer or a position that is no number), limit (brackets, answers), syntax (an answer that cannot be drawn).
-// `watcher` is told which productions answer.
+// Interprets the string from left to right and sends the listener its events. Returns how many lines were drawn.
+// Errors: evaluation (a response or a position that is no number), limit (brackets, responses), syntax (a response that
+// cannot be drawn). `watcher` is notified of the productions that are applied to responses.
 Result<std::uint32_t> interpret(const BoundProgram& bound, const String& string, const Turtle& start,
                                 Listener& listener, std::uint64_t seed, const Limits& limits,
                                 const Space* space = nullptr, Watcher* watcher = nullptr);
 
-// The same, but ?E neither asks nor draws: for strings whose questions are answered between steps (derivation.hpp).
+// The same, but ?E is neither sent nor drawn: for strings whose queries have their responses between steps
+// (derivation.hpp).
 Result<std::uint32_t> interpret_without_queries(const BoundProgram& bound, const String& string, const Turtle& start, Listener& listener,
                             std::uint64_t seed, const Limits& limits, const Space* space = nullptr);
 

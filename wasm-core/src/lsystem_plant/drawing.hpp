@@ -1,5 +1,5 @@
-// The plain listener: turns any interpreted grammar into segments and balls, one for each module that draws, in the
-// order of the string. Models that ask or answer more build on it.
+// The basic listener: turns any interpreted grammar into segments and balls, one for each module that draws, in the
+// order of the string. Models that respond to queries or draw more derive from it.
 #pragma once
 
 #include <cstdint>
@@ -15,12 +15,12 @@
 
 namespace panicle {
 
-// What S drew.
+// A sphere drawn by S.
 struct Ball {
   glm::vec3 centre{0};
   float radius = 0;
   glm::vec3 heading{0, -1, 0};  // of the turtle that drew it, unit
-  std::int32_t segment = -1;    // that bears it; −1 for none
+  std::int32_t segment = -1;  // parent; −1 for none
   std::uint64_t address = 0;    // of its module in the derivation tree
   std::uint32_t module = 0;     // that, by its place in the string
 };
@@ -36,11 +36,11 @@ class Drawing : public lsystem::Listener {
   void line(std::int32_t id, const lsystem::Turtle& before, const lsystem::Turtle& after,
             const lsystem::Lineage& lineage) override;
   void sphere(const lsystem::Turtle& turtle, float radius, const lsystem::Lineage& lineage) override;
-  // Nobody answers: what a module asks stays as the text has it.
+  // No response: a query keeps the parameters of the text.
   void query(const lsystem::Turtle&, std::span<float>, const lsystem::Lineage&) override {}
   void cut(const lsystem::Turtle&) override {}
 
-  // What went wrong on the way (a limit); reason none if nothing did.
+  // The first error (a limit); reason none without one.
   const Diagnostic& trouble() const { return trouble_; }
 
   std::vector<Segment> segments;  // parents first
@@ -49,7 +49,7 @@ class Drawing : public lsystem::Listener {
  protected:
   // Index of the segment that the turtle stands on, −1 at the root.
   std::int32_t segment_of(const lsystem::Turtle& turtle) const { return turtle.line < 0 ? -1 : first_ + turtle.line; }
-  // Whether there is room for one more; if not, `trouble` says so.
+  // Whether there is room for one more; if not, `trouble` is set.
   bool within(std::size_t count, std::uint32_t limit, std::string_view what);
   // Keeps the first thing that goes wrong.
   void fail(Diagnostic trouble);

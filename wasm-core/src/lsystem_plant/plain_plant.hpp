@@ -1,5 +1,5 @@
-// A grammar drawn as it stands: what F draws are segments under one skin, what S draws are balls. A model that has
-// nothing to add is this and no more.
+// A grammar drawn without additions: F draws segments under one skin, S draws balls. A model without a drawing of its
+// own uses this.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace panicle {
 
 struct PlainOptions {
   std::uint64_t seed = 1;
-  std::optional<std::uint32_t> steps;  // of the derivation; as the text says where it is not given
+  std::optional<std::uint32_t> steps;  // of the derivation; the text's own where not given
   float metres = 0.001f;               // of one unit of the grammar
   bool meshes = true;
   bool sky = false;  // of the meshes
@@ -31,8 +31,8 @@ struct PlainOptions {
 Result<Plant> draw_plainly(std::shared_ptr<const lsystem::Program> program, const lsystem::Inputs& inputs,
                            const PlainOptions& options, const Limits& limits);
 
-// What has been drawn as a plant: segments and organs in metres, and the meshes `stems` and `balls` where they are
-// asked for, `sky` of the stems' vertices and of each ball. Tags: `stem`, `ball`.
+// Converts a drawing to a plant: segments and organs in metres, and the requested meshes `stems` and `balls`, with
+// `sky` of the stems' vertices and of each ball. Tags: `stem`, `ball`.
 Plant plant_of(const Drawing& drawing, const PlainOptions& options);
 
 }  // namespace panicle

@@ -23,7 +23,7 @@ Result<CompiledText> compile_program(std::string_view text, const ProgramOptions
 // The program whose handle the block `program` holds; null where the request has no such block.
 std::shared_ptr<const lsystem::Program> program_by_handle(Request& request);
 
-// That program, or what the block `grammar` compiles to. Errors: those of lsystem::compile; bad_request where the
+// That program, or the compiled text of the block `grammar`. Errors: those of lsystem::compile; bad_request where the
 // request has neither block.
 Result<std::shared_ptr<const lsystem::Program>> requested_program(Request& request, const ProgramOptions& options,
                                                                   const Limits& limits);

@@ -9,9 +9,9 @@
 namespace panicle {
 namespace {
 
-// Of the polygon's size: what is nearer is one place.
+// As a share of the polygon's size: points nearer than this are one place.
 constexpr float same_place = 1e-6f;
-// Of a triangle's longest edge, squared: what has less area is a line.
+// As a share of the square of a triangle's longest edge: triangles with less area are lines.
 constexpr float flat = 1e-6f;
 // Looks for corners in an ear; then ears are taken as they come, so that no polygon takes long.
 constexpr std::uint64_t most_looks = 20'000'000, looks_a_unit = 8;
@@ -108,7 +108,8 @@ class Clipper {
     }
   }
 
-  // The next corner whose ear holds no other; where there is none, as in what crosses itself, the most pointed one.
+  // The next corner whose ear holds no other; where there is none, as in polygons that cross themselves, the most
+  // pointed one.
   std::uint32_t next_ear(std::uint32_t from, std::size_t left) {
     std::uint32_t sharpest = from;
     float least = 3e38f;

@@ -1,5 +1,5 @@
-// Any closed line of corners in space as triangles: what a turtle has walked about, which may cross itself, come back
-// to where it was, and lie in no plane.
+// Triangulates any closed polyline in space, such as the path of a turtle, which may cross itself, return to a point,
+// and lie in no plane.
 #pragma once
 
 #include <cstdint>

@@ -17,14 +17,14 @@ using glm::dvec3;
 
 // Long edges go last where all is flat: so much of their length counts as error.
 constexpr double of_length = 0.015;
-// What a triangle may turn by: the cosine.
+// The cosine of the largest turn of a triangle's normal.
 constexpr double most_turned = 0.15;
 
-// A vertex with more triangles about it stays, and what is about it is not looked at again when another goes into it:
-// else a fan of thousands takes their square, over and over.
+// A vertex with more triangles about it stays, and its neighbours' costs are not recomputed when another collapses into
+// it: else a fan of thousands would cost the square of its size, over and over.
 constexpr std::size_t most_about = 96;
 
-// Squares of distances to planes, weighted by what lies in each.
+// Squares of distances to planes, weighted by the area in each.
 struct Quadric {
   double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0, x = 0, y = 0, z = 0, one = 0, weight = 0;
 
@@ -189,7 +189,7 @@ class Thinner {
     return false;
   }
 
-  // The cheapest way for a vertex to go, in place of what it was before.
+  // The cheapest collapse of a vertex, in place of the stored one.
   void offer(std::uint32_t vertex) {
     const std::uint32_t stamp = ++stamps_[vertex];
     if (patch_.is_fixed[vertex] != 0 || about_[vertex].size() > most_about) return;

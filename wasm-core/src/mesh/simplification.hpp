@@ -1,6 +1,6 @@
-// In which order a mesh can do without its vertices (Garland and Heckbert 1997, "Surface simplification using quadric
-// error metrics"). Each is drawn into a neighbour, and none is moved: so whatever has the same triangles can be thinned
-// by the same list, wherever its vertices are.
+// The order in which a mesh's vertices can be removed (Garland and Heckbert 1997, "Surface simplification using quadric
+// error metrics"). Each collapses into a neighbour, and none is moved: so every mesh with the same triangles can be
+// simplified by the same list, wherever its vertices are.
 #pragma once
 
 #include <array>

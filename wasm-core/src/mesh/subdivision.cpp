@@ -113,7 +113,7 @@ ClosedSurface subdivided(const ClosedSurface& surface) {
 
 std::vector<glm::vec3> normals_of(const ClosedSurface& surface) {
   std::vector<glm::vec3> normals(surface.positions.size(), glm::vec3(0));
-  // The corner's own triangle: what a quad is bent by is shared out among its corners.
+  // The corner's own triangle: the bend of a quad is shared out among its corners.
   for (std::uint32_t h = 0; h < surface.half_edges(); ++h) {
     const std::uint32_t after = surface.next[h], behind = surface.next[after];
     const glm::vec3& corner = surface.positions[surface.origin[after]];

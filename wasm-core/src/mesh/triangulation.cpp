@@ -210,7 +210,8 @@ class Triangulation {
     }
   }
 
-  // Flips what is not Delaunay around a new place; of each open triangle the edge opposite that.
+  // Flips the edges around a new point until they are Delaunay; for each open triangle, tests the edge opposite the
+  // point.
   void settle(std::int32_t i) {
     while (!open_.empty()) {
       if (!step()) return open_.clear();
@@ -264,7 +265,7 @@ class Triangulation {
     return {none, 0};
   }
 
-  // Makes a → b an edge, by flips of what crosses it.
+  // Makes a → b an edge, by flips of the edges that cross it.
   bool enforce(std::int32_t a, std::int32_t b) {
     if (edge(a, b).first != none) return true;
     std::deque<std::pair<std::int32_t, std::int32_t>> crossed;

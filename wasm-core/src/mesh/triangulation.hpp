@@ -10,10 +10,10 @@
 
 namespace panicle {
 
-// What divides the lattice that places are taken to lie on: with it all decisions are exact.
+// The number of lattice steps per unit. Points are taken to lie on the lattice: with it all decisions are exact.
 inline constexpr float triangulation_lattice = 1048576;  // 2²⁰
 
-// About half a second natively; a hundred times what the finest blades take.
+// About half a second natively; a hundred times the steps of the finest blades.
 inline constexpr std::uint64_t most_triangulation_steps = 20'000'000;
 
 // Triangles, counter-clockwise, three indices each, that fill the polygon of the first `ring` points exactly; the

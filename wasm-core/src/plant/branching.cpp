@@ -33,7 +33,7 @@ void measure_size(std::span<const Segment> segments, Branching& found) {
 }
 
 void measure_orders(std::span<const Segment> segments, Branching& found) {
-  // Of each segment: the highest order among those that it bears, and whether that is there twice.
+  // For each segment: the highest order among its children, and whether two of them have it.
   std::vector<std::uint8_t> highest(segments.size(), 0), twice(segments.size(), 0), orders(segments.size(), 1);
   for (std::size_t i = segments.size(); i-- > 0;) {
     if (highest[i] > 0) orders[i] = static_cast<std::uint8_t>(highest[i] + twice[i]);

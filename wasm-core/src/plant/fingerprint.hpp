@@ -1,4 +1,4 @@
-// What tells two plants apart, of plants whose model has no order of its own.
+// Fingerprints that identify a plant, for models without an order of their own.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,4 @@
-// What every model gives back: the neutral result between interpretation and everything else. Metres, +Y up. What a
-// model knows beyond this it adds as columns by name; nobody else's file changes for that.
+// The result of every model, in metres, +Y up. Additional data of a model are columns by name.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +18,7 @@
 
 namespace panicle {
 
-// Named arrays that own their values, of whatever kind.
+// Named arrays of any element type that own their values.
 class Columns {
  public:
   template <class Value>
@@ -74,11 +73,11 @@ inline void put(const glm::vec3& point, float* at) {
   at[2] = point.z;
 }
 
-// Something that is borne: a leaf, a fruit; one mesh as often as wanted.
+// An attached organ such as a leaf or a fruit. Organs share meshes.
 struct Organ {
   std::uint32_t tag = 0;      // index into Plant::organ_tags
-  std::int32_t segment = -1;  // that bears it; −1 for none
-  std::int32_t mesh = -1;     // index into Plant::meshes; −1 for what has no mesh of its own
+  std::int32_t segment = -1;  // parent segment; −1 for none
+  std::int32_t mesh = -1;  // index into Plant::meshes; −1 for an organ without a mesh
   glm::vec3 position{0};
   glm::vec4 rotation{0, 0, 0, 1};  // unit quaternion x y z w: from the mesh's frame to where it stands
   float scale = 1;
@@ -96,7 +95,7 @@ struct PlantMesh {
   std::string material;  // its kind: stem, bark, blade, petal, skin …
   Mesh mesh;
   std::vector<MeshRun> runs;  // empty: the mesh is one thing
-  Columns columns;            // what else is known of its vertices or runs
+  Columns columns;  // additional data of its vertices or runs
 };
 
 struct Count {
@@ -104,31 +103,31 @@ struct Count {
   std::uint32_t value = 0;
 };
 
-// What ended a plant's growth before it was whole. The numbers cross the boundary (exports/panicle.h).
+// The reason why a plant's growth ended early. The numbers cross the boundary (exports/panicle.h).
 enum class CutShort : std::uint32_t {
   none = 0,
   limit = 1,  // a limit of the core
   time = 2,   // the time limit of the host
 };
 
-// What cut a plant short that has reached a limit.
+// The reason for a plant that has reached a limit.
 inline CutShort cut_short_by(const WorkBudget& budget) {
   return budget.time_has_ended_work() ? CutShort::time : CutShort::limit;
 }
 
 struct Plant {
   std::vector<Segment> segments;  // one a drawn module, parents first
-  std::vector<std::string> tags;  // what segments are
+  std::vector<std::string> tags;  // kinds of segments
   std::vector<Organ> organs;
   std::vector<std::string> organ_tags;
-  std::vector<PlantMesh> meshes;  // those asked for
+  std::vector<PlantMesh> meshes;  // the requested ones
   Columns columns;                // the model's own truth
   std::vector<Count> counts;
-  std::vector<float> measures;     // in the order of the model's table; NaN: does not apply; empty: not asked for
-  std::vector<std::string> notes;  // what there is to say about the request, one sentence each
+  std::vector<float> measures;  // in the order of the model's table; NaN: does not apply; empty: not requested
+  std::vector<std::string> notes;  // remarks on the request, one sentence each
   CutShort cut_short = CutShort::none;
   std::uint64_t fingerprint = 0;       // over segments and organs (docs/fingerprint.md)
-  std::uint64_t mesh_fingerprint = 0;  // over the meshes; 0 where it was not asked for
+  std::uint64_t mesh_fingerprint = 0;  // over the meshes; 0 where it was not requested
 };
 
 }  // namespace panicle

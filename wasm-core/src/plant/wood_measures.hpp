@@ -8,8 +8,8 @@
 
 namespace panicle {
 
-// In the order of a model's table. `Measure`: its enumeration, in which both tables have the same keys for what is said
-// of branches; what else there is waits to be set.
+// Measures in the order of a model's table. `Measure`: its enumeration, in which both tables have the same keys for
+// branching; the caller sets the others.
 template <class Measure>
 class WoodMeasures {
  public:

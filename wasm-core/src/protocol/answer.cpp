@@ -101,7 +101,7 @@ void add_mesh(ContainerWriter& out, const PlantMesh& mesh) {
 std::uint8_t* write_plant(Plant& plant) {
   ContainerWriter out;
   const std::array<std::uint32_t, 3> status{};
-  // What is large stays where it is after this has returned, in arrays of the plant; what is made here is copied.
+  // Large arrays of the plant are referred to; arrays that are made here are copied.
   out.copy("status", std::span<const std::uint32_t>(status));
   out.copy("notes", lines(plant.notes));
   out.copy("fingerprint", std::span<const std::uint32_t>(halves(plant.fingerprint)));

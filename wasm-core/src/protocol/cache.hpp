@@ -1,5 +1,5 @@
-// What a model may keep from one growth for the next: to be quicker, and for nothing else. The same request gives the
-// same plant, byte by byte, whatever is kept (tests/golden/native_wasm.test.ts).
+// Data that a model may store from one growth for the next, for speed alone. The same request gives the same plant,
+// byte by byte, with any cache (tests/golden/native_wasm.test.ts).
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 namespace panicle {
 
 struct Cache {
-  // In all, of one model: what is larger is let go.
+  // For one model: a larger cache is evicted.
   static constexpr std::size_t most_bytes = 64 * 1024 * 1024;
 
   virtual ~Cache() = default;

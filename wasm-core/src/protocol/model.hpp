@@ -13,10 +13,9 @@ namespace panicle {
 
 struct Model {
   std::string_view name;  // as requests and links have it
-  // Grows the plant of a request. It reads no files and no clock, and has no state but what makes it quicker
-  // (protocol/cache.hpp): the same request gives the same plant. A parameter that the request leaves out has its
-  // default; one that is out of range is brought into it, with a note. Errors are values, with line and column for a
-  // grammar.
+  // Grows the plant of a request. It reads no files and no clock, and has no state but caches (protocol/cache.hpp): the
+  // same request gives the same plant. A parameter that the request leaves out has its default; one that is out of
+  // range is clamped, with a note. Errors are values, with line and column for a grammar.
   Result<Plant> (*grow)(Request& request, const Limits& limits);
   // Compiles a text for requests that name it by handle; null for a model without such requests. Errors: with line and
   // column.

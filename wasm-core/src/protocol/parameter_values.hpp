@@ -16,7 +16,7 @@ namespace panicle {
 template <class Parameter, const auto& table>
 class Values {
  public:
-  // What is not asked, or NaN, has its default.
+  // Missing values and NaN get the default.
   Values(std::span<const float> requested, std::vector<std::string>& notes) {
     for (std::size_t i = 0; i < table.size(); ++i) {
       const auto& info = table[i];
@@ -31,7 +31,7 @@ class Values {
 
   float operator[](Parameter parameter) const { return values_[static_cast<std::size_t>(parameter)]; }
   std::uint32_t whole(Parameter parameter) const { return static_cast<std::uint32_t>((*this)[parameter]); }
-  // What was chosen, where the options stand in the order of an enumeration.
+  // The chosen option, where the options are in the order of an enumeration.
   template <class Choice>
   Choice choice(Parameter parameter) const {
     return static_cast<Choice>(whole(parameter));

@@ -1,5 +1,5 @@
-// What a model is asked: named arrays and texts, read by name. Nothing is believed: a block of another kind or size
-// than its reader expects, or that no reader asks for, is an error in words.
+// A request to a model: named arrays and texts, read by name. Everything is validated: a block of another type or size
+// than its reader expects, or that no reader uses, is an error.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ class Request {
   // All must outlive the request. `texts` may be null where no handles are known, `cache` where nothing is cache.
   Request(std::span<const ColumnView> blocks, const CompiledTexts* texts, CacheSlot* cache = nullptr);
 
-  // What a block holds, rows of whatever width one after the other; nothing, zero or `otherwise` where it is absent.
+  // The values of a block, rows one after the other; empty, zero or `otherwise` where it is absent.
   std::string_view text(std::string_view name);
   std::span<const float> floats(std::string_view name);
   std::span<const std::int32_t> integers(std::string_view name);
@@ -44,7 +44,7 @@ class Request {
   bool wants(std::string_view output);
   // The compiled text whose handle the block `program` holds; null where the request has no such block.
   CompiledText compiled_text();
-  // Where its model keeps what it likes between growths; null where it cannot.
+  // The model's cache between growths; null where nothing is cached.
   CacheSlot* cache() { return cache_; }
   // The first error in the blocks read so far; reason none where there is none.
   const Diagnostic& first_trouble() const { return trouble_; }

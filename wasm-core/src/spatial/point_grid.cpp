@@ -17,7 +17,7 @@ std::size_t PointGrid::row_of(std::int32_t y, std::int32_t z) const {
   return static_cast<std::size_t>(z * count_.y + y) * static_cast<std::size_t>(count_.x);
 }
 
-// What lies outside is in a cell beyond the outermost, NaN before the first.
+// Points outside are in a cell beyond the outermost, NaN before the first.
 PointGrid::Cell PointGrid::cell_of(const glm::vec3& p) const {
   const auto along = [this](float from_low, std::int32_t count) {
     const float at = from_low / edge_;

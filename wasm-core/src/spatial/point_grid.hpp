@@ -1,5 +1,5 @@
-// Points in cells, for asking who is near: laid out anew for each set of points, by counting, so that the same points
-// stand in the same order everywhere.
+// A grid of points for neighbour queries: built anew for each set of points by counting sort, so that the same points
+// are in the same order everywhere.
 #pragma once
 
 #include <algorithm>
@@ -10,17 +10,16 @@
 
 namespace panicle {
 
-// A dense grid over the points' box. Points that are not finite, or beyond 1e30,
-// are in no cell. All of one row of cells along x stand
-// side by side, cells in ascending order, a cell's points in theirs: a *slot* is a place in that order. Whoever looks
-// at many points a cell copies what it needs of them into slots, and reads runs of slots.
+// A dense grid over the points' box. Points that are not finite, or beyond 1e30, are in no cell. All of one row of
+// cells along x are contiguous, cells in ascending order, points of a cell by index: a *slot* is a place in that order.
+// Code that visits many points a cell copies its data into slots, and reads runs of slots.
 class PointGrid {
  public:
   PointGrid() = default;
   // `edge`: the cells' width, above 0; wider where more than about eight cells a point would come of it.
   PointGrid(std::span<const glm::vec3> points, float edge) { build(points, edge); }
 
-  // Forgets what was there; memory is kept.
+  // Replaces all points; memory is reused.
   void build(std::span<const glm::vec3> points, float edge);
 
   // The index of the point in each slot.
@@ -72,7 +71,7 @@ class PointGrid {
   Cell count_{0, 0, 0};                      // 0 without points
   std::vector<std::uint32_t> first_, next_;  // of each cell's slots, and the end
   std::vector<std::uint32_t> ids_;
-  std::vector<std::uint32_t> cells_;  // while points are laid, of each that has a place
+  std::vector<std::uint32_t> cells_;  // cells of the points, used while building
 };
 
 }  // namespace panicle

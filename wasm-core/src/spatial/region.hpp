@@ -1,4 +1,4 @@
-// Where something may grow: an area in the plane z = 0 or a volume, as dense as it says.
+// A region for growth: an area in the plane z = 0 or a volume, with a density.
 #pragma once
 
 #include <cstdint>
@@ -16,15 +16,15 @@ class Region {
   virtual glm::vec3 low() const = 0;
   virtual glm::vec3 high() const = 0;
   virtual bool contains(const glm::vec3& p) const = 0;
-  // Whether what started inside may come to be there: where nothing starts that is within the boundaries, too. Holds
-  // all of what is inside, and is no dearer to tell.
+  // Whether growth that started inside may reach a place: the boundaries also hold places where nothing starts.
+  // Contains the whole inside, and costs no more than `contains`.
   virtual bool has_room(const glm::vec3& p) const { return contains(p); }
-  // What is certain of a box, cheaply; `some` where nothing is.
+  // A cheap bound for a box; `some` where nothing is certain.
   virtual Share share_of(const glm::vec3&, const glm::vec3&) const { return Share::some; }
   // How dense starts are at a place that has room, in (0, 1]: by light, for instance.
   virtual float density(const glm::vec3&) const { return 1; }
 
-  // Of what is in one region and not in the other.
+  // The share of the difference of two regions: in `outer` and not in `inner`.
   static Share share_between(Share outer, Share inner) {
     if (outer == Share::none || inner == Share::all) return Share::none;
     return outer == Share::all && inner == Share::none ? Share::all : Share::some;

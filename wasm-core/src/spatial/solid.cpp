@@ -18,7 +18,7 @@ constexpr float most_along = 4096;
 constexpr float most_cells = 400'000;
 constexpr float least_edge = 1e-30f;     // of a cell, where all points coincide
 constexpr float half_diagonal = 0.867f;  // of a cell, in edges
-constexpr float slack = 1e-3f;           // for what is rounded, in edges
+constexpr float slack = 1e-3f;  // for rounding, in edges
 constexpr std::uint32_t lanes = 4;
 constexpr float piece = 4;       // of a way that is looked at in one go, in edges
 constexpr float beside = 1e-4f;  // of a triangle, that still meets it: the way between two must meet one of them
@@ -223,8 +223,8 @@ Share Solid::share_of(const glm::vec3& low, const glm::vec3& high) const {
   return first == Cell::inside ? Share::all : Share::none;
 }
 
-// Turns are counted on the way from the place towards +x, so what ends before it adds none, nor does what is above or
-// below.
+// Crossings are counted on the way from the place towards +x, so parts that end before it add none, nor do parts above
+// or below.
 bool Solid::slice_contains(const glm::vec3& p) const {
   int turns = 0;
   const glm::ivec3 place = cell_of(p);
@@ -295,8 +295,8 @@ void Solid::intersections(const glm::vec3& from, const glm::vec3& way, float beg
     }
 }
 
-// What lies between two meetings is all inside or all outside, so its middle is asked: edges met twice, surfaces within
-// and triangles seen edgewise then need no rules of their own.
+// The space between two intersections is all inside or all outside, so its middle is tested: edges hit twice, surfaces
+// within and triangles seen edgewise then need no rules of their own.
 float Solid::exit_distance(const glm::vec3& from, const glm::vec3& way, float most) const {
   if (!contains(from)) return 0;
   const auto inside = [&](float t) { return contains(from + t * way); };

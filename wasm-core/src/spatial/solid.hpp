@@ -1,4 +1,4 @@
-// What is inside of a closed surface: what crowns, root balls and clipped trees are bounded by.
+// The inside of a closed surface: crowns, root balls and clipped trees are bounded by it.
 #pragma once
 
 #include <algorithm>
@@ -13,13 +13,13 @@
 
 namespace panicle {
 
-// Whether a point is inside is asked of the slice at its height (Rodkaew et al. 2003, section 4.1): the surface's
-// cross-section with the horizontal plane, a polygon that winds about what is inside. Half-open rules make the slice of
-// any closed surface closed, vertices in the plane and flat faces included; parts that overlap count as one, turned
-// ones as holes. Of a surface with gaps, what lies behind a gap in the direction +X may be wrong.
+// Whether a point is inside depends on the slice at its height (Rodkaew et al. 2003, section 4.1): the surface's
+// cross-section with the horizontal plane, a polygon that winds around the inside. Half-open rules make the slice of
+// any closed surface closed, vertices in the plane and flat faces included; parts that overlap count as one, inverted
+// ones as holes. For a surface with gaps, places behind a gap in the direction +X may be wrong.
 //
 // Time and memory are bounded for every surface. The index has at most as many entries as the budget allows: where
-// large triangles would have more, its cells are larger. The triangles that a query looks at are counted against the
+// large triangles would have more, its cells are larger. The triangles that a query examines are counted against the
 // budget. Once that is used up, the solid contains no place, queries take no time, and is_exhausted() is true: the
 // model then returns QueryBudget::error().
 class Solid final : public Region {
@@ -50,7 +50,7 @@ class Solid final : public Region {
             std::min(static_cast<std::int32_t>(at.z), count_.z - 1)};
   }
   bool slice_contains(const glm::vec3& p) const;
-  // What a triangle adds to the turns of the slice about a place.
+  // The contribution of a triangle to the winding number of the slice around a place.
   int winding_number(const glm::vec3& p, const std::uint32_t* corners) const;
   // Appends how far along the way the surface is met between `begin` and `end`; where two triangles meet, twice.
   void intersections(const glm::vec3& from, const glm::vec3& way, float begin, float end, std::vector<float>& at) const;
@@ -90,8 +90,8 @@ class Solid final : public Region {
   glm::ivec3 count_{0};
   std::vector<Cell> cells_;
   std::vector<std::uint32_t> first_, members_;  // of each row of cells along x: the triangles that meet it
-  // Of each member, with what is read past the end by four: between which heights it lies, and how far it reaches along
-  // x, and a little more.
+  // For each member, with padding for reads of four: its range of heights, and the upper end of its range along x with
+  // a margin.
   std::vector<float> lowest_, highest_, farthest_;
 };
 

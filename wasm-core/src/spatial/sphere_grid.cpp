@@ -12,7 +12,7 @@ constexpr double clearance = 1.00001;
 constexpr double most_depth = 1e6;               // in diameters of the probe
 constexpr double edge_per_radius = 3.0;          // small cells make add slow, large ones probe: flat from 2 to 4
 constexpr double margin = 1.0001;                // covers the rounding of the overlap test, clearance included
-constexpr std::int32_t farthest_cell = 1 << 30;  // what lies beyond shares the outermost cells
+constexpr std::int32_t farthest_cell = 1 << 30;  // cells beyond share the outermost ones
 constexpr std::uint32_t first_capacity = 8;
 
 bool finite(const Sphere& sphere) {
@@ -21,7 +21,8 @@ bool finite(const Sphere& sphere) {
   return std::isfinite(sum) && sphere.radius >= 0;
 }
 
-// Sums up what the spheres in contact do to one probe. In double, where no square of a float overflows or vanishes.
+// Sums up the pushes of the spheres in contact on one probe. In double, where no square of a float overflows or
+// vanishes.
 class Sum {
  public:
   Sum(const Sphere& probe, const glm::vec3& tie) : centre_(probe.centre), radius_(probe.radius), tie_(tie) {}
@@ -162,7 +163,8 @@ std::uint32_t SphereGrid::add(const Sphere& sphere) {
   return id;
 }
 
-// Copies the list of the cell around `centre` side by side. What pads the last group has no radius and is never read.
+// Copies the list of the cell around `centre` into groups. The padding of the last group has no radius and is never
+// read.
 void SphereGrid::gather(const glm::vec3& centre) const {
   const Key key{cell_of(centre.x), cell_of(centre.y), cell_of(centre.z)};
   const Cell& cell = table_[slot_of(key)];
@@ -193,7 +195,7 @@ Push SphereGrid::probe(const Sphere& probe, std::uint32_t except, const glm::vec
   const std::uint32_t* ids = nearby_.ids.data();
   const std::uint32_t count = static_cast<std::uint32_t>(nearby_.ids.size());
   for (std::uint32_t first = 0; first < count; first += lanes) {
-    // A rough sieve in float, four at a time; what passes is looked at exactly. Whatever overflows passes.
+    // A rough test in float, four at a time; candidates are tested exactly. Overflows pass.
     const Group& group = nearby_.groups[first / lanes];
     const Four x = group.x - probe.centre.x;
     const Four y = group.y - probe.centre.y;

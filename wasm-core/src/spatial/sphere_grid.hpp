@@ -22,8 +22,8 @@ struct Push {
 // add.
 class SphereGrid {
  public:
-  // `largest` is the radius that spheres and probes hardly ever exceed; cells are sized from it. Larger ones are
-  // right too but slow: such a probe looks at every sphere, adding such a sphere may lay the grid out anew.
+  // `largest` is the radius that spheres and probes hardly ever exceed; cells are sized from it. Larger ones are right
+  // too but slow: such a probe tests every sphere, adding such a sphere may rebuild the grid.
   explicit SphereGrid(float largest);
 
   // Adds a sphere and returns its id (0, 1, …). One that is not finite or whose radius is negative is refused:
@@ -57,8 +57,8 @@ class SphereGrid {
   struct Group {
     Four x, y, z, radius;
   };
-  // What the last probe had around it, good for any probe between low and high. The tries of one newborn stay in
-  // one neighbourhood.
+  // The surroundings of the last probe, valid for any probe between low and high. The tries of one newborn stay in one
+  // neighbourhood.
   struct Nearby {
     glm::dvec3 low{0}, high{0};
     std::vector<std::uint32_t> ids;

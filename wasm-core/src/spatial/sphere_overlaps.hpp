@@ -25,7 +25,7 @@ class SphereOverlapQuery {
   SphereOverlapQuery() = default;
   explicit SphereOverlapQuery(std::span<const Sphere> spheres) { build(spheres); }
 
-  // Forgets what was there; memory is kept.
+  // Replaces all spheres; memory is reused.
   void build(std::span<const Sphere> spheres);
 
   // Appends all pairs a < b of spheres that touch or overlap, by a, then by b; stops once there are `most`.

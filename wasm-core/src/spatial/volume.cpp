@@ -13,7 +13,7 @@ constexpr float least = 1e-6f;     // half of a size, where none is given
 constexpr float rounding = 1e-5f;  // of the size and of the distance from the origin
 constexpr double forever = std::numeric_limits<double>::infinity();
 
-// The least t ≥ 0 where a·t² + 2·b·t + c is 0, for c ≤ 0: where one leaves what it is below 0 in.
+// The least t ≥ 0 where a·t² + 2·b·t + c is 0, for c ≤ 0: where a ray from inside leaves the region of negative values.
 double root(double a, double b, double c) {
   c = std::min(c, 0.0);
   const double square = b * b - a * c;

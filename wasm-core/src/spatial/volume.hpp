@@ -16,16 +16,15 @@ class Volume {
   enum class Kind : std::uint8_t { box, sphere, ellipsoid, cylinder, cone, mesh };
 
   // `size` is that of the box which it fills before it is turned about its centre, above 0 each way; a sphere's is the
-  // first alone. Cylinder and cone stand upright in it, the cone on its base. A mesh is stretched to the box, in
-  // whatever unit it is; what it winds about is inside (Solid, which has the budget). `rotation` is brought to unit
-  // length.
+  // first alone. Cylinder and cone stand upright in it, the cone on its base. A mesh is stretched to the box, in any
+  // unit; its inside is that of Solid, which has the budget. `rotation` is normalised.
   Volume(Kind kind, const glm::vec3& centre, const glm::vec3& size, const glm::quat& rotation, const Surface& mesh = {},
          std::shared_ptr<QueryBudget> budget = std::make_shared<QueryBudget>());
 
   bool contains(const glm::vec3& p) const;
-  // How far one comes from a place inside, on a way of unit length, and is still inside: 0 from outside, at most
-  // `most`. Where the surface is met, what is told is less by a hundred-thousandth of the size, so that who goes there
-  // is still inside, whatever it rounds; ways of a concave mesh end where they first leave it.
+  // The length of the way from a place inside, along a unit vector, that stays inside: 0 from outside, at most `most`.
+  // Where it meets the surface, the result is less by a hundred-thousandth of the size, so that its end is inside after
+  // any rounding; ways of a concave mesh end where they first leave it.
   float reach(const glm::vec3& from, const glm::vec3& way, float most) const;
   const glm::vec3& centre() const { return centre_; }
 

@@ -109,7 +109,7 @@ void add_flare_surface(StemMesh& stems, const FlareShape& shape) {
       writer.triangle(at, at + row, at + row + 1);
       writer.triangle(at, at + row + 1, at + 1);
     }
-  // What it stands on.
+  // The bottom disc.
   const glm::vec3 down(0, -1, 0);
   const std::uint32_t middle = writer.vertex(shape.trunk.at(0), down, 0.5f, 0);
   for (std::uint32_t k = 0; k <= around; ++k)

@@ -1,5 +1,5 @@
-// How what comes to a target stands there: a trunk on the ground, level and with its roots running out; a root under
-// what is left of its stem.
+// The lower ends of trunks and roots at their targets: a trunk is level with the ground and widens into its roots; a
+// root hangs from the stump of its stem.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct RootFlareOptions {
 // By target the thickest segment that begins there; −1 for none.
 std::vector<std::int32_t> trunk_bases(std::span<const Segment> segments, std::span<const glm::vec3> targets);
 
-// Puts in place of a foot the pieces that it begins with, from the first that nothing bears: a trunk's upright, a
+// Returns the pieces that replace a base segment, beginning with the one without a parent: a trunk's vertical piece, a
 // root's stem.
 std::vector<Segment> base_pieces(const Segment& base, const RootFlareOptions& options);
 

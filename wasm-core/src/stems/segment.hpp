@@ -1,5 +1,5 @@
-// The neutral piece of a plant's skeleton: a straight stem from one node to the next. What it means to a model is the
-// model's own; lengths are in whatever unit that grows in.
+// A straight piece of a plant's skeleton, from one node to the next. Its meaning and the unit of lengths are the
+// model's own.
 #pragma once
 
 #include <cstdint>

@@ -19,7 +19,7 @@ struct Node {
   std::int32_t segment = 0;  // that ends here (of the first node: that begins here)
 };
 
-// What an axis comes out of.
+// The stem that an axis comes out of.
 struct Origin {
   bool attached = false;   // otherwise it begins in the open
   bool passing = false;    // the parent goes on beyond

@@ -36,8 +36,8 @@ struct Tube {
 
 // Makes the tubes of stems along their axes; both must outlive it.
 //
-// The centre line is a cubic Hermite curve through the nodes; rings stand closer near nodes and where it bends, and
-// turn as little as possible from one to the next. Thickness says how wide they are; where a branch comes out of its
+// The centre line is a cubic Hermite curve through the nodes; rings are denser near nodes and where it bends, and turn
+// as little as possible from one to the next. Thickness determines their widths; where a branch comes out of its
 // parent, rings lean towards the parent's axis and take on its normals, so that the two look grown together.
 class TubeMaker {
  public:

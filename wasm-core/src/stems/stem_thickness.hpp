@@ -16,9 +16,9 @@ struct Section {
   float blend = 0;   // share of the parent's normals in those of the branch, so that no edge shows between them
 };
 
-// The radius passes smoothly from node to node, of tapering stems without a halt there (Fritsch & Carlson 1980: never
-// beyond what both nodes have), and is, of jointed ones, a little less between them. A branch spreads
-// into its parent, within whose surface it begins; its end widens or narrows as StemEnd says.
+// The radius along an axis. It is interpolated smoothly from node to node, for tapering stems without a halt there
+// (Fritsch & Carlson 1980: never beyond the radii of both nodes), and is, for jointed ones, a little less between them.
+// A branch spreads into its parent, within whose surface it begins; its end widens or narrows by StemEnd.
 class Thickness {
  public:
   Thickness(std::span<const Node> nodes, const Origin& origin, const StemEnd& end, bool jointed, bool tapering = false);

@@ -1,4 +1,4 @@
-// What tubes are swept over: segments, and as data what only their model knows of them.
+// The input of tubes: segments, and data about them that only their model has.
 #pragma once
 
 #include <cstddef>
@@ -9,16 +9,15 @@
 
 namespace panicle {
 
-// The shape of a stem's last two radii, as shares of its radius at the end: by default a stub, cut or with nothing more
-// to bear.
+// The shape of a stem's last two radii, as shares of its radius at the end: by default a stub, cut or without children.
 struct StemEnd {
   float body = 1;       // of the whole axis
   float tip = 1;        // where it ends, from two radii before
-  float flare = 0;      // how much wider it gets under what sits on it
+  float flare = 0;  // widening below an organ at its tip
   float height = 0.5f;  // of the rounded end
 };
 
-// Segments with, for each, the group it belongs to and how an axis ends that ends with it. Views: what they show must
+// Segments with, for each, the group it belongs to and the end of an axis that ends with it. Views: the data must
 // outlive them. Without `groups` all are of group 0, without `ends` all end as stubs.
 struct Stems {
   std::span<const Segment> segments;  // parents first

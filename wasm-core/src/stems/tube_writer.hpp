@@ -9,7 +9,7 @@
 
 namespace panicle {
 
-// What rings of one number of sides share.
+// Precomputed data of all rings with one number of sides.
 struct RingPattern {
   explicit RingPattern(std::uint32_t sides_);
 
@@ -35,7 +35,7 @@ class TubeWriter {
 
   // Appends a tube, its positions scaled. The pattern must outlive the call.
   void write(const Tube& tube, const RingPattern& pattern, float scale);
-  // Gives back what was too many. Call it last.
+  // Frees unused memory. Call it last.
   void finish();
 
   std::uint32_t vertices() const { return vertices_; }

@@ -24,11 +24,11 @@ struct StemMesh {
 
 struct TubeOptions {
   std::uint32_t sides = 12;  // 3 … 64
-  // A mesh that would have more gets fewer sides, then fewer rings. 60 bytes each: what the limit on segments
-  // allows still fits memory.
+  // A mesh that would have more gets fewer sides, then fewer rings. 60 bytes each: meshes of as many segments as the
+  // limit allows fit memory.
   std::uint64_t most_vertices = 10'000'000;
-  // Axes that begin thinner than this, in the segments' unit, get `thin_sides` sides and about half the rings: of what
-  // is a few pixels wide no more would be seen.
+  // Axes that begin thinner than this, in the segments' unit, get `thin_sides` sides and about half the rings: of tubes
+  // a few pixels wide no more would be seen.
   float thin = 0;
   std::uint32_t thin_sides = 6;
   // Thin axes get hardly more rings than they have nodes and bends: for thousands of twigs.

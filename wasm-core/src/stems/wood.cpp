@@ -15,8 +15,8 @@ constexpr std::uint32_t sides = 10, thin_sides = 6;
 // where all of it is seen, they are a pixel or two wide.
 constexpr float thin = 0.3f, fine_of_all = 0.002f;
 
-// Where a branch leaves at a narrow angle, its first rings fold over each other and over what bears it, and normals
-// told by the shape of the tube look into the wood: black facets. Such a place has those of its triangles.
+// Where a branch leaves at a narrow angle, its first rings fold over each other and over the parent, and normals of the
+// tube's shape look into the wood: black facets. Such vertices get the normals of their triangles.
 void repair_normals(Mesh& mesh) {
   const auto at = [](const std::vector<float>& values, std::uint32_t i) {
     return glm::vec3(values[3 * i], values[3 * i + 1], values[3 * i + 2]);
@@ -96,7 +96,7 @@ StemMesh sweep_wood(std::span<const Segment> segments, std::span<const std::int3
   const float fine = fine_of_all * std::max({size.x, size.y, size.z});
   const std::vector<std::int32_t> bases = trunk_bases(segments, targets);
   const Branches branches = branches_of(segments, axes, bases, flare, fine);
-  // Thinner from fork to fork: whatever bears a branch is one. Wood does not swell where its pieces meet.
+  // Stems are thinner from fork to fork: every parent of branches is one. Wood does not swell where its pieces meet.
   const TubeOptions options{.sides = sides, .thin = thin * thickest, .thin_sides = thin_sides, .thin_plain = true};
   StemMesh stems = sweep_stems(
       {.segments = branches.segments, .groups = branches.groups, .jointed = false, .tapering = true}, options, 1.0f);

@@ -87,7 +87,7 @@ class Binder {
     if (program_.code.doubles) bound_->precise[reg] = value;
   }
 
-  // A value comes as a float, and what was meant is the shortest decimal that gives it.
+  // An input is a float; its double is that of the shortest decimal with this float.
   double meant_by(float value) const {
     if (!program_.code.doubles) return value;
     const double size = double_from(number_text(value < 0 ? -value : value));

@@ -21,7 +21,7 @@ class BranchEnd {
   std::uint64_t open_ = 0;
 };
 
-// What is left of the branch in which `at` stands: up to the bracket that closes it, or to `end`.
+// The rest of the branch from `at` on: up to the bracket that closes it, or to `end`.
 struct RestOfBranch {
   const std::uint32_t* end;
   std::uint64_t modules;

@@ -1,7 +1,7 @@
-// Derivation between two buffers. A list of the modules that may still be rewritten leads through the string; what lies
-// between two of them is copied in runs. A module that no production matches never will be, unless chance decides, it
-// is answered or its productions look at its neighbours: others see nothing but a module's own parameters and its
-// address. It leaves the list.
+// Derivation between two buffers. A list of the modules that may still be rewritten (active modules) leads through the
+// string; the runs between them are copied. A module that no production matches leaves the list, unless it draws
+// randomly, is a query with a response or has productions in context: other productions depend on nothing but a
+// module's own parameters and its address.
 
 #include "lsystem/derivation/derivation.hpp"
 
@@ -63,7 +63,7 @@ inline bool Derivation::append(const Template& successor, const Origin& origin, 
   return true;
 }
 
-// The same of the module at a word, with who watches told of it.
+// The same for the module at a word, with reports to the watcher.
 [[gnu::noinline]] bool Derivation::append_watched(std::uint64_t at, const Production& by, const Origin& origin,
                                                   std::uint32_t symbol) {
   Watcher& watcher = *options_.watcher;
@@ -75,7 +75,7 @@ inline bool Derivation::append(const Template& successor, const Origin& origin, 
   return true;
 }
 
-// A successor whose modules are decomposed, each part of one again so, as deep as the text says. It is written `by` a
+// Appends a successor whose modules are decomposed, recursively up to the depth of the text. It is written `by` a
 // production, or null.
 bool Derivation::append_parts(const Template& successor, const Origin& origin, std::uint32_t symbol,
                               const Production* by, std::uint32_t depth) {
@@ -116,7 +116,7 @@ bool Derivation::append_module(const std::uint32_t* module) {
   return true;
 }
 
-// What ?P and the like are told, so that the next step can see it.
+// Writes the turtle's state into ?P and the like, so that the next step can use it.
 bool Derivation::locate() {
   if (!program_.locates || machine_.failed()) return !machine_.failed();
   const Diagnostic trouble = lsystem::locate(bound_, now_.string, options_.start, seed_, limits_, options_.space);
@@ -237,7 +237,7 @@ bool Derivation::out_of_sight() {
                                 {std::to_string(now_.string.modules)}));
 }
 
-// Passes over the % at `at` and what it removes: up to the bracket that closes its branch, or to the end.
+// Skips the % at `at` and the rest of its branch: up to the closing bracket, or to the end.
 bool Derivation::cut(std::uint64_t at) {
   if (!make_room(at - copied_, {}) || !copy_up_to(at)) return false;
   const std::uint32_t* const string = now_.string.words.data();
@@ -249,7 +249,7 @@ bool Derivation::cut(std::uint64_t at) {
   return true;
 }
 
-// Room for what the step is likely to write, taken while there is nothing to move: a growing string about doubles.
+// Reserves the likely size of the step's result while the buffer is empty: a growing string about doubles.
 void Derivation::make_ready() {
   const std::uint64_t most = now_.string.used + now_.active_count * program_.longest_successor;
   const std::uint64_t likely = std::min(most, 2 * now_.string.used + program_.longest_successor);
@@ -296,8 +296,8 @@ Result<Derived> whole(Result<Derived> derived) {
   return derived;
 }
 
-// What unfolding gives or, where a limit ends that, what steps lead to. Each has half of the work that is left: so
-// steps lead to the same string whether someone watches them or not.
+// Returns the result of unfolding or, where a limit ends that, of steps. Each has half of the work that is left: so
+// steps lead to the same string with and without a watcher.
 Result<Derived> unfold_or_derive(const BoundProgram& bound, std::uint64_t seed, const Limits& limits,
                                  const DerivationOptions& options) {
   WorkBudget own(limits.work, limits.bytes);

@@ -1,7 +1,7 @@
-// A derivation that can be looked at and answered between its steps.
+// A derivation whose string can be read, and whose queries can be responded to, between steps.
 //
-// Open L-systems (Měch and Prusinkiewicz 1996, section 3): a step rewrites the string, then the environment answers the
-// communication modules in it, and the next step rewrites these by what they were answered:
+// Open L-systems (Měch and Prusinkiewicz 1996, section 3): a step rewrites the string, then the environment responds to
+// the communication modules in it, and the next step rewrites these by the responses:
 //
 //   Derivation derivation(bound, seed, limits);
 //   while (derivation.steps() < n && derivation.query_environment(start, environment)) derivation.step();
@@ -22,10 +22,10 @@ namespace panicle::lsystem {
 
 class Derivation {
  public:
-  // When what decides whether a module is rewritten is drawn.
+  // When the random values that decide whether a module is rewritten are drawn.
   enum class Chance : std::uint8_t { each_step, once };
 
-  // Begins with the axiom. `bound` and what surrounds the plant must outlive the derivation.
+  // Begins with the axiom. The references must outlive the derivation.
   Derivation(const BoundProgram& bound, std::uint64_t seed, const Limits& limits, Chance chance = Chance::each_step,
              const DerivationOptions& options = {});
 
@@ -44,7 +44,8 @@ class Derivation {
   std::uint32_t steps() const { return steps_; }
   // Whether no step would rewrite anything any more, unless ?E is answered.
   bool at_rest() const { return at_rest_; }
-  // What went wrong: evaluation, with line and column; limit. Reason::none when nothing did. What went wrong stays so.
+  // The first error: evaluation, with line and column; limit. Reason::none without an error. An error ends the
+  // derivation.
   const Diagnostic& trouble() const { return machine_.trouble(); }
 
  private:
@@ -81,7 +82,7 @@ class Derivation {
   DerivationOptions options_;
   Machine machine_;
   Neighbourhood neighbourhood_;
-  const Rules* parts_ = nullptr;   // what decomposes modules, by symbol
+  const Rules* parts_ = nullptr;  // decomposition rules, by symbol
   std::vector<Words> part_words_;  // by depth
   Draft now_;
   Draft next_;
@@ -94,8 +95,8 @@ class Derivation {
   bool at_rest_ = false;
 };
 
-// The string that steps lead to until nothing is rewritten any more, for productions that see each other's work: what
-// `unfold` gives for those. A random condition draws the same in every step. Errors as there.
+// The string after steps until nothing is rewritten any more: the result of `unfold` for productions in context. A
+// random condition draws the same in every step. Errors as there.
 Result<Derived> develop_to_rest(const BoundProgram& bound, std::uint64_t seed, const Limits& limits,
                                 const DerivationOptions& options = {});
 

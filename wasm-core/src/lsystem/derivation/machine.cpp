@@ -27,7 +27,8 @@ Machine::Machine(const BoundProgram& bound, std::uint64_t seed, const Limits& li
 }
 
 // Conditions and weights decide whether a module is rewritten: in a step they are drawn for the module and the step.
-// Which of several applies, and what is written, is drawn for the module alone, since that happens but once.
+// The choice among several productions, and random values in successors, are drawn for the module alone, since that
+// happens but once.
 const Production* Machine::choose_by_chance(const Rules& rules, std::uint32_t count) {
   const std::uint64_t address = sources_.address;
   if (stepping_) sources_.address = hash_combine(address, step_);

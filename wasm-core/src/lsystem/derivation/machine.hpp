@@ -1,4 +1,4 @@
-// What derivation and interpretation share: choosing a production for a module and writing its successor.
+// The common part of derivation and interpretation: chooses a production for a module and writes its successor.
 #pragma once
 
 #include <array>
@@ -29,8 +29,8 @@ class Machine {
     return first_that_matches(rules, count);
   }
 
-  // What keeps a production of derivation from matching a module, be it that another one comes first. For tools: it
-  // costs what choosing does. Meaningless when `failed()`.
+  // The reason why a production of derivation does not match a module, also where another one comes first. For tools:
+  // it costs as much as choosing. Meaningless when `failed()`.
   enum class Obstacle : std::uint8_t { none, parameters, context, condition };
   Obstacle obstacle_of(const Production& production, const std::uint32_t* module);
 
@@ -53,17 +53,17 @@ class Machine {
   // For an axiom, which no module writes.
   void begin(std::uint64_t address) { sources_.address = address; }
 
-  // From now on what decides whether a module is rewritten is drawn for this step: a module that was not rewritten is
-  // tried anew in the next. Before, for all steps at once.
+  // From now on the decision whether a module is rewritten is drawn for this step: a module that was not rewritten is
+  // tried anew in the next. Before, one draw holds for all steps.
   void decide_at(std::uint32_t step) {
     step_ = step;
     stepping_ = true;
   }
 
-  // From now on productions see what is around the module at which it stands; before, those in context match nothing.
+  // From now on productions in context match by the neighbourhood of the module; before, they match nothing.
   void look_around(Neighbourhood& neighbourhood) { neighbourhood_ = &neighbourhood; }
 
-  // What a register holds: of the production that was applied last, what it was used with.
+  // The value of a register: after applying a production, the values that it was applied with.
   float value_of(std::uint32_t source) const {
     return precise_ != nullptr ? static_cast<float>(precise_[source]) : registers_[source];
   }
@@ -79,7 +79,7 @@ class Machine {
   // Takes units of work. False: they are used up.
   bool spend(std::uint64_t units) { return budget_.spend(units) || give_up(); }
 
-  // Room for `words` of a string, what is there kept. False: beyond Limits::words, or no memory.
+  // Reserves `words` of a string and preserves its content. False: beyond Limits::words, or no memory.
   bool make_room(Words& string, std::uint64_t words) {
     return (words <= string.capacity() && words <= limits_.words) || grow(string, words);
   }

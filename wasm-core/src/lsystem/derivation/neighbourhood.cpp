@@ -25,13 +25,13 @@ bool Neighbourhood::begin(const String& string) {
   return walk();
 }
 
-// What is seen behind a branch stands right behind what is before it.
+// The next visible module behind a branch is also the right neighbour of the module before the branch.
 bool Neighbourhood::walk() {
   const std::uint32_t* const words = string_->begin();
   const auto used = static_cast<std::uint32_t>(string_->used);
   const std::uint8_t* const classes = classes_.data();
   std::uint32_t last = none;    // seen on the way from the root
-  std::uint32_t pending = none;  // the word of a place that has not been told what is behind it
+  std::uint32_t pending = none;  // the entry of the last context-sensitive module, whose right neighbour is not known yet
   std::uint32_t places = 0, open = 0;
   for (std::uint32_t at = 0; at < used; at += words_of(words[at])) {
     const std::uint32_t symbol_class = classes[symbol_of(words[at])];

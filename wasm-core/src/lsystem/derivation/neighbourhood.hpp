@@ -1,5 +1,5 @@
-// What a production sees of the string beside the module that it rewrites: on the left the way from the root to it, on
-// the right the axial tree behind it (Prusinkiewicz & Lindenmayer 1990, sections 1.8 and 1.10.3).
+// The context of a module in a string: on the left the path from the root to it, on the right the axial tree behind it
+// (Prusinkiewicz & Lindenmayer 1990, sections 1.8 and 1.10.3).
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace panicle::lsystem {
 
-// One walk over a string finds what stands right beside each module that asks, those whose symbol has a production in
-// context; then it goes from one of these to the next.
+// One walk over a string finds the adjacent modules of each context-sensitive module (one whose symbol has a production
+// in context); `go_to` then moves from one of these to the next.
 class Neighbourhood {
  public:
   // `program` must outlive it.
@@ -20,16 +20,16 @@ class Neighbourhood {
   // Looks at a string, which stays as it is until the next, and begins before its first module. False: no memory.
   bool begin(const String& string);
 
-  // Goes on to the asking module at a word of the string, no earlier than where it stands. `looked` grows by the words
-  // on the way.
+  // Moves on to the context-sensitive module at a word of the string, no earlier than the current one. `looked` grows
+  // by the words on the way.
   void go_to(std::uint64_t at, std::uint64_t& looked);
 
-  // Of what stands right before and behind the module, its symbol and how many parameters (`Neighbour::kind`);
-  // `Neighbour::any` where nothing does.
+  // Symbol and number of parameters (`Neighbour::kind`) of the modules right before and behind; `Neighbour::any` where
+  // there is none.
   std::uint32_t left() const { return left_; }
   std::uint32_t right() const { return right_; }
 
-  // Whether what stands right beside the module is what a production wants there: most productions are out by that.
+  // Whether the adjacent modules match those that a production requires: a quick test that rejects most productions.
   bool may_fit(const Production& production) const {
     return (production.nearest_left == Neighbour::any || production.nearest_left == left_) &&
            (production.nearest_right == Neighbour::any || production.nearest_right == right_);
@@ -41,17 +41,18 @@ class Neighbourhood {
     double* precise;
   };
 
-  // Whether the module has beside it what a production in context wants. Their parameters are then in the registers
-  // behind the module's own. `looked` grows by the words that were looked at.
+  // Whether the whole context of a production matches. The neighbours' parameters are then in the registers behind the
+  // module's own. `looked` grows by the words that were examined.
   bool fits(const Production& production, Registers registers, std::uint64_t& looked);
 
  private:
   static constexpr std::uint32_t none = 0xffffffff;
-  // What a walk does at a symbol.
+  // The actions of the walk at a symbol.
   enum SymbolClass : std::uint32_t { passed_over = 0, seen = 1, context_sensitive = 2, opens = 4, closes = 8 };
-  // Of each module that asks: its word, and those of what is seen right before and behind it, or `none`.
+  // For each context-sensitive module: its word, and those of the visible modules right before and behind it, or
+  // `none`.
   static constexpr std::uint32_t place_words = 3;
-  // Of each bracket that is open: its word, what was seen last, and who had not been told what is behind it.
+  // For each open bracket: its word, the last visible module, and the entry whose right neighbour is pending.
   static constexpr std::uint32_t walk_words = 3;
 
   bool walk();
@@ -69,14 +70,14 @@ class Neighbourhood {
 
   const Program& program_;
   std::vector<std::uint8_t> classes_;  // by symbol
-  bool has_hidden_context_ = false;          // whether contexts do not see all that ask
+  bool has_hidden_context_ = false;  // whether contexts ignore a context-sensitive symbol
   bool wants_ends_ = false;          // whether branches are passed over or looked into
   const String* string_ = nullptr;
   Words places_, open_;
-  Words before_;            // at the word of what is seen: what is seen before it, where anyone wants more than one
+  Words before_;  // at the word of a visible module: the visible module before it; filled only for contexts of several modules
   Words ends_;              // of branches, at the words of their brackets
   std::uint64_t next_ = 0;  // word of the places
-  std::uint64_t at_ = 0;    // word of the module, and of what is right beside it
+  std::uint64_t at_ = 0;  // word of the module, and of the adjacent ones
   std::uint32_t before_it_ = none, behind_it_ = none;
   std::uint32_t left_ = Neighbour::any, right_ = Neighbour::any;  // their kinds
 };

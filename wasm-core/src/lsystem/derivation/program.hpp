@@ -1,5 +1,5 @@
-// A compiled grammar: symbols, productions with their successors laid out word by word, and byte code. What it lacks is
-// what the inputs give (bound.hpp).
+// A compiled grammar: symbols, productions with their successors as words, and byte code. Values that depend on the
+// inputs are added by BoundProgram (bound_program.hpp).
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@
 
 namespace panicle::lsystem {
 
-// Symbols are numbered: the turtle's as in turtle_symbols, then the text's own in the order of appearance. What the
-// turtle does at one is in Program::meanings.
+// Symbols are numbered: the turtle's as in turtle_symbols, then the text's own in the order of appearance. The turtle
+// command of a symbol is in Program::meanings.
 inline constexpr std::uint8_t no_meaning = 0xff;
 static_assert(turtle_symbols.size() < no_meaning);
 
@@ -30,7 +30,7 @@ inline constexpr std::uint32_t pop_symbol = symbol_for(Action::pop);
 inline constexpr std::uint32_t cut_symbol = symbol_for(Action::cut);
 inline constexpr std::uint32_t query_symbol = symbol_for(Action::query);
 
-// What a parameter must be to be written: the turtle takes finite numbers only.
+// The values that a parameter may have: the turtle takes finite numbers only.
 enum class Demand : std::uint8_t { none, finite, not_negative };
 
 // A successor (or the axiom): words to copy, then places in the copy to fill in.
@@ -79,8 +79,8 @@ struct Production {
   Value weight;
   bool by_chance = false;   // whether its condition or weight draws
   bool in_context = false;  // whether it wants neighbours
-  bool looks_on = false;    // whether what it wants right before and behind the module is not all there is to look at
-  // What it wants there, as Neighbour::kind has it.
+  bool looks_on = false;  // whether its context has more than the two adjacent modules
+  // The adjacent modules of its context, as Neighbour::kind.
   std::uint32_t nearest_left = Neighbour::any, nearest_right = Neighbour::any;
   Range left;  // neighbours, from the root on
   Range right;
@@ -88,7 +88,7 @@ struct Production {
   Template successor;
 };
 
-// A value that a production is used with, as the text calls it: a formal, or what a block works out.
+// A named value that a production is applied with: a formal parameter, or an assignment of a block.
 struct Naming {
   std::string name;
   std::uint32_t source = 0;  // register
@@ -122,7 +122,7 @@ class Program {
   }
   bool has(Purpose purpose) const { return !rules_for[static_cast<std::size_t>(purpose)].empty(); }
   const std::vector<Rules>& rules_of(Purpose purpose) const { return rules_for[static_cast<std::size_t>(purpose)]; }
-  // Whether what a step sees is more than each module by itself, so that the order of rewriting matters.
+  // Whether a step depends on more than each module by itself, so that the order of rewriting matters.
   bool by_steps() const { return in_context || locates || has(Purpose::decomposition); }
 
   Notation notation = Notation::huang;
@@ -133,8 +133,8 @@ class Program {
   std::array<std::vector<Rules>, purposes> rules_for;  // of the others, by symbol; empty where there are none
   std::array<Value, 2> depths;                         // of decomposition and homomorphism
   std::array<Value, settings_count> settings;          // by GlobalSetting
-  bool has_queries = false;                                   // whether a module asks the environment
-  bool locates = false;                                // whether a module asks for the turtle's place or axes
+  bool has_queries = false;  // whether a module queries the environment
+  bool locates = false;  // whether a module queries the turtle's position or axes
   std::vector<std::uint32_t> predecessors;             // in the order of the text
   std::vector<std::uint32_t> words;
   std::vector<Patch> patches;

@@ -60,8 +60,8 @@ bool SkippableSymbols::comes_back(const Template& image) const {
   return true;
 }
 
-// A growing plant asks at its tips. One walk over the headers finds the branches that need not be walked by the turtle,
-// each in the order of its [; of one that asks the end is its beginning.
+// A growing plant has queries at its tips. One walk over the headers finds the branches without queries, which the
+// turtle need not walk, each in the order of its [; a branch with a query is stored as empty.
 void SkippableSymbols::find_branches(const String& string) {
   std::vector<std::size_t> open;
   std::uint64_t offset = 0;

@@ -1,5 +1,5 @@
-// What a walk of the turtle can pass over: modules that mean nothing to it and, where nobody hears of what is drawn,
-// whatever leaves it where it was and branches in which nobody asks where it is.
+// Modules that a walk of the turtle can skip: those without a turtle command and, where the listener gets no events,
+// those that leave the turtle unchanged, and branches without turtle queries.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +12,15 @@ namespace panicle::lsystem {
 
 class SkippableSymbols {
  public:
-  // `images` are what draws in the place of modules, by symbol, null for none; they and `program` must outlive it.
+  // `images` are the homomorphism rules by symbol, null for none; they and `program` must outlive it.
   SkippableSymbols(const Program& program, const Rules* images, bool heard);
 
   // Whether every module of a symbol can be passed over.
   bool covers(std::uint32_t symbol) const { return quiet_[symbol] != 0; }
 
-  // Finds the branches of a string in which nobody asks, for a walk that nobody hears.
+  // Finds the branches of a string without turtle queries, for a walk without events.
   void find_branches(const String& string);
-  // Behind those that begin at `at`; asked in the order of the string.
+  // Returns the place behind the branches that begin at `at`. Call it in the order of the string.
   const std::uint32_t* behind_branches(const String& string, const std::uint32_t* at) {
     std::uint64_t offset = static_cast<std::uint64_t>(at - string.begin());
     for (; next_branch_ < branches_.size() && branches_[next_branch_].begin <= offset; ++next_branch_)
@@ -29,7 +29,7 @@ class SkippableSymbols {
   }
 
  private:
-  // A branch in which nothing asks where the turtle is: words from its [ to behind its ].
+  // A branch without turtle queries: words from its [ to behind its ].
   struct Branch {
     std::uint64_t begin, end;
   };

@@ -97,7 +97,7 @@ class Unfolding {
   Words pending_;
   std::uint64_t pending_used_ = 0;
   String done_;
-  std::optional<BranchEnd> cutting_;  // where what a % removes ends
+  std::optional<BranchEnd> cutting_;  // the end of the branch that a % removes
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Who watches a derivation, for tools that tell of it. Nothing changes by being watched, and where nobody does, it
-// costs one look for each module that is rewritten.
+// The interface of tools that watch a derivation. Watching changes no result; without a watcher it costs one test for
+// each module that is rewritten.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,9 @@
 
 namespace panicle::lsystem {
 
-// Of each step, in the order of its string: `rewrites`, `applied`, `rewritten` for a module that a production rewrites,
-// `removes` for what a % takes; then `ends`. What neither tells of is copied. A step that goes wrong has no end, nor
-// has anything else behind it.
+// The order of calls in each step follows its string: `rewrites`, `applied`, `rewritten` for a module that a production
+// rewrites, `removes` for a % and its branch; then `ends`. All other modules are copied. A step that fails has no
+// `ends`, and is the last.
 class Watcher {
  public:
   virtual ~Watcher() = default;
@@ -20,19 +20,18 @@ class Watcher {
   virtual void begins(const String& string) = 0;
   virtual void ends(const String& string) = 0;
 
-  // The module at a word of the string is rewritten, or drawn as what answers it.
+  // The module at a word of the string is rewritten, or drawn by the response in its place.
   virtual void rewrites(std::uint64_t at) = 0;
-  // By this production, whose successor has been written; `machine` still has what it was used with.
+  // The production is applied and its successor written; `machine` still has the values it was applied with.
   virtual void applied(const Production& production, const class Machine& machine) = 0;
-  // Where modules are decomposed: who wrote the next module that comes into the string; null: nobody, it is the
-  // axiom's.
+  // Where modules are decomposed: the production that wrote the next module of the string; null for the axiom.
   virtual void part(const Production* production) = 0;
   // Into so many modules.
   virtual void rewritten(std::uint64_t modules) = 0;
-  // The % at a word of the string and what it takes with it.
+  // The % at a word of the string is removed with the rest of its branch.
   virtual void removes(std::uint64_t at, std::uint64_t modules) = 0;
 
-  // The environment is asked what stands in the string, and has answered.
+  // The environment is queried with the string, and has responded.
   virtual void queries() = 0;
   virtual void responded() = 0;
 };

@@ -28,7 +28,7 @@ constexpr std::uint32_t words_of(std::uint32_t header) { return header >> 24; }
 inline constexpr std::uint32_t lineage_words = 3;
 inline constexpr std::uint32_t no_symbol = 0xffff;  // the parent of the axiom's modules
 
-// Who wrote a module, as a string keeps it.
+// The lineage of a module, as strings store it.
 struct Origin {
   std::uint64_t address = 0;
   std::uint32_t ancestors = no_symbol << 16 | no_symbol;  // parent | grandparent << 16
@@ -59,8 +59,8 @@ inline Origin origin_of(const std::uint32_t* module) {
   return origin;
 }
 
-// Copies are made in blocks of four words and may run up to three words over: buffers and what is copied from have
-// that much room behind them.
+// Copies are made in blocks of four words and may run up to three words over: sources and destinations need that much
+// room behind them.
 inline constexpr std::uint32_t block = 4;
 
 inline void copy_words(std::uint32_t* to, const std::uint32_t* from, std::size_t count) {
@@ -71,7 +71,7 @@ inline void copy_words(std::uint32_t* to, const std::uint32_t* from, std::size_t
   for (std::size_t i = 0; i < count; i += block) std::memcpy(to + i, from + i, block * sizeof *to);
 }
 
-// A buffer that says so when memory is out, where a vector would abort. New words are not set to anything.
+// A buffer that returns false when memory is out, where a vector would abort. New words are not initialised.
 class Words {
  public:
   Words() = default;
@@ -99,9 +99,8 @@ class Words {
     return true;
   }
 
-  // Room for `words`, and half as many more but not beyond `most`, if memory allows; what was there is forgotten:
-  // cheaper than `reserve`, which may have to move it. A string that grows a little each step does not take new memory
-  // in each.
+  // Reserves `words`, and half as many more but not beyond `most`, if memory allows. The content is lost: cheaper than
+  // `reserve`, which may have to move it. A string that grows a little each step does not allocate in each.
   void empty_for(std::uint64_t words, std::uint64_t most) {
     if (words <= capacity_) return;
     std::free(data_);

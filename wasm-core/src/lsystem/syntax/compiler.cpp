@@ -87,7 +87,7 @@ class Compiler {
     return false;
   }
 
-  // Reading of a #define that is given with the request goes wrong all the same where it uses what is not there.
+  // An expression of a #define that an input replaces must still be valid: undefined names in it are errors.
   bool declarations() {
     for (const DefinitionTree& definition : grammar_.definitions) {
       Declaration declaration{std::string(definition.name), definition.kind, definition.place, {}, 0};
@@ -150,7 +150,7 @@ class Compiler {
     return true;
   }
 
-  // What contexts do not see.
+  // Marks the symbols that contexts ignore.
   bool sight() {
     const ContextFilterTree& sight = grammar_.sight;
     const bool consider = sight.kind == ContextFilterTree::Kind::consider;
@@ -339,7 +339,7 @@ class Compiler {
                 {program_->symbols[symbol], turtle.name, most, std::to_string(count), otherwise});
   }
 
-  // What a name stands for last is what counts.
+  // The last definition of a name counts.
   void name_local(std::string_view name, std::uint32_t source) {
     std::vector<Naming>& all = program_->namings;
     const auto found = std::find_if(all.begin() + static_cast<std::ptrdiff_t>(first_local_), all.end(),
@@ -446,7 +446,7 @@ class Compiler {
                 {name});
   }
 
-  // `precise`: the place of its double in the template. `known`: what it is, where the text alone decides.
+  // `precise`: the place of its double in the template. `known`: its value, where it depends on the text alone.
   bool parameter(const Expression& expression, std::uint32_t symbol, std::uint32_t precise, double& known) {
     Program& program = *program_;
     std::uint32_t source = 0;

@@ -11,11 +11,11 @@
 
 namespace panicle::lsystem {
 
-// What productions are for: the steps, what follows within a step, or how a module is drawn.
+// The purpose of a production: the steps, decomposition within a step, or drawing.
 enum class Purpose : std::uint8_t { derivation, decomposition, homomorphism };
 inline constexpr std::size_t purposes = 3;
 
-// What a text says once for all its modules: `angle increment: 25`, `tropism: 0, -1, 0, 0.2`.
+// Global settings of a text: `angle increment: 25`, `tropism: 0, -1, 0, 0.2`.
 enum class GlobalSetting : std::uint8_t {
   angle_increment,
   line_length,
@@ -87,7 +87,7 @@ struct RoleTree {
   std::vector<Named> symbols;
 };
 
-// `ignore: symbols` or `consider: symbols`: what contexts see.
+// `ignore: symbols` or `consider: symbols`: the symbols that contexts match.
 struct ContextFilterTree {
   enum class Kind : std::uint8_t { all, ignore, consider };
   Kind kind = Kind::all;

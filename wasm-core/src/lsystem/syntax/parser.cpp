@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t most_points = 256;  // of a curve
 
-// A line that says something once for all modules, by its words up to the colon.
+// A line of a global setting, by its words up to the colon.
 struct SettingLine {
   std::array<std::string_view, 3> words;
   GlobalSetting first;
@@ -100,7 +100,7 @@ class GrammarParser : public ProductionReader {
            arrow_of_line(at) < end_of_line(at);
   }
 
-  // `#define` and the like; a # of the turtle stands apart from what follows.
+  // A directive such as `#define`; the turtle's # is no part of a longer word.
   bool is_directive(std::size_t at) const {
     if (!tokens_[at].is('#')) return false;
     if (is_alone(at)) return true;
@@ -228,8 +228,8 @@ class GrammarParser : public ProductionReader {
     return tokens_[at].is('#') ? words : tokens_[at].is('/') && tokens_[at + 1].is('/');
   }
 
-  // What `?name` may begin has to be known before it is read. The first L-system is the text itself where nothing
-  // grows before it.
+  // The names that may follow `?` must be known before the text is read. The first L-system is the text itself where it
+  // has no productions before it.
   bool find_systems() {
     bool grows = false;
     for (std::size_t at = 0; at < tokens_.size(); at = end_of_line(at)) {
@@ -556,7 +556,7 @@ class GrammarParser : public ProductionReader {
   std::vector<Token> joined_;  // where lines are joined
   Names defined_;              // in the order of the text
   std::vector<Place> places_;
-  Names string_symbols_;  // of modules, once asked for
+  Names string_symbols_;  // of modules; filled on first use
   bool strung_known_ = false;
   Purpose purpose_ = Purpose::derivation;
   std::size_t first_system_ = static_cast<std::size_t>(-1);

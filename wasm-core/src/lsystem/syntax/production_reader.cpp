@@ -38,8 +38,8 @@ bool ProductionReader::production(Purpose purpose) {
   return true;
 }
 
-// Whether the production begins with `p1 :`. So it does when another colon follows, or when the name stands nowhere
-// else and what follows its colon is no expression.
+// Whether the production begins with a label, `p1 :`. It does when another colon follows, or when the name occurs
+// nowhere else and the text behind its colon is no expression.
 bool ProductionReader::is_label() {
   if (!on_name() || at_ + 2 >= arrow_ || !tokens_[at_ + 1].is(':')) return false;
   for (std::size_t i = at_ + 2; i < arrow_; ++i)

@@ -10,7 +10,7 @@ class ProductionReader : public ModuleReader {
   using ModuleReader::ModuleReader;
 
  protected:
-  // The one from `at_` up to `end_`, whose arrow stands at `arrow_`. Its errors are said of what it is for.
+  // Reads the production from `at_` up to `end_`, whose arrow is at `arrow_`. Error messages depend on its purpose.
   bool production(Purpose purpose);
   // Whether formal parameters are at most as many as a module may have, and have different names.
   bool are_valid(const std::vector<Named>& formals);

@@ -357,7 +357,7 @@ class ProductionChecker {
   std::vector<Remark> remarks_;
   Names listed_;  // by ignore: or consider:
   Side left_, right_;
-  std::vector<Pair> last_;  // of each production: its symbol, and what its successor ends with
+  std::vector<Pair> last_;  // for each production: its symbol, and the last module of its successor
   std::uint32_t largest_symbol_ = 0;
   bool may_vanish_ = false;  // whether a successor has no visible module on its axis
 };

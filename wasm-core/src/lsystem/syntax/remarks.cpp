@@ -48,7 +48,7 @@ class Reader {
     if (reported_.add(what) == number) remarks_.push_back({sentence(pattern, pieces), place.line, place.column});
   }
 
-  // What is said of the axiom stands where the axiom does, though it is looked at first.
+  // Inserts the remarks on the axiom at its place in the text; they are found before all others.
   void add_those_on_axiom() {
     for (Remark& remark : on_axiom_) remarks_.push_back(std::move(remark));
     on_axiom_.clear();
@@ -107,7 +107,7 @@ class Reader {
 
   bool is_set(GlobalSetting which) const { return grammar_.settings[static_cast<std::size_t>(which)].given(); }
 
-  // What stands in for an argument is said once, unless the text says it.
+  // The default of an omitted argument is reported once, unless the text sets it.
   void bare(const ModuleTree& module) {
     const bool cpfg = grammar_.notation == Notation::cpfg;
     if (module.name == "!" && !cpfg)

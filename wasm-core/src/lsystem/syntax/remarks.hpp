@@ -1,4 +1,4 @@
-// What a text says and the engine passes over.
+// Remarks on parts of a text that the engine ignores.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace panicle::lsystem {
 
-// All that can be said of the text alone, in its order, once for each symbol or way of writing.
+// Returns all remarks on the text alone, in its order, once for each symbol or notation.
 std::vector<Remark> remarks_on(const Grammar& grammar);
 
 }  // namespace panicle::lsystem

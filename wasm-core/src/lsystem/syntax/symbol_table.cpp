@@ -5,8 +5,8 @@ namespace {
 
 constexpr char unreachable[] = "\x1f";  // in a name that no text can have
 
-// A symbol of an L-system of its own is another than one that is written the same elsewhere; what holds strings
-// together is the same everywhere.
+// Symbols of different L-systems differ even if they have the same name; brackets and other signs of strings are the
+// same in all.
 std::string full_name(std::string_view name, std::uint32_t system) {
   static constexpr std::string_view everywhere = "[]%{}";
   if (system == 0 || name[0] == '?' || everywhere.find(name) != std::string_view::npos) return std::string(name);
@@ -79,7 +79,7 @@ std::uint32_t SymbolTable::add(std::string_view full, std::string_view name) {
   return number;
 }
 
-// What the turtle does at a symbol that is not its own by number: `~leaf`, `?leaf` or F of another L-system.
+// The turtle command of a symbol that is not the turtle's own: `~leaf`, `?leaf` or F of another L-system.
 std::uint8_t SymbolTable::meaning_of(std::string_view name) const {
   if (name[0] == '~') return meaning_of_sign("~");
   if (name[0] == '?' && numbers_.size() > turtle_symbols.size()) return meaning_of_sign("@Di");

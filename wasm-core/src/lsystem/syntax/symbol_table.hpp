@@ -24,9 +24,9 @@ class SymbolTable {
   bool is_turtles(std::uint32_t symbol) const { return program_.meanings[symbol] != no_meaning; }
   // By a production of derivation, with so many parameters.
   bool is_derived(std::uint32_t symbol, std::size_t arity) const { return (derived_[symbol] >> arity & 1) != 0; }
-  // By a production of whatever purpose.
+  // By a production of any purpose.
   bool is_rewritten(std::uint32_t symbol) const { return rewritten_[symbol] != 0; }
-  // Modules whose lineage someone may ask for: those that write others, and those that listeners observe.
+  // Whether modules of the symbol need a lineage: those that write others, and those that listeners observe.
   bool remembers(std::uint32_t symbol) const;
   // `FF` or `AB` where F, A and B mean something and the whole does not: in cpfg two modules, here one that does
   // nothing.

@@ -63,7 +63,7 @@ void DerivationTrace::find_refusals() {
   if (!is_traced_step() || std::exchange(refused_, true)) return;
   std::optional<std::uint32_t> step;
   if (by_steps_) step = request_.step;
-  // With a budget of their own: neither the derivation nor what follows the trace has less because of them.
+  // With a budget of their own: they leave the work of the derivation and of later stages unchanged.
   WorkBudget budget(limits_.work, limits_.bytes, limits_.budget == nullptr ? nullptr : limits_.budget->clock());
   Limits own = limits_;
   own.budget = &budget;
@@ -136,7 +136,7 @@ void DerivationTrace::copied_until(std::uint32_t index) {
   old_ = index;
 }
 
-// What stands next in the string before, `removed` modules, has become `written` in the one after.
+// The next `removed` modules of the string before have become `written` in the one after.
 void DerivationTrace::change(std::uint32_t removed, std::uint32_t written) {
   for (std::uint32_t i = 0; i < removed; ++i)
     if (TraceEntry* const entry = find_entry(old_ + i)) entry->children = {new_, written};
@@ -199,7 +199,7 @@ void DerivationTrace::finish(std::uint32_t steps, const Diagnostic& stopped, con
   string_ = nullptr;
   bound_ = nullptr;
   space_ = nullptr;
-  // What of a step that never ended has been entry.
+  // Removes the traces of a step that never ended.
   for (std::uint32_t i = 0; is_traced_step() && i < modules_.size(); ++i) {
     TraceEntry& entry = modules_[i];
     entry.fires = {};
@@ -248,7 +248,7 @@ Result<DerivationTrace> trace_derivation(const BoundProgram& bound, std::uint64_
     own.budget = &budget;
     const auto derived = develop_so_far(bound, seed, steps, own, watched);
     if (!derived) return derived.error();
-    // Steps that rewrote nothing change nothing but what is answered.
+    // Steps that rewrote nothing change nothing but responses.
     trace.finish(options.environment == nullptr ? derived->steps : trace.steps(), derived->stopped, *derived->string);
     if (request.step <= trace.steps()) return trace;
     request.step = trace.steps();

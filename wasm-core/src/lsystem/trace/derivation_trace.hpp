@@ -1,7 +1,7 @@
-// What happened in a derivation: for a step and a window of its string, where each module came from, what rewrites it
-// and with which values, what it becomes and what it was told. It is the derivation itself that is watched.
+// A trace of a derivation: for a step and a window of its string, where each module came from, the production that
+// rewrites it with its values, its descendants and the responses to its queries. It watches a real derivation.
 //
-// No string is kept: who asks for another step has it derived again.
+// No string is stored: for another step the derivation is repeated.
 #pragma once
 
 #include <array>
@@ -41,11 +41,11 @@ struct TraceEntry {
   Place production;                  // that wrote it in this step
   Place fires;                       // that rewrites it next
   std::vector<Refusal> refusals;     // the other productions of its symbol
-  std::string values;                // of its formals, then of what its blocks work out: `n=3 t=0.5`
+  std::string values;  // of its formals, then of the assignments of its blocks: `n=3 t=0.5`
   std::array<float, 3> chance = {};  // where it was drawn: the sum of all weights, its own, where in the sum it fell
   ModuleSpan children;               // in the next step
   ModuleSpan last;                   // in the last string
-  std::string response;                // `asked 1 0 → 1 3; why`, or `written 0 1 0`
+  std::string response;  // response to a query: `asked 1 0 → 1 3; why`, or `written 0 1 0`
 };
 
 class DerivationTrace final : public Watcher {
@@ -64,27 +64,27 @@ class DerivationTrace final : public Watcher {
         by_steps_(by_steps),
         request_(request) {}
 
-  // The step that is told, and the first module of the window.
+  // The step that is traced, and the first module of the window.
   std::uint32_t step() const { return request_.step; }
   std::uint32_t first() const { return request_.first; }
   std::uint32_t steps() const { return static_cast<std::uint32_t>(counts_.size()) - 1; }
   // Of each step's string, the axiom's first.
   const std::vector<std::uint32_t>& counts() const { return counts_; }
   const std::vector<TraceEntry>& modules() const { return modules_; }
-  // By step, the ancestor of the module that was asked for; empty where none was, the last string has no such module or
-  // too much was rewritten.
+  // By step, the ancestor of the requested module; empty without such a request, where the last string has no such
+  // module, or too much was rewritten.
   const std::vector<std::uint32_t>& trail() const { return trail_; }
-  // What cut the derivation short: a limit.
+  // The limit that cut the derivation short.
   const Diagnostic& stopped() const { return stopped_; }
 
   // The derivation is over, and nothing more is heard: its strings are gone but the last. Of `steps` steps, where more
   // were taken and did nothing.
   void finish(std::uint32_t steps, const Diagnostic& stopped, const String& last);
-  // From now on it watches how the last string is drawn, and tells which production answers a ?E in place.
+  // From now on it watches how the last string is drawn, and records the productions that are applied to responses.
   void watch_drawing(std::shared_ptr<const String> last);
   // Whether the window has this module of the last string, which is being drawn.
   bool has(std::uint32_t module) { return find_entry(module) != nullptr; }
-  // What that one was asked and answered while it was drawn; or more of it, behind what is there.
+  // Sets the query and response of a module while it is drawn, or appends to it.
   void add_response(std::uint32_t module, std::string_view response);
 
   void begins(const String& string) override;
@@ -98,8 +98,8 @@ class DerivationTrace final : public Watcher {
   void responded() override;
 
  private:
-  // What of the string before gives way to what of the string after begins behind the change before it and what was
-  // copied since, and ends here.
+  // A range of modules in the string before that becomes a range in the string after. Both begin behind the previous
+  // change and the modules copied since.
   struct Change {
     std::uint32_t old_begin = 0, old_end = 0, new_end = 0;
   };
@@ -133,15 +133,15 @@ class DerivationTrace final : public Watcher {
   std::shared_ptr<const String> drawing_;  // the last string, while that is drawn
   std::uint64_t word_ = 0;                 // of the string: up to where modules have been counted
   std::uint32_t index_ = 0;
-  std::uint32_t old_ = 0, new_ = 0;  // modules of the string before and after that this step has told of
+  std::uint32_t old_ = 0, new_ = 0;  // modules of the string before and after that are processed in this step
   std::uint32_t rewriting_ = 0;      // the module
   const Production* production_ = nullptr;
   bool answered_ = false;  // ?E, since the step before
   bool refused_ = false;   // whether the window has its refusals
   std::vector<const Production*> parts_;
-  std::vector<TraceEntry> written_;           // of the window, what is known before its string is there
+  std::vector<TraceEntry> written_;  // of the window, the fields that are known before its string
   std::vector<std::uint64_t> words_;          // where the window's modules stand
-  std::vector<std::string> queries_;        // that they ask
+  std::vector<std::string> queries_;  // parameters of their queries
   std::vector<std::uint32_t> borders_;        // where each one's descendants begin, and where those of the last end
   std::vector<std::uint32_t> whole_borders_;  // the same after the last whole step
   std::size_t border_ = 0;                    // the next that this step has to move

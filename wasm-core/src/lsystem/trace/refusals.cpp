@@ -106,7 +106,7 @@ std::string Refusals::values_of(const Production& production) const {
 // Whether contexts match the symbol: `ignore:` and `consider:` hide others.
 bool Refusals::is_visible(std::uint32_t symbol) const { return program_.passed_over[symbol] == 0; }
 
-// Whether one of the branches right behind the module begins with the symbol, hidden symbols aside.
+// Whether one of the branches right behind the module begins with the symbol, not counting hidden symbols.
 bool Refusals::begins_branch(const std::uint32_t* module, std::uint32_t symbol) {
   std::uint32_t open = 0;
   bool begins = false;
@@ -128,7 +128,8 @@ bool Refusals::begins_branch(const std::uint32_t* module, std::uint32_t symbol) 
   return false;
 }
 
-// Whether one of the branches that are closed right before the module ends with the symbol, hidden symbols aside.
+// Whether one of the branches that are closed right before the module ends with the symbol, not counting hidden
+// symbols.
 bool Refusals::ends_branch(std::uint64_t at, std::uint32_t symbol) {
   struct Level {
     std::uint32_t last = no_symbol;  // the visible symbol read last

@@ -95,8 +95,8 @@ class Interpreter {
 
   bool has_image(std::uint32_t symbol) const { return images_ != nullptr && images_[symbol].productions.size() > 0; }
 
-  // What a homomorphism makes of a module is drawn in its place, each part of it again so, as deep as the text says.
-  // True: the rest of the branch is cut.
+  // Draws the homomorphism of a module in its place, recursively up to the depth of the text. True: the rest of the
+  // branch is cut.
   bool draw(const std::uint32_t* module, const std::uint32_t* source, std::uint32_t depth) {
     if (depth < bound_.depths[1]) {
       const Production* const production = machine_.choose(module, images_);
@@ -132,7 +132,7 @@ class Interpreter {
         error_at(Reason::limit, {}, "There is no memory for what a module is drawn as; make its production shorter."));
   }
 
-  // What stands in for an argument that was left out.
+  // The default of an omitted argument.
   float standard(const TurtleSymbol& symbol) const {
     if (symbol.setting == Setting::angle_increment) return setting(GlobalSetting::angle_increment, symbol.standard);
     if (symbol.setting == Setting::line_length) return setting(GlobalSetting::line_length, symbol.standard);
@@ -149,7 +149,7 @@ class Interpreter {
     return v;
   }
 
-  // Does what one module of the turtle says, with the lineage of `bearer`. True: the rest of the branch is cut.
+  // Executes one turtle command, with the lineage of the module `source`. True: the rest of the branch is cut.
   bool execute(const std::uint32_t* module, const std::uint32_t* source) {
     const std::uint32_t number = symbol_of(*module);
     const TurtleSymbol& symbol = turtle_symbols[program_.meanings[number]];
@@ -289,7 +289,7 @@ class Interpreter {
     listener_.disc(upright, size / 2, lineage_of(source));
   }
 
-  // `!` narrows and `#` widens where they are not told how wide; in the paper's notation ! alone is 1.
+  // Without an argument `!` narrows and `#` widens by the increment; in the paper's notation ! alone is 1.
   void set_width(float value, bool given, float sign) {
     if (!given && program_.notation == Notation::cpfg) {
       const float by = setting(GlobalSetting::line_width_increment, 0);
@@ -370,7 +370,7 @@ class Interpreter {
     check_place(module);
   }
 
-  // Sets the size of what is drawn, `by` times as large or as small as before.
+  // Sets the drawing size, `by` times as large or as small as before.
   void enlarge(float size, float by, const std::uint32_t* module) {
     if (size == 0 && by != 0 && turtle_.size != 0)
       return refuse(module, "makes what is drawn too small for its size to be a number; draw less reduced.");
@@ -427,7 +427,7 @@ class Interpreter {
     float before[most_parameters];
     std::copy_n(parameters, count, before);
     listener_.query(turtle_, {parameters, count}, lineage_of(module));
-    if (!machine_.spend(1)) return false;        // also where the answer has taken what was left
+    if (!machine_.spend(1)) return false;  // also where the response has used up the work
     const auto write = [&](std::uint32_t* to) {  // changed parameters only: the others keep their double precision
       for (std::uint32_t i = 0; i < count; ++i)
         if (std::memcmp(&parameters[i], &before[i], sizeof(float)) != 0) set_parameter(to, i, parameters[i]);

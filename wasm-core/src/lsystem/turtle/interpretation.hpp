@@ -1,4 +1,4 @@
-// What the derivation asks of the interpretation.
+// Interpretation functions that derivations call.
 #pragma once
 
 #include "lsystem/lsystem.hpp"
@@ -10,8 +10,8 @@ namespace panicle::lsystem {
 Diagnostic write_responses(const BoundProgram& bound, String& string, const Turtle& start, Listener& listener,
                   std::uint64_t seed, const Limits& limits, const Space* space);
 
-// Walks the string and writes into ?P, ?H, ?L and ?U where the turtle is; nobody hears of what is drawn. Errors as
-// there.
+// Interprets the string and writes the turtle's position and axes into ?P, ?H, ?L and ?U, without events to a listener.
+// Errors as there.
 Diagnostic locate(const BoundProgram& bound, String& string, const Turtle& start, std::uint64_t seed,
                   const Limits& limits, const Space* space);
 

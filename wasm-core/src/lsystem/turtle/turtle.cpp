@@ -63,7 +63,7 @@ void head_for(Turtle& turtle, const glm::vec3& heading, const glm::vec3& up) {
   const float length = glm::length(heading);
   if (length == 0) return;
   const glm::vec3 to = heading / length;
-  // Without an up axis, the old one is kept as far as the new heading allows; where it does not, the left one is.
+  // Without an up axis, the old one is preserved as far as the new heading allows; where it does not, the left one is.
   const bool given = up != glm::vec3(0);
   glm::vec3 left = glm::cross(given ? up : turtle.up, to);
   if (glm::dot(left, left) < 1e-12f) left = turtle.left - to * glm::dot(to, turtle.left);

@@ -15,14 +15,14 @@ struct Turtle {
   float width = 1;
   std::int32_t line = -1;  // the last line drawn on the way here, −1 at the root
   std::int32_t colour = 1;
-  float size = 1;  // of what is drawn, widths apart
+  float size = 1;  // scale of drawing, without widths
   float elasticity = 0;
   glm::vec3 tropism{0, -1, 0};
 };
 
-// The turtle's turns, for those who must foresee where it will go: bit for bit what `+`, `&` and `/` do. Degrees,
-// clockwise seen against the axis: +θ takes the heading towards −left, &φ towards +up, /ψ takes left towards −up.
-// Multiples of 90° are exact, and the frame stays orthonormal to rounding however long the chain.
+// The turtle's turns, for models that must predict its path: bit for bit as `+`, `&` and `/`. Degrees, clockwise seen
+// against the axis: +θ takes the heading towards −left, &φ towards +up, /ψ takes left towards −up. Multiples of 90° are
+// exact, and the frame stays orthonormal to rounding however long the chain.
 void turn(Turtle& turtle, float theta);  // +(θ)
 void pitch(Turtle& turtle, float phi);   // &(φ)
 void roll(Turtle& turtle, float psi);    // /(ψ)
