@@ -7,7 +7,7 @@ export default [
 			{
 				id: "flower-xml-short-lists",
 				find: "whole ? listed : [listed[0], undefined, ...listed.slice(1)]",
-				replace: "said",
+				replace: "listed",
 				breaks: "lists without a translation are shifted in XML",
 			},
 			{

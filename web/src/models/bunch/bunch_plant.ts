@@ -1,7 +1,6 @@
 /**
- * What a bunch is besides a plant: plain typed arrays copied out of the core, in metres, +Y up, the bunch hanging
- * down from p1 at the origin; p3 is +X, p4 −X, p5 +Z, p6 −Z. Its columns are listed in
- * wasm-core/src/models/bunch/model.hpp.
+ * A bunch, in addition to a plant: plain typed arrays copied out of the core, in metres, +Y up. The bunch hangs down
+ * from p1 at the origin; p3 is +X, p4 −X, p5 +Z, p6 −Z. wasm-core/src/models/bunch/model.hpp lists the columns.
  */
 import type { Veins } from "../../plant/leaf";
 import type { Run } from "../../plant/part";
@@ -20,17 +19,20 @@ export type InternodeState = (typeof INTERNODE_STATES)[number];
 export const PROCEDURES = ["paper", "natural"] as const;
 export type Procedure = (typeof PROCEDURES)[number];
 
-/** Whose surface a berry has, by code. */
+/** Kinds of fruit, by code; each has its own surface. */
 export const FRUITS = ["grape", "currant", "bramble", "lychee", "longan", "duku"] as const;
 export type Fruit = (typeof FRUITS)[number];
 
-/** Why a pedicel bears no berry, by code: not set (more flowers than berries are wanted), no room, outside, by hand. */
+/**
+ * Reasons why a pedicel has no berry, by code: not set (more flowers than requested berries), no room, outside, by
+ * hand.
+ */
 export const THINNED_WHY = ["", "not set", "no room", "outside", "by hand"] as const;
 
-/** What the berries of a bunch share in form (models/bunch/berry/berry_body.hpp). */
+/** Shape shared by the berries of a bunch (models/bunch/berry/berry_body.hpp). */
 export interface BerryForm {
 	fruit: Fruit;
-	/** −1 … 1: below 0 the pedicel's end is the wider, above 0 the tip's. */
+	/** −1 … 1: below 0 the pedicel's end is wider, above 0 the tip. */
 	taper: number;
 	/** 0 … 1: from an ellipse to a cylinder with round ends. */
 	blunt: number;
@@ -38,7 +40,7 @@ export interface BerryForm {
 	curve: number;
 }
 
-/** One side of the profile: what the person drew (pixels) and what the grammar gets (counts). */
+/** One side of the profile: the drawn lengths `w` and `r` (pixels), and the grammar's counts `n` and `rd`. */
 export interface PlanSide {
 	w: number;
 	r: number;
@@ -56,17 +58,17 @@ export interface Plan {
 	axes: number[];
 }
 
-/** The profile that a bunch fills, in pixels: what its seed makes of the handles'. */
+/** Profile that a bunch fills, in pixels: the handles' profile, varied by the seed. */
 export type OwnProfile = Record<"l" | `p${3 | 4 | 5 | 6}${"w" | "r"}`, number>;
 
-/** By name; a type, so that it is a record as well. */
+/** Counts by name; a type alias, so that it is assignable to a record. */
 export type Counts = {
 	endStructures: number;
 	internodes: number;
 	pedicels: number;
 	berries: number;
 	withered: number;
-	/** Internodes that found no room and were cut with all they would have borne. */
+	/** Internodes without room, which were cut with all their descendants. */
 	cut: number;
 };
 
@@ -91,7 +93,7 @@ export interface Berries {
 	spheres: Float32Array;
 	/** 3 × count: unit vector from the pedicel towards the tip scar. */
 	directions: Float32Array;
-	/** Index of the pedicel's internode. */
+	/** Internode of the pedicel. */
 	parent: Int32Array;
 	/** Below 2^30; the same while handles move. `thinned` of a specimen lists those taken off by hand. */
 	ids: Uint32Array;
@@ -100,14 +102,14 @@ export interface Berries {
 }
 
 /**
- * What a berry is besides its place: whole width and length in metres; exposure to the sun 0 … 1; turned 0 (unripe
+ * Traits of a berry besides its place: whole width and length in metres; exposure to the sun 0 … 1; turned 0 (unripe
  * colour) … 1 (ripe colour); opened 0 (closed bud) … 1; set 0 (open flower with stamens) … 1 (berry); shrivel 0 … 1;
  * seeds 0 … 4.
  */
 export const TRAITS = ["width", "length", "exposure", "turned", "opened", "set", "shrivel", "seeds"] as const;
 export type Trait = (typeof TRAITS)[number];
 
-/** A berry that is not there. */
+/** A missing berry. */
 export interface Thinned {
 	id: number;
 	why: (typeof THINNED_WHY)[number];
@@ -116,8 +118,8 @@ export interface Thinned {
 }
 
 /**
- * The berries' own surfaces, flattened where they meet. All follow one pattern of vertices: berry i has those from
- * i × V on, V = uvs.length / 2; uvs and indices (0 … V − 1) serve every berry.
+ * Surfaces of the individual berries, flattened where they touch. All share one pattern of vertices: berry i has those
+ * from i × V on, V = uvs.length / 2; uvs and indices (0 … V − 1) serve every berry.
  */
 export interface BerrySurfaces {
 	/** 2 × V: u round, v from the pedicel's seat (0) to the tip scar (1). */
@@ -130,13 +132,13 @@ export interface BerrySurfaces {
 	normals: Float32Array;
 	/** V × berries: 0 free … 255 in contact with a neighbour, where bloom is rubbed off. */
 	pressed: Uint8Array;
-	/** V × berries: how much of the sky each vertex sees, 255 all, 0 none; absent if not asked for. */
+	/** V × berries: sky visibility of each vertex, 255 all, 0 none; absent if not requested. */
 	sky?: Uint8Array;
 }
 
-/** The one mesh all berries of the paper's procedure share: unit radius, centred, tip scar towards +Y. */
+/** The one mesh shared by all berries of the paper's procedure: unit radius, centred, tip scar towards +Y. */
 export interface SharedBerry extends Mesh {
-	/** V × berries, as of `BerrySurfaces`: V vertices of this mesh for each berry as it stands (plant/orientation.ts). */
+	/** V × berries, as in `BerrySurfaces`: for V vertices of this mesh at each berry (plant/orientation.ts). */
 	sky?: Uint8Array;
 }
 
@@ -153,9 +155,9 @@ export interface FoliagePart {
 
 export interface Foliage extends Mesh {
 	parts: FoliagePart[];
-	/** How much of the sky each vertex sees, 255 all, 0 none; of a leaf the better of its sides. Absent if not asked for. */
+	/** Sky visibility of each vertex, 255 all, 0 none; of a leaf the better of its sides. Absent if not requested. */
 	sky?: Uint8Array;
-	/** Of every leaf, over its texture coordinates; absent without leaves. */
+	/** Veins of every leaf, in its texture coordinates; absent without leaves. */
 	veins?: Veins;
 }
 
@@ -173,43 +175,43 @@ export interface StemMesh extends Mesh {
 	/** The internode each vertex belongs to. */
 	internode: Uint32Array;
 	parts: StemPart[];
-	/** How much of the sky each vertex sees, 255 all, 0 none; absent if not asked for. */
+	/** Sky visibility of each vertex, 255 all, 0 none; absent if not requested. */
 	sky?: Uint8Array;
 }
 
-/** Pieces of a flower, each with a run of the flower's mesh (wasm-core/src/models/bunch/berry/flower.hpp). */
+/** Pieces of a flower, each a run of the flower's mesh (wasm-core/src/models/bunch/berry/flower.hpp). */
 export const FLOWER_PIECES = ["stamens", "cap", "pistil", "petals", "calyx"] as const;
 export type FlowerPiece = (typeof FLOWER_PIECES)[number];
 
-/** About an ovary of unit radius facing +Y; a calyx about its berry's seat. */
+/** Mesh around an ovary of unit radius facing +Y; a calyx is placed at its berry's seat. */
 export interface FlowerMesh extends Mesh {
 	pieces: (Run & { piece: FlowerPiece })[];
-	/** Metres to one of the mesh: an ovary's radius. */
+	/** Scale of the mesh in metres: an ovary's radius. */
 	unit: number;
 }
 
 export interface BunchPlant extends Plant {
 	procedure: Procedure;
 	form: BerryForm;
-	/** Of the natural procedure. */
+	/** Profile of the seed; natural procedure only. */
 	profile?: OwnProfile;
-	/** Of the handles. */
+	/** Plan of the handles' profile. */
 	plan: Plan;
-	/** The second bunch's plan, where there is one. */
+	/** Plan of the second bunch, if any. */
 	second?: Plan;
 	counts: Counts;
 	internodes: Internodes;
 	berries: Berries;
-	/** Absent when only the skeleton was asked for. */
+	/** Absent if only the skeleton was requested. */
 	stem?: StemMesh;
 	/** Absent for the natural procedure. */
 	berry?: SharedBerry;
-	/** Each berry's own surface; absent for the paper's procedure, whose berries are `berry` at their spheres. */
+	/** Individual berry surfaces; absent for the paper's procedure, which places `berry` at the spheres. */
 	surfaces?: BerrySurfaces;
-	/** Where a berry's trait `set` is below 1, or fruits keep a calyx. */
+	/** Present if a berry's trait `set` is below 1, or if fruits keep a calyx. */
 	flower?: FlowerMesh;
-	/** Leaves and cane, where they were asked for. */
+	/** Leaves and cane, if requested. */
 	foliage?: Foliage;
-	/** Berries that are not there, and why; of the natural procedure. */
+	/** Missing berries with reasons; natural procedure only. */
 	thinned: Thinned[];
 }

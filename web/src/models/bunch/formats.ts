@@ -1,4 +1,4 @@
-/** Files of a bunch besides those of every plant. */
+/** File formats of a bunch besides those of every plant. */
 import type { Format } from "../model";
 import type { BunchPlant } from "./bunch_plant";
 import type { BunchSpecimen } from "./specimen";

@@ -1,4 +1,4 @@
-/** The grape bunch (Huang et al. 2013): docs/bunch.md. */
+/** The page's model of the grape bunch (Huang et al. 2013): docs/bunch.md. */
 import type { PageModel } from "../page_model";
 import type { BunchPlant } from "./bunch_plant";
 import { BUNCH_FORMATS } from "./formats";

@@ -1,22 +1,22 @@
-/** The leaf on the cane: the grapevine's, fetched when a bunch first has leaves. */
+/** The grapevine leaf on the cane, fetched when a bunch first has leaves. */
 import type { Block } from "../../core/container";
 import { type AttachedLeaf, leafBlocks } from "../../plant/leaf";
 import { fetchBakedLeaf, fetchedLeaf } from "../../plant/leaves";
 
 const CANE = "grapevine";
-/** The same of few triangles and small veins. */
+/** A simplified leaf with few triangles and small veins. */
 const SKETCH = "grapevine_sketch";
 
-/** Fetches it; rejects where that fails, and tries again with the next call. */
+/** Fetches the leaf; rejects on failure and retries at the next call. */
 export const fetchLeaf = (): Promise<void> => fetchBakedLeaf(CANE);
 
-/** What shows where it will be. */
+/** Fetches the simplified leaf, which is shown until the full one has been fetched. */
 export const fetchSketch = (): Promise<void> => fetchBakedLeaf(SKETCH);
 
-/** Its sketch before it is there, and undefined before that. */
+/** Returns the leaf, or its sketch before it has been fetched, or undefined before that. */
 export const leafOnCane = (): AttachedLeaf | undefined => fetchedLeaf(CANE) ?? fetchedLeaf(SKETCH);
 
-/** As a request has it; nothing before it is there. */
+/** Returns the leaf as blocks of a request; none before it has been fetched. */
 export function caneLeafBlocks(): Block[] {
 	const leaf = leafOnCane();
 	// The cane has petioles of its own.

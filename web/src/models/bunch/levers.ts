@@ -1,4 +1,4 @@
-/** Which parameters move which measure of a bunch (targets/). */
+/** Levers of a bunch: which parameters change which measure (targets/). */
 import { withParameters } from "../../specimen/edit";
 import { nearestWithin } from "../../specimen/table";
 import { type Lever, type Levers, together } from "../../targets/lever";
@@ -16,14 +16,15 @@ const HEIGHTS: readonly ShapeKey[] = ["l", "p3r", "p4r", "p5r", "p6r"];
 const WIDTHS: readonly ShapeKey[] = ["p3w", "p4w", "p5w", "p6w"];
 
 /**
- * The outline bears what is requested of the whole bunch, the berries what is requested of them.
- * @param requested measures that are requested for at once: what one of them needs, the others leave alone
+ * Returns the levers for requested measures. The outline's parameters serve measures of the whole bunch, the berries'
+ * parameters those of berries.
+ * @param requested measures requested together: parameters that one needs are not used for others
  */
 export function leversOf(specimen: BunchSpecimen, requested: readonly string[]): Levers<BunchSpecimen> {
 	return procedureOf(specimen) === "paper" ? paper(specimen) : natural(specimen, requested);
 }
 
-/** The paper's berries have radii in units of the paper, so that they grow with its scale. */
+/** Levers of the paper's procedure, whose berry radii are in units of the paper and scale with `unit`. */
 function paper(specimen: BunchSpecimen): Levers<BunchSpecimen> {
 	const radii = [lever(1, "rmax", "rmin")];
 	const scale = (power: number) => lever(power, "unit");
@@ -44,7 +45,7 @@ function natural(specimen: BunchSpecimen, requested: readonly string[]): Levers<
 	const widths = widestFirst(specimen);
 	const outline = (power: number) => outlineLever(power, ...HEIGHTS, ...widths);
 	const close = (power: number) => [lever(power, counted ? "count" : "density")];
-	// A number that is given stays, and so does an outline: then berries make up the weight.
+	// A given count or outline stays fixed: then the berries make up the weight.
 	const byCrowd = counted || isRequested("density") ? [] : [lever(1, "density")];
 	const weight = [...(sized || counted ? [] : [outline(3)]), ...byCrowd, lever(3, "size")];
 	const size = [lever(1, "size")];
@@ -71,14 +72,14 @@ function natural(specimen: BunchSpecimen, requested: readonly string[]): Levers<
 	};
 }
 
-/** The half-widths, the widest first: it can go the least further. */
+/** Returns the half-widths, the widest first, since it has the least range left. */
 function widestFirst({ parameters }: BunchSpecimen): ShapeKey[] {
 	return [...WIDTHS].sort((one, other) => parameters[other] - parameters[one]);
 }
 
 /**
- * Lengths of the outline in proportion, in millimetres by the first: where pixels come to their limit, `unit` goes on and the pixels of all lengths
- * follow, so that those which are not moved stay what they are.
+ * Returns a lever that scales lengths of the outline in proportion, measured by the first, in millimetres. Where
+ * pixels reach their limit, `unit` grows instead and all other lengths shrink in pixels, so that they keep their size.
  */
 function outlineLever(power: number, ...keys: readonly ShapeKey[]): BunchLever {
 	const [lead] = keys;
@@ -93,7 +94,7 @@ function outlineLever(power: number, ...keys: readonly ShapeKey[]): BunchLever {
 			const { parameters } = specimen;
 			const before = parameters.unit;
 			const current = parameters[lead] * millimetres(specimen);
-			// From nothing there is no proportion: only the first is set.
+			// A length of 0 has no proportion: only the first is set.
 			if (!(current > 0)) return withParameters(BUNCH, specimen, { [lead]: value / millimetres(specimen) });
 			const factor = value / current;
 			const longest = Math.max(...keys.map((key) => (parameters[key] * factor) / limitOf(key)));

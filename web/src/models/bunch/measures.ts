@@ -2,12 +2,12 @@
 import { MEASURE_KEYS, type MeasureKey, SKIN_COLOUR } from "./measures.generated";
 import type { Look } from "./specimen";
 
-/** What a bunch measures by one key: NaN where that does not apply or was not asked for. */
+/** Returns a measure of a bunch by its key; NaN if it does not apply or was not requested. */
 export function measureOf(measures: Float32Array | undefined, key: MeasureKey): number {
 	return measures?.[MEASURE_KEYS.indexOf(key)] ?? Number.NaN;
 }
 
-/** CIELAB coordinates (D65) of six hexadecimal digits of sRGB (IEC 61966-2-1, CIE 15). */
+/** Converts six hexadecimal digits of sRGB to CIELAB (D65; IEC 61966-2-1, CIE 15). */
 export function lab(colour: string): [number, number, number] {
 	const [r, g, b] = [0, 2, 4].map((at) => {
 		const value = Number.parseInt(colour.slice(at, at + 2), 16) / 255;
@@ -22,7 +22,7 @@ export function lab(colour: string): [number, number, number] {
 
 export type SkinClass = (typeof SKIN_COLOUR.classes)[number];
 
-/** The class of skin colour (OIV 225): that of the nearest colour, in CIELAB, to the ripe skin's. */
+/** Returns the class of skin colour (OIV 225): that of the nearest colour, in CIELAB, to the ripe skin's. */
 export function skinClass(look: Pick<Look, "skin">): SkinClass {
 	const skin = lab(look.skin);
 	const distance = (colour: string) => Math.hypot(...lab(colour).map((value, i) => value - skin[i]));

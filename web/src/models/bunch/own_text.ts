@@ -1,4 +1,4 @@
-/** What there is to say of a bunch that a text of one's own grows; the core gets a text either way, and does not know. */
+/** Notes on a bunch that a custom text grows; the core treats custom and built-in texts alike. */
 import { procedureOf } from "./schema";
 import type { BunchSpecimen } from "./specimen";
 

@@ -1,4 +1,4 @@
-/** An answer of the core → BunchPlant (columns: wasm-core/src/models/bunch/model.hpp). */
+/** Converts an answer of the core to a bunch (columns: wasm-core/src/models/bunch/model.hpp). */
 import type { Columns } from "../../core/container";
 import type { Answer } from "../../core/core";
 import type { MeshRun, Plant, PlantMesh } from "../../plant/plant";
@@ -113,7 +113,7 @@ function readSurfaces(columns: Columns): BerrySurfaces {
 	};
 }
 
-/** A run's place without its name. */
+/** Returns a run without its name. */
 function placeOf({ firstVertex, vertexCount, firstIndex, indexCount }: MeshRun) {
 	return { firstVertex, vertexCount, firstIndex, indexCount };
 }

@@ -1,4 +1,7 @@
-/** A bunch as numbers: every berry and internode with its place, size and parent, for those who compute. Lengths are metres. */
+/**
+ * Record of a bunch in the JSON document: every berry and internode with its position, size and parent. Lengths are
+ * metres.
+ */
 import { shortFloat } from "../../formats/numbers";
 import { floats, integers, type Rows, recordRows, vectors, words } from "../../formats/rows";
 import {
@@ -26,14 +29,14 @@ export interface BerryRecord {
 	y: number;
 	z: number;
 	r: number;
-	/** Index of its pedicel among `internodes`. */
+	/** Index of its pedicel in `internodes`. */
 	parent: number;
 }
 
-/** Traits that the document names by themselves, in this order; `width` and `length` come before the direction. */
+/** Traits with fields of their own, in this order; `width` and `length` come before the direction. */
 const STATES = ["exposure", "turned", "opened", "set", "shrivel", "seeds"] as const satisfies readonly Trait[];
 
-/** A berry of the natural procedure; lengths in metres, what they mean is in docs/export.md. */
+/** A berry of the natural procedure; lengths in metres; docs/export.md describes the fields. */
 export interface NaturalBerryRecord extends BerryRecord, Record<(typeof STATES)[number], number> {
 	id: number;
 	width: number;
@@ -42,11 +45,11 @@ export interface NaturalBerryRecord extends BerryRecord, Record<(typeof STATES)[
 	direction: Point;
 }
 
-/** A berry that is not there. */
+/** A missing berry. */
 export interface ThinnedRecord {
 	id: number;
 	why: Thinned["why"];
-	/** Where its pedicel begins. */
+	/** Position where its pedicel begins. */
 	x: number;
 	y: number;
 	z: number;
@@ -60,41 +63,41 @@ export interface InternodeRecord {
 	axis: number;
 	start: Point;
 	end: Point;
-	/** At the start. */
+	/** Radius at the start. */
 	radius: number;
 	radiusEnd: number;
 	state: InternodeState;
 }
 
-/** What the JSON document has of a bunch besides what every plant has. */
+/** Fields of a bunch in the JSON document besides those of every plant. */
 export interface BunchRecord {
 	procedure: Procedure;
 	form: BerryForm;
-	/** Of the natural procedure: what the bunch fills, in pixels. */
+	/** Profile that the bunch fills, in pixels; natural procedure only. */
 	profile?: OwnProfile;
-	/** Of the handles. */
+	/** Plan of the handles' profile. */
 	plan: Plan & { second?: Plan };
-	/** Of the natural procedure `NaturalBerryRecord`. */
+	/** Berries, as `NaturalBerryRecord` for the natural procedure. */
 	berries: Rows<BerryRecord | NaturalBerryRecord>;
 	thinned: Rows<ThinnedRecord>;
 	internodes: Rows<InternodeRecord>;
-	/** What pedicels bear, as any plant's organs are listed. */
+	/** Berries as organs, like any plant's. */
 	organs: Rows<BerryOrgan>;
 }
 
 /** A berry as an organ among others. */
 export interface BerryOrgan {
 	kind: "berry" | "flower";
-	/** Index of its pedicel among `segments`. */
+	/** Index of its pedicel in `segments`. */
 	segment: number;
 	position: Point;
-	/** Of the ball of its volume. */
+	/** Radius of the ball of its volume. */
 	radius: number;
 	/** Unit vector from the pedicel towards the tip scar. */
 	direction: Point;
 }
 
-/** `grown` is only read. Needs no meshes. */
+/** Returns the record of a bunch; does not modify it and needs no meshes. */
 export function bunchRecord(grown: BunchPlant): BunchRecord {
 	const { procedure, form, profile, berries, thinned, internodes } = grown;
 	return {

@@ -1,4 +1,4 @@
-/** Specimen → the blocks of a request, as wasm-core/src/models/bunch/model.hpp lists them. */
+/** Encodes a specimen as the blocks of a request, listed in wasm-core/src/models/bunch/model.hpp. */
 import type { Block } from "../../core/container";
 import { CoreError } from "../../core/errors";
 import { type TraceRequest, traceBlocks } from "../../plant/derivation_trace";
@@ -13,31 +13,37 @@ import { hasLeaves, procedureOf } from "./schema";
 import type { BunchSpecimen as Specimen } from "./specimen";
 import { BUNCH_TABLE } from "./table";
 
-/** The text that a procedure grows by where a bunch brings none of its own. It goes with every request; the core compiles it once (core/core.ts). */
+/**
+ * Built-in text of each procedure, for bunches without a text of their own. Every request contains it; the core
+ * compiles it once (core/core.ts).
+ */
 export const BUILT_IN: Readonly<Record<Procedure, string>> = { paper: GRAPE_BUNCH_3, natural: GRAPE_BUNCH_4 };
 
 export interface BunchRequestOptions {
-	/** Whether triangles are wanted besides the skeleton; the default is yes. */
+	/** Whether to build meshes besides the skeleton; default: yes. */
 	meshes?: boolean;
-	/** Whether `measures` are wanted; the default is yes, but not in passing. */
+	/** Whether to compute measures; default: yes, except in previews. */
 	measures?: boolean;
-	/** Whether the next is on its way; the default is no. */
+	/** Whether this is a preview, to be followed by another growth; default: no. */
 	preview?: boolean;
-	/** Whether it is wanted how much of the sky the meshes' vertices see; the default is wherever there are meshes, but not in passing. */
+	/** Whether to compute the vertices' sky visibility; default: with meshes, except in previews. */
 	sky?: boolean;
-	/** Of the derivation; the text's own by default. */
+	/** Number of derivation steps; default: the text's own. */
 	steps?: number;
-	/** Which step of the derivation is to be told; the default is none. */
+	/** Step of the derivation to trace; default: none. */
 	trace?: TraceRequest;
-	/** Whether the fingerprint of the meshes is wanted; the default is no. */
+	/** Whether to compute the fingerprint of the meshes; default: no. */
 	meshFingerprint?: boolean;
-	/** Sides of a stem's tube; the core's own choice by default. */
+	/** Sides of a stem's tube; default: the core's choice. */
 	stemSides?: number;
-	/** Segments around the berry mesh; the core's own choice by default. */
+	/** Segments around the berry mesh; default: the core's choice. */
 	berrySegments?: number;
 }
 
-/** @throws CoreError where the specimen cannot be written as a request: it has not come through specimen/restore.ts */
+/**
+ * Encodes a request.
+ * @throws CoreError if the specimen is invalid: one that has not passed specimen/restore.ts
+ */
 export function encodeRequest(specimen: Specimen, options: BunchRequestOptions = {}): Block[] {
 	const { meshes = true, preview = false, meshFingerprint = false, stemSides = 0, berrySegments = 0, trace } = options;
 	const { measures = !preview, sky = meshes && !preview } = options;
@@ -78,7 +84,7 @@ export function encodeRequest(specimen: Specimen, options: BunchRequestOptions =
 	return blocks;
 }
 
-/** NaN leaves a `#define` of the text as it stands: one that the person has not moved must not overrule a text's own. */
+/** Returns a parameter's value for the core. NaN keeps a text's own `#define`: default values must not override it. */
 function parameterValue(entry: CoreEntry, value: number): number {
 	if (!Number.isFinite(value)) throw new CoreError("bad request", `${entry.key} is not a number.`);
 	return entry.define !== undefined && value === entry.default ? Number.NaN : value;

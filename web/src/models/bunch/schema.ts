@@ -1,4 +1,4 @@
-/** The bunch's side of the document: its table, its presets, and what a specimen of it holds besides. */
+/** Schema of a bunch's document: its parameters, presets and further fields. */
 import { fromPreset } from "../../specimen/from_preset";
 import { grammarText } from "../../specimen/grammar_text";
 import type { ModelSchema } from "../../specimen/model_schema";
@@ -12,7 +12,7 @@ import { metresPerPixel } from "./profile/handles";
 import type { BunchSpecimen } from "./specimen";
 import { BUNCH_TABLE } from "./table";
 
-/** What symbols may be to a bunch (wasm-core/src/models/bunch/roles.cpp). */
+/** Matches the declaration of a symbol's role in a bunch (wasm-core/src/models/bunch/roles.cpp). */
 const ROLE = /^[ \t]*#role[ \t]+(?:rachis|axis|end|pedicel)\b/m;
 
 export const BUNCH: ModelSchema<BunchSpecimen> = {
@@ -24,17 +24,17 @@ export const BUNCH: ModelSchema<BunchSpecimen> = {
 	details: [thinnedBerries, grammarInputs, grammarText((text) => ROLE.test(text)), radii],
 };
 
-/** A fresh bunch (specimen/from_preset.ts). */
+/** Returns a new bunch from a preset (specimen/from_preset.ts). */
 export function specimenFromPreset(name?: string, version?: number): BunchSpecimen {
 	return fromPreset(BUNCH, name, version);
 }
 
-/** By which procedure a bunch grows. */
+/** Returns the procedure of a bunch. */
 export function procedureOf({ parameters }: Pick<BunchSpecimen, "parameters">): Procedure {
 	return PROCEDURES[parameters.procedure];
 }
 
-/** Whether leaves grow with it: only a natural bunch hangs on a cane. */
+/** Returns whether a bunch has leaves: only natural bunches hang on a cane. */
 export function hasLeaves(specimen: Pick<BunchSpecimen, "parameters">): boolean {
 	return procedureOf(specimen) === "natural" && specimen.parameters.leaves > 0;
 }

@@ -2,14 +2,14 @@ import type { WithGrammar } from "../../specimen/grammar_text";
 import type { Specimen } from "../../specimen/specimen";
 import type { ColourKey, LookKey, NumberKey } from "./parameters.generated";
 
-/** The document of a bunch. */
+/** Document of a bunch. */
 export interface BunchSpecimen extends Specimen, WithGrammar {
 	/** Every parameter of wasm-core/parameters/bunch.json that the core reads, by key. */
 	parameters: Record<NumberKey, number>;
 	look: Look;
-	/** Ids of berries taken off by hand (`Berries.ids`), in the order in which they were. */
+	/** Ids of berries removed by hand (`Berries.ids`), in order of removal. */
 	thinned: number[];
-	/** The grammar's own inputs, in place of those the profile gives: `n` is n₁ … n₍m−1₎ as the paper counts. */
+	/** Grammar inputs, in place of those computed from the profile: `n` is n₁ … n₍m−1₎ in the paper's numbering. */
 	inputs?: { m?: number; n?: number[] };
 }
 

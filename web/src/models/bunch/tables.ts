@@ -1,6 +1,6 @@
 /**
- * A bunch as tables for a spreadsheet or a data frame: berries, measures. Needs no meshes. What the columns mean is in
- * docs/export.md.
+ * Tables of a bunch for spreadsheets and data frames: berries, measures. Need no meshes. docs/export.md describes the
+ * columns.
  */
 import { type Cell, writeCsv } from "../../formats/csv";
 import { measureValues } from "../../formats/measures";
@@ -18,7 +18,7 @@ const MM_DECIMALS = 3;
 const SHARE_DECIMALS = 4;
 const MM = 1000;
 
-/** Column by column: its name and what it says of a berry. */
+/** Columns: name, and value for a berry. */
 const BERRY_COLUMNS: readonly (readonly [name: string, cell: (grown: BunchPlant, index: number) => Cell])[] = [
 	["berry", (_, i) => i + 1],
 	["id", ({ berries }, i) => berries.ids[i]],
@@ -43,7 +43,7 @@ const BERRY_COLUMNS: readonly (readonly [name: string, cell: (grown: BunchPlant,
 	["pedicel_length_mm", pedicelLength],
 ];
 
-/** One row a berry, in the order of the growth; each says whose it is, so that tables can be put one below the other. */
+/** Writes one row per berry, in order of growth; each row names its bunch, so that tables can be concatenated. */
 export function berriesCsv(grown: BunchPlant, { preset, seed }: Specimen): string {
 	const rows = Array.from({ length: grown.berries.count }, (_, i) => [
 		preset,
@@ -53,7 +53,10 @@ export function berriesCsv(grown: BunchPlant, { preset, seed }: Specimen): strin
 	return writeCsv([["preset", "seed", ...BERRY_COLUMNS.map(([name]) => name)], ...rows]);
 }
 
-/** One row a measure, and one for the skin's colour; none where no measures are wanted. A value that does not apply is empty. */
+/**
+ * Writes one row per measure, and one for the skin's colour; none if there are no measures. A value that does not
+ * apply is empty.
+ */
 export function measuresCsv(grown: BunchPlant, { preset, seed, look }: Specimen): string {
 	const rows = measureValues(BUNCH_TABLE, grown).map(([info, value]): Cell[] => {
 		const { key, label, kind, unit, oiv = null } = info;

@@ -1,4 +1,4 @@
-/** Which measures of a bunch can be asked for; how is in levers.ts, which nobody needs before. */
+/** Measures of a bunch that can be targets; levers.ts, loaded on demand, has their levers. */
 import type { MeasureKey } from "./measures.generated";
 import { procedureOf } from "./schema";
 import type { BunchSpecimen } from "./specimen";

@@ -1,19 +1,19 @@
-/** The traits of berries by name. */
+/** Access to the traits of berries by name. */
 import { type Berries, TRAITS, type Trait } from "./bunch_plant";
 
 const PLACE = Object.fromEntries(TRAITS.map((trait, at) => [trait, at])) as Record<Trait, number>;
 
-/** A trait of berry `i`, as the float32 that it is. */
+/** Returns a trait of berry `i`, with float32 precision. */
 export function traitOf({ traits }: Pick<Berries, "traits">, i: number, trait: Trait): number {
 	return traits[TRAITS.length * i + PLACE[trait]];
 }
 
-/** Half width and half length of berry `i`, metres. */
+/** Returns half width and half length of berry `i`, metres. */
 export function halvesOf(berries: Berries, i: number): [width: number, length: number] {
 	return [0.5 * traitOf(berries, i, "width"), 0.5 * traitOf(berries, i, "length")];
 }
 
-/** The mean of a trait over all berries; `otherwise` where there are none. */
+/** Returns the mean of a trait over all berries; `otherwise` if there are none. */
 export function meanOf(berries: Berries, trait: Trait, otherwise: number): number {
 	let sum = 0;
 	for (let i = 0; i < berries.count; i++) sum += traitOf(berries, i, trait);

@@ -1,18 +1,21 @@
-/** The bunch in a few plain words: for the caption, the picture's description and the screen reader. */
+/** Summary of a bunch in words: for the caption, the picture's description and screen readers. */
 import type { BunchPlant } from "./bunch_plant";
 import { metresPerPixel } from "./profile/handles";
 import type { BunchSpecimen } from "./specimen";
 
-/** The age in percent from which on there are berries. */
+/** Age in percent from which on there are berries. */
 export const FRUIT_SET = 10;
 
-/** "22 cm", "4.2 cm". */
+/** Returns a length in words: "22 cm", "4.2 cm". */
 export function lengthInWords(metres: number): string {
 	const centimetres = metres * 100;
 	return `${centimetres < 10 ? Math.round(centimetres * 10) / 10 : Math.round(centimetres)} cm`;
 }
 
-/** From the highest berry's top to the lowest one's end; the paper's bunch is as long as its profile says. */
+/**
+ * Returns the length from the highest berry's top to the lowest one's end; for the paper's bunches, that of the
+ * profile.
+ */
 function bunchLength({ procedure, berries }: BunchPlant, { parameters: { l, unit } }: BunchSpecimen): number {
 	if (procedure === "paper" || berries.count === 0) return l * metresPerPixel(unit);
 	let top = Number.NEGATIVE_INFINITY;
@@ -24,7 +27,7 @@ function bunchLength({ procedure, berries }: BunchPlant, { parameters: { l, unit
 	return top - bottom;
 }
 
-/** "73 berries, 22 cm long"; before they set, "73 flowers". */
+/** Returns "73 berries, 22 cm long"; before they set, "73 flowers". */
 export function bunchInWords(grown: BunchPlant, specimen: BunchSpecimen): string {
 	const { procedure, counts } = grown;
 	const { berries } = counts;
@@ -33,7 +36,7 @@ export function bunchInWords(grown: BunchPlant, specimen: BunchSpecimen): string
 	return `${berries} ${berries === 1 ? one : many}, ${lengthInWords(bunchLength(grown, specimen))} long`;
 }
 
-/** "120 pedicels, 34 withered": of the stems alone. In a natural bunch nothing withers. */
+/** Summarises the stems alone: "120 pedicels, 34 withered". In natural bunches nothing withers. */
 export function stemsInWords({ procedure, counts: { pedicels, withered } }: BunchPlant): string {
 	return procedure === "paper" ? `${pedicels} pedicels, ${withered} withered` : `${pedicels} pedicels`;
 }

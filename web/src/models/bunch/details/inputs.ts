@@ -1,4 +1,7 @@
-/** The paper's grammars' own inputs, in place of those that the profile gives: m rachis segments, n₁ … n₍m−1₎. */
+/**
+ * Document fields of the paper's grammar inputs, in place of those computed from the profile: m rachis segments, n₁ …
+ * n₍m−1₎.
+ */
 
 import type { Field } from "../../../specimen/model_schema";
 import { type Notes, quote } from "../../../specimen/notes";
@@ -6,10 +9,10 @@ import { readList, readNumbers } from "../../../specimen/read_values";
 import { readWithin } from "../../../specimen/read_within";
 import type { BunchSpecimen } from "../specimen";
 
-/** Rachis segments, and segments of each first-order axis. */
+/** Ranges of the number of rachis segments, and of segments of each first-order axis. */
 const INPUT_M = { kind: "integer", min: 1, max: 100 } as const;
 const INPUT_N = { kind: "integer", min: 0, max: 100 } as const;
-/** Values of `n`: n₁ … n₍m−1₎ of the longest rachis. */
+/** Most values of `n`: n₁ … n₍m−1₎ of the longest rachis. */
 export const INPUT_N_LENGTH = INPUT_M.max - 1;
 
 export const grammarInputs: Field<BunchSpecimen> = {
@@ -41,7 +44,10 @@ function readInput(specimen: BunchSpecimen, key: string, value: unknown, notes: 
 	specimen.inputs = { ...specimen.inputs, n: n.map((each) => readWithin(INPUT_N, key, each, 0, notes) ?? 0) };
 }
 
-/** The grammar reads n₁ … n₍m−1₎: `n` alone says what m is, and one of another length than m asks for is of no use. */
+/**
+ * Makes m and n agree, since the grammar reads n₁ … n₍m−1₎: `n` alone determines m, and an `n` of another length than
+ * m requires is dropped.
+ */
 function matchInputs(specimen: BunchSpecimen, notes: Notes): void {
 	const { m, n } = specimen.inputs ?? {};
 	if (!n) return;

@@ -1,4 +1,4 @@
-/** The smallest and the largest radius of the paper's berries never cross. */
+/** Keeps the smallest radius of the paper's berries at or below the largest. */
 import type { Field } from "../../../specimen/model_schema";
 import type { BunchSpecimen } from "../specimen";
 

@@ -1,13 +1,13 @@
-/** Berries taken off by hand. */
+/** Document field of berries removed by hand. */
 
 import type { Field } from "../../../specimen/model_schema";
 import { type Notes, quote } from "../../../specimen/notes";
 import { readList, readNumber } from "../../../specimen/read_values";
 import type { BunchSpecimen } from "../specimen";
 
-/** Ids of berries are below this (exports/panicle.h). */
+/** Upper bound of berry ids (exports/panicle.h). */
 export const BERRY_IDS = 2 ** 30;
-/** Berries that can be taken off by hand: a link of as many still fits an address bar. */
+/** Most berries that can be removed by hand: a link of as many still fits an address bar. */
 export const MOST_THINNED = 500;
 
 export const thinnedBerries: Field<BunchSpecimen> = {
@@ -20,35 +20,35 @@ export const thinnedBerries: Field<BunchSpecimen> = {
 	query: ({ thinned }) => (thinned.length > 0 ? [["thin", writeThinned(thinned)]] : []),
 };
 
-/** Takes a berry off; the same specimen where it is off already or `MOST_THINNED` are. */
+/** Removes a berry; returns the same specimen if it is removed already or the limit is reached. */
 export function thin(specimen: BunchSpecimen, id: number): BunchSpecimen {
 	const { thinned } = specimen;
 	if (thinned.includes(id) || thinned.length >= MOST_THINNED) return specimen;
 	return { ...specimen, thinned: [...thinned, id] };
 }
 
-/** Puts a berry back that was taken off. */
+/** Restores a removed berry. */
 export function unthin(specimen: BunchSpecimen, id: number): BunchSpecimen {
 	if (!specimen.thinned.includes(id)) return specimen;
 	return { ...specimen, thinned: specimen.thinned.filter((each) => each !== id) };
 }
 
-/** Puts all of them back. */
+/** Restores all removed berries. */
 export function unthinAll(specimen: BunchSpecimen): BunchSpecimen {
 	return specimen.thinned.length === 0 ? specimen : { ...specimen, thinned: [] };
 }
 
-/** Ids in base 36: at most six letters or digits each. */
+/** Ids in links: base 36, at most six letters or digits each. */
 const BASE = 36;
 const ID = /^[0-9a-z]{1,6}$/i;
 
-/** `a1.b2.c3`, in the order in which they were taken off. */
+/** Writes ids as `a1.b2.c3`, in order of removal. */
 function writeThinned(ids: readonly number[]): string {
 	return ids.map((id) => id.toString(BASE)).join(".");
 }
 
 /**
- * Reads such a list, in which commas do as well as points. One that is named twice counts once.
+ * Parses a list of ids separated by dots or commas, without duplicates.
  * @param key `thin`, whose text is in base 36, or `thinned`, the numbers themselves as a specimen holds them
  */
 function readThinned(key: "thin" | "thinned", value: unknown, notes: Notes): number[] {

@@ -3,7 +3,7 @@ import type { Berries } from "../bunch_plant";
 import { halvesOf } from "../traits";
 import { COARSE, type Pattern } from "./skin_rules";
 
-/** The space where a berry is the unit ball, and a place in it. */
+/** Berry space, in which a berry is the unit ball, and a current point in it. */
 export class Ball {
 	readonly #centre: Float32Array;
 	readonly #axis: Float32Array;
@@ -12,9 +12,9 @@ export class Ball {
 	#x = 0;
 	#y = 0;
 	#z = 0;
-	/** Along the berry's axis: −1 at the seat … 1 at the tip. */
+	/** Position along the berry's axis: −1 at the seat … 1 at the tip. */
 	along = 0;
-	/** From the centre. */
+	/** Distance from the centre. */
 	height = 0;
 
 	constructor(berries: Berries, index: number) {
@@ -25,7 +25,7 @@ export class Ball {
 		this.#stretch = width / length - 1;
 	}
 
-	/** Goes to the place whose x, y and z stand from `at` on. */
+	/** Moves to the point whose x, y and z start at index `at`. */
 	enter(positions: ArrayLike<number>, at: number): void {
 		const centre = this.#centre;
 		const axis = this.#axis;
@@ -40,18 +40,18 @@ export class Ball {
 		this.height = Math.sqrt(this.#x * this.#x + this.#y * this.#y + this.#z * this.#z);
 	}
 
-	/** How far the place looks along a direction. */
+	/** Returns the component of the point along a direction. */
 	towards([x, y, z]: readonly [x: number, y: number, z: number]): number {
 		return this.#x * x + this.#y * y + this.#z * z;
 	}
 
-	/** A pattern here, of a berry of that phase. */
+	/** Returns the noise of a pattern at the point, for a berry of that phase. */
 	noise(phase: number, pattern: Pattern = COARSE): number {
 		const [x, y, z] = this.in(phase, pattern);
 		return noise(x, y, z);
 	}
 
-	/** The place in the space of a pattern's noise. */
+	/** Returns the point in the space of a pattern's noise. */
 	in(phase: number, { cells, phase: apart }: Pattern): [x: number, y: number, z: number] {
 		const shift = phase * apart;
 		return [this.#x * cells + shift, this.#y * cells + shift, this.#z * cells + shift];

@@ -1,4 +1,4 @@
-/** The berries of a bunch in parts: a group of one part a berry, its flower with it until it has set. */
+/** Parts of a bunch's berries: a group with one part per berry, with its flower until it has set. */
 import { type Colour, linear, meanColour } from "../../../plant/colour";
 import type { Material } from "../../../plant/material";
 import { fromUp } from "../../../plant/orientation";
@@ -14,12 +14,12 @@ import { berryName, pieceName, pieceTitle } from "./names";
 import { bunchSkin, type Dress } from "./skin";
 
 const GROUP = "Berries";
-/** Ripeness is told in steps of this many percent where colours of vertices cannot be. */
+/** Step of ripeness, percent, in formats without colours of vertices. */
 const RIPENESS_STEP = 25;
-/** What the scar and the dried style at the tip leave of the shared berry's colour: a brown over any skin. */
+/** Factor on the shared berry's colour at the scar and the dried style: a brown over any skin. */
 const SCAR_TINT: Colour = [0.42, 0.3, 0.2];
 
-/** The paper's berries: one mesh of unit radius, the scar towards +Y, an instance of it each. */
+/** Returns the paper's berries: instances of one mesh of unit radius with the scar towards +Y. */
 export function sharedBerries(grown: BunchPlant, berry: Mesh, dress: Dress): Part {
 	const { look } = dress;
 	const { berries } = grown;
@@ -34,7 +34,10 @@ export function sharedBerries(grown: BunchPlant, berry: Mesh, dress: Dress): Par
 	return { name: GROUP, shape: { mesh, material: plainSkin(look), instances: { transforms, each } } };
 }
 
-/** Natural berries: each its own surface about its own centre, all of one pattern of texture coordinates and triangles. */
+/**
+ * Returns natural berries, each with its own surface around its own centre; all share texture coordinates and
+ * triangles.
+ */
 export function naturalBerries(grown: BunchPlant, surfaces: BerrySurfaces, dress: Dress): Part {
 	const { berries } = grown;
 	const skin = bunchSkin(grown, dress);
@@ -83,13 +86,13 @@ function berryShape(
 	};
 }
 
-/** Which pedicel bears a berry, and on which axis. */
+/** Returns the pedicel of a berry, and the pedicel's axis. */
 function parentOf({ berries, internodes }: BunchPlant, index: number): Extras {
 	const pedicel = berries.parent[index];
 	return { pedicel, axis: internodes.axis[pedicel] };
 }
 
-/** What is known of one berry, for whoever selects it; lengths in metres. */
+/** Returns the data of one berry, shown when a viewer selects it; lengths in metres. */
 function berryExtras(grown: BunchPlant, index: number): Extras {
 	const { berries } = grown;
 	const trait = (name: Parameters<typeof traitOf>[2]) => traitOf(berries, index, name);
@@ -105,7 +108,7 @@ function berryExtras(grown: BunchPlant, index: number): Extras {
 	};
 }
 
-/** Flowers and calyces by their berries' indices; all pieces of a kind are one mesh. */
+/** Returns flowers and calyces by their berries' indices; all pieces of a kind share one mesh. */
 function flowersByBerry(grown: BunchPlant): Map<number, Part[]> {
 	const parts = new Map<number, Part[]>();
 	const { flower, berries } = grown;
@@ -128,14 +131,14 @@ function flowersByBerry(grown: BunchPlant): Map<number, Part[]> {
 	return parts;
 }
 
-/** Takes what is of unit radius and faces +Y to berry `index`, `scale` times its radius. */
+/** Returns the transform that takes a body of unit radius facing +Y to berry `index`, `scale` times its radius. */
 export function placeOf({ spheres, directions }: Berries, index: number, scale: number): number[] {
 	const [x, y, z, radius] = spheres.subarray(4 * index, 4 * index + 4);
 	const turn = fromUp(directions[3 * index], directions[3 * index + 1], directions[3 * index + 2]);
 	return [x, y, z, turn.x, turn.y, turn.z, turn.w, scale * radius];
 }
 
-/** One colour, browned at the tip scar. */
+/** Returns colours of one skin, browned at the tip scar. */
 function scarred({ uvs }: Mesh, skin: Colour, scar: number): Float32Array {
 	return eachVertex(uvs, (v) => {
 		const share = scarShare(v, scar);

@@ -1,6 +1,6 @@
 /**
- * The colours of natural berries, vertex by vertex: what the view shows of their skins, so that any viewer does. What is
- * finer than vertices (fine noise, lenticels) is taken at its mean.
+ * Colours of natural berries, vertex by vertex, for files: like the view's skins. Details finer than vertices (fine
+ * noise, lenticels) are averaged.
  */
 import { type Colour, clamp, mix, mixed, smoothstep } from "../../../plant/colour";
 import { bounced } from "../../../plant/shade";
@@ -27,30 +27,30 @@ import {
 } from "./skin_rules";
 import { hiddenBy, waxDepth } from "./wax";
 
-/** The mean of the fine noise. */
+/** Mean of the fine noise. */
 const FINE_MEAN = 0.5;
-/** The scar's edge, as v: as soft as the pattern's rings lie apart there. */
+/** Width of the scar's edge in v: the distance of the pattern's rings there. */
 const SCAR_EDGE = 0.02;
 
-/** How much of each vertex of the pattern is marked, by v. */
+/** Marks on each vertex of the pattern, by v. */
 interface Marks {
-	/** 1 where any of these is. */
+	/** 1 where any mark is above 0. */
 	marked: Uint8Array;
 	scar: Float32Array;
 	halo: Float32Array;
 	seat: Float32Array;
 }
 
-/** How much of the scar there is at `v`: 0 skin … 1 scar. */
+/** Returns the share of scar at `v`: 0 skin … 1 scar. */
 export function scarShare(v: number, scar: number): number {
 	return smoothstep(scar - SCAR_EDGE, scar, v);
 }
 
-/** What is painted on the vertices of all berries, in the order of `surfaces`. */
+/** Colours of all berries' vertices, in the order of `surfaces`. */
 export interface Painted {
 	/** 3 × vertices × berries, linear light, 0 … 1. */
 	colours: Float32Array;
-	/** How much of the sky each vertex sees, less what crevices hide: 255 all, 0 none; absent where that is not known. */
+	/** Sky visibility of each vertex, reduced in crevices: 255 all, 0 none; absent if unknown. */
 	sky?: Uint8Array;
 }
 
@@ -115,7 +115,7 @@ function paint(
 	}
 }
 
-/** A berry's colours with what shows of its flesh: of one colour in all, where it is neither a flower nor a raisin. */
+/** Mixes a berry's colours with those of its visible flesh, which is of one colour in all ripe berries. */
 function fleshed({ unripe, ripe }: BerryTint, skin: Skin, set: number, shrivel: number) {
 	const browned = (colour: Colour) => colour.map((value, k) => value * Math.exp(-BROWNED[k] * shrivel)) as Colour;
 	const shown = FLESH_ON_FACE * set * (1 - shrivel);
@@ -125,32 +125,35 @@ function fleshed({ unripe, ripe }: BerryTint, skin: Skin, set: number, shrivel: 
 	};
 }
 
-/** How much of the flesh is seen through the skin. */
+/** Returns how visible the flesh is through the skin. */
 function clearness({ ripeFlesh, unripeFlesh }: Skin, turned: number, shrivel: number): number {
 	return mix(unripeFlesh.translucency, ripeFlesh.translucency, turned) * (1 - 0.6 * shrivel);
 }
 
-/** How much more of channel `k` clear neighbours leave than the skin's own albedo would: what shade takes is taken later. */
+/**
+ * Returns the factor on channel `k` for light reflected among clear neighbours, relative to the skin's own albedo;
+ * shade is applied later.
+ */
 function amongClear(albedo: number, k: number, clear: number, visible: number): number {
 	return (
 		bounced(visible, mix(albedo, Math.sqrt(albedo) * AMONG_CLEAR[k], clear)) / Math.max(1e-3, bounced(visible, albedo))
 	);
 }
 
-/** Colours as depths of pigment. */
+/** Converts colours to pigment depths. */
 function pigments({ unripe, ripe }: Pick<BerryTint, "unripe" | "ripe">) {
 	const depth = (value: number) => Math.log(value + LEAST_LIGHT);
 	return { unripe: unripe.map(depth), ripe: ripe.map(depth) };
 }
 
-/** How far the skin has turned at a place `along` the axis. */
+/** Returns how far the skin has turned at a position `along` the axis. */
 function turnedAt(turned: number, along: number, coarse: number, uneven: number): number {
 	const width = TURNING.width + TURNING.uneven * uneven;
 	const late = clamp(0.5 - TURNING.along * along + TURNING.coarse * uneven * (coarse - 0.5));
 	return smoothstep(0, 1, (turned * (1 + width) - late) / width);
 }
 
-/** How far the sun has gilded a place that looks so far `towards` it. */
+/** Returns how far the sun has gilded a point that faces the sun by `towards`. */
 function gildedAt(towards: number, coarse: number): number {
 	return smoothstep(AMBER.from, AMBER.to, towards + AMBER.coarse * (coarse - 0.5));
 }
@@ -159,7 +162,7 @@ function mottleAt(coarse: number, uneven: number): number {
 	return MOTTLE.least + MOTTLE.span * mix(0.5, coarse, MOTTLE.share + MOTTLE.uneven * uneven);
 }
 
-/** The share of the skin that wax hides in files' colours, seen face on. */
+/** Returns the share of the skin hidden by wax in files' colours, seen face on. */
 function waxAt(bloom: number, coarse: number, up: number, pressed: number, shrivel: number): number {
 	return hiddenBy(WAX_ON_FACE * waxDepth(bloom, coarse, FINE_MEAN, up, pressed)) * (1 - WAX.dry * shrivel);
 }

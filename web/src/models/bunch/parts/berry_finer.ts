@@ -1,6 +1,6 @@
 /**
- * What of a berry's skin is finer than its vertices, for pictures of it: wax in its patches scatters the mirror, rinds and raisins
- * have a relief. The rules, their numbers and the noise are the view's (skin_rules.ts).
+ * Details of a berry's skin finer than its vertices, for textures: patches of wax change the roughness, rinds and
+ * raisins have a relief. Rules, numbers and noise are those of the view (skin_rules.ts).
  */
 import { mix } from "../../../plant/colour";
 import { noise } from "../../../plant/noise";
@@ -15,12 +15,15 @@ import type { Skin } from "./skin";
 import { FINE, FURROWS, RIND, WAX } from "./skin_rules";
 import { hiddenBy, waxDepth } from "./wax";
 
-/** Where wax hides all of a skin; as a mean of berries in full bloom it is what their material says. */
+/**
+ * Roughness where wax covers the skin completely; the mean over berries in full bloom equals their material's
+ * roughness.
+ */
 const WAXED_ROUGHNESS = 0.6;
-/** How far raisins and scars are as dull as a rind. */
+/** Share by which raisins and scars are as dull as a rind. */
 const DULL = { shrivel: 0.6, scar: 0.7 };
 
-/** Of berry `index`. */
+/** Returns the details of berry `index`. */
 export function berryFiner(grown: BunchPlant, index: number, surfaces: BerrySurfaces, skin: Skin): Finer {
 	const { berries } = grown;
 	const { uvs, pressed } = surfaces;
@@ -55,7 +58,7 @@ export function berryFiner(grown: BunchPlant, index: number, surfaces: BerrySurf
 	};
 }
 
-/** The normal of what has low bumps: uphill is where the noise grows. */
+/** Returns the normal of a surface with low bumps: uphill is where the noise grows. */
 function roughened(normal: Vector, [x, y, z]: Vector, steep: number): Vector {
 	const here = noise(x, y, z);
 	const { step } = FURROWS;

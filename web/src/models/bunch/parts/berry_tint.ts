@@ -1,14 +1,11 @@
-/**
- * How one berry's colours differ from the bunch's: by chance, which its id decides for ever, by the sun it had and by how
- * far it has dried.
- */
+/** Variation of one berry's colours from the bunch's: noise fixed by its id, sun exposure, and drying. */
 import { type Colour, fromLch, linear, mixed, smoothstep, toLch } from "../../../plant/colour";
 import { hashFraction } from "../../../plant/noise";
 import type { BunchPlant } from "../bunch_plant";
 import { traitOf } from "../traits";
 import type { Skin } from "./skin";
 
-/** What changes a berry's colour besides its skin. */
+/** State of a berry that changes its colour besides its skin. */
 export interface Condition {
 	/** 0 … 1 each, as in the core's traits. */
 	exposure: number;
@@ -16,20 +13,20 @@ export interface Condition {
 	shrivel: number;
 }
 
-/** How one berry differs from its neighbours. */
+/** Colours of one berry. */
 export interface BerryTint {
 	ripe: Colour;
 	unripe: Colour;
 	/** Factor on the bloom. */
 	bloom: number;
-	/** 0 … 1, free use: spin about the berry's axis, place in the noise. */
+	/** Free value 0 … 1: rotation about the berry's axis, offset in the noise. */
 	phase: number;
 }
 
-/** Colour of a bud or an ovary just set: the green of young leaves. */
+/** Colour of a bud or a newly set ovary: the green of young leaves. */
 const YOUNG = linear("86a046");
 
-/** The tint of the berry with that id: the same for ever, whatever else grows; a few berries ripen late. */
+/** Returns the tint of the berry with that id, which depends on nothing else that grows; a few berries ripen late. */
 export function berryTint(skin: Skin, id: number, { exposure, set, shrivel }: Condition): BerryTint {
 	const centred = (stream: number) => 2 * skin.uneven * (hashFraction(id, stream) + hashFraction(id, stream + 16) - 1);
 	const late = 2 * skin.uneven * smoothstep(0.86, 1, hashFraction(id, 3));
@@ -56,7 +53,7 @@ export function berryTint(skin: Skin, id: number, { exposure, set, shrivel }: Co
 	};
 }
 
-/** A raisin's colour: browner, and darker the paler it was; pale ones are amber. */
+/** Returns a raisin's colour: browner, and darker the paler it was; pale ones are amber. */
 function dried(colour: Colour, shrivel: number): Colour {
 	const { lightness, chroma } = toLch(colour);
 	const pale = smoothstep(0.45, 0.75, lightness);
@@ -68,10 +65,10 @@ function dried(colour: Colour, shrivel: number): Colour {
 	return mixed(colour, raisin, 0.93 * smoothstep(0, 0.8, shrivel));
 }
 
-/** The paper's berries know no sun: none stands out. */
+/** Exposure of the paper's berries, which have no sun: none differs. */
 const HALF = 0.5;
 
-/** The tint of berry `index` of a bunch. */
+/** Returns the tint of berry `index` of a bunch. */
 export function tintOf({ berries, procedure }: BunchPlant, index: number, skin: Skin): BerryTint {
 	return berryTint(skin, berries.ids[index], {
 		exposure: procedure === "paper" ? HALF : traitOf(berries, index, "exposure"),

@@ -1,4 +1,4 @@
-/** A bunch in parts: axes with their pedicels, berries, cane, leaves and petioles, each to be taken by itself. */
+/** Splits a bunch into parts: axes with their pedicels, berries, cane, leaves and petioles. */
 import { linear, meanColour } from "../../../plant/colour";
 import type { Material } from "../../../plant/material";
 import { cut, type Part, type Shape } from "../../../plant/part";
@@ -12,8 +12,9 @@ import type { Dress } from "./skin";
 import { stemColours } from "./stem_colour";
 
 /**
- * @param grown only read
- * @throws Error with a message for people where `grown` was asked for without meshes
+ * Yields the parts of a bunch.
+ * @param grown not modified
+ * @throws Error with a message for users if `grown` has no meshes
  */
 export function* bunchParts(grown: BunchPlant, dress: Dress): Generator<Part> {
 	const { stem, berry, surfaces, berries, foliage } = grown;
@@ -53,7 +54,7 @@ function* foliageOf({ berries }: BunchPlant, foliage: Foliage): Generator<Part> 
 	}
 }
 
-/** Where a picture shows the colours, those of vertices only darken it. */
+/** Parts with a colour texture need no variant: colours of vertices only darken it. */
 function variantOf({ textures }: Material): Pick<Shape, "variant"> {
 	return textures?.colour ? {} : { variant: "" };
 }

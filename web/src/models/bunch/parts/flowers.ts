@@ -1,6 +1,6 @@
 /**
- * The flowers of a bunch, piece by piece: what each berry's ovary bears while it is a flower, the flowers that stand beside
- * it and set no fruit (a vine has more than twice as many as berries), and sepals that stay.
+ * Flowers of a bunch, piece by piece: the flower around each berry's ovary, further flowers beside it that set no
+ * fruit (a vine has more than twice as many as berries), and persistent sepals.
  */
 import { clamp, smoothstep } from "../../../plant/colour";
 import { hashFraction } from "../../../plant/noise";
@@ -11,26 +11,29 @@ import { traitOf } from "../traits";
 
 type Vector = readonly [x: number, y: number, z: number];
 
-/** Pieces of one kind on one berry's twig. */
+/** Pieces of one kind at one berry. */
 export interface PlacedPieces {
 	piece: FlowerPiece;
 	berry: number;
-	/** 8 each (plant/part.ts), the flower's own first. */
+	/** Transforms, 8 numbers each (plant/part.ts), the berry's own flower first. */
 	transforms: number[];
 }
 
-/** Stamens smaller than this share of open ones are hidden in the bud, or have fallen. */
+/** Least share of open stamens' size: smaller ones are hidden in the bud or have fallen. */
 const LEAST = 0.01;
-/** An inflorescence has so many flowers; what its pedicels do not bear stands beside them, so many for each that does. */
+/** Numbers of flowers of an inflorescence; those without a pedicel are placed beside the others, `each` per flower. */
 const INFLORESCENCE = { least: 240, most: 480, each: 3.5 } as const;
-/** Fruits that flower in panicles of many. */
+/** Fruits that flower in many-flowered panicles. */
 const PANICLES: ReadonlySet<string> = new Set(["grape", "lychee", "longan"]);
-/** In radii of an ovary: from a twig's end to the flowers beside its own. */
+/** Distance from a twig's end to the flowers beside its own, in radii of an ovary. */
 const SIDE_FLOWER_DISTANCE = 6.2;
-/** Caps come loose while a flower opens, are lifted by so many radii, and fall; a few stay on the stamens for long. */
+/**
+ * When and how caps come off: they loosen while a flower opens, rise by `lift` radii and fall; a few cling to the
+ * stamens for long.
+ */
 const CAP = { loose: 0.12, off: 0.75, lift: 3.4, slip: 1.3, clinging: 0.82, gone: 0.1 } as const;
 
-/** Of all that is in flower, and the calyces of what was. */
+/** Returns the pieces of all flowers, and the calyces of fruits. */
 export function flowersOf(grown: BunchPlant): PlacedPieces[] {
 	const { flower, berries } = grown;
 	if (!flower) return [];
@@ -39,7 +42,7 @@ export function flowersOf(grown: BunchPlant): PlacedPieces[] {
 	return Array.from({ length: berries.count }, (_, i) => twig(grown, i, kinds, beside(i))).flat();
 }
 
-/** How many flowers stand beside that of a berry. */
+/** Returns the number of flowers beside that of a berry. */
 function besideEach({ berries, form, thinned }: BunchPlant): (berry: number) => number {
 	const fallen = thinned.filter(({ why }) => why === "not set").length;
 	const flowers = berries.count + fallen;
@@ -49,7 +52,7 @@ function besideEach({ berries, form, thinned }: BunchPlant): (berry: number) => 
 	return (berry) => Math.floor(extra / flowers + hashFraction(berries.ids[berry], 40));
 }
 
-/** One berry's ovary with what it bears, and the flowers beside it. */
+/** Returns the pieces of one berry's flower, and of the flowers beside it. */
 function twig(grown: BunchPlant, berry: number, kinds: ReadonlySet<FlowerPiece>, beside: number): PlacedPieces[] {
 	const { berries, flower } = grown;
 	const [x, y, z, radius] = berries.spheres.subarray(4 * berry, 4 * berry + 4);
@@ -85,18 +88,18 @@ function twig(grown: BunchPlant, berry: number, kinds: ReadonlySet<FlowerPiece>,
 }
 
 interface Flower {
-	/** Its ovary's middle. */
+	/** Centre of its ovary. */
 	at: Vector;
 	heading: Vector;
-	/** Its ovary's radius. */
+	/** Radius of its ovary. */
 	size: number;
-	/** 0 … 1 each: from bud to flower, and from flower to fruit. */
+	/** Progress 0 … 1: from bud to flower, and from flower to fruit. */
 	opened: number;
 	set: number;
 	id: number;
 }
 
-/** Stamens and petals unfold as a flower opens and wither as it sets; its cap comes off. */
+/** Places the pieces of one flower: stamens and petals unfold as it opens and wither as it sets; its cap comes off. */
 function bloom(
 	put: (piece: FlowerPiece, at: Vector, heading: Vector, scale: number) => void,
 	{ at, heading, size, opened, set, id }: Flower,
@@ -120,7 +123,7 @@ const along = ([x, y, z]: Vector, [dx, dy, dz]: Vector, far: number): Vector => 
 	z + dz * far,
 ];
 
-/** A direction at an angle (radians) from another, that share of a turn round it. */
+/** Returns a direction at an angle (radians) from another, rotated about it by a share of a turn. */
 function tilted([x, y, z]: Vector, share: number, angle: number): Vector {
 	const flat = Math.hypot(x, z);
 	const east: Vector = flat > 1e-6 ? [z / flat, 0, -x / flat] : [1, 0, 0];
@@ -130,7 +133,7 @@ function tilted([x, y, z]: Vector, share: number, angle: number): Vector {
 	return along([x * Math.cos(angle), y * Math.cos(angle), z * Math.cos(angle)], across, Math.sin(angle));
 }
 
-/** How many of a kind of piece there are. */
+/** Counts the pieces of a kind. */
 export function countOf(pieces: readonly PlacedPieces[], kind: FlowerPiece): number {
 	return pieces.reduce((sum, { piece, transforms }) => sum + (piece === kind ? transforms.length / TRANSFORM : 0), 0);
 }

@@ -1,10 +1,10 @@
-/** The colours of leaves, petioles, cane and stamens, vertex by vertex: what view and files show of them. */
+/** Colours of leaves, petioles, cane and stamens, vertex by vertex, for view and files. */
 import { type Colour, linear, mix, smoothstep } from "../../../plant/colour";
 import { noise } from "../../../plant/noise";
 import type { Berries, Foliage, FoliagePart } from "../bunch_plant";
 import { meanOf } from "../traits";
 
-/** A leaf's faces and veins, and what autumn makes of them. */
+/** Colours of a leaf's faces and veins, in summer and in autumn. */
 export const LEAF = {
 	upper: linear("476a2e"),
 	lower: linear("7f9a63"),
@@ -12,12 +12,15 @@ export const LEAF = {
 	late: [0.42, 0.27, 0.045] as Colour,
 	lateVein: [0.75, 0.6, 0.16] as Colour,
 } as const;
-/** A leaf turns between these shares of autumn. */
+/** Shares of autumn between which a leaf turns. */
 export const AUTUMN = [0.55, 0.95] as const;
 export const PETIOLE = linear("8c8f4a");
-/** A year old cane's bark. */
+/** Colour of a one-year-old cane's bark. */
 export const CANE = linear("7a5a3c");
-/** What is green of a flower, filaments, anthers of pollen's colour, petals: each up to so far of v (models/bunch/berry/flower.hpp). */
+/**
+ * Colours of a flower's parts, each up to a value of v: green parts, filaments, anthers, petals
+ * (models/bunch/berry/flower.hpp).
+ */
 export const FLOWER = [
 	{ to: 0.25, colour: linear("b6c67e") },
 	{ to: 0.5, colour: linear("eef1da") },
@@ -25,20 +28,20 @@ export const FLOWER = [
 	{ to: 1, colour: linear("f3e9ee") },
 ] as const;
 
-/** Noise cells to a metre, of broad patches and of mottling. */
+/** Noise cells per metre, of broad patches and of mottling. */
 const BROAD = 45;
 const MOTTLE = 260;
-/** A year's bark cracks along: noise cells to one turn of u, to one of v. */
+/** Noise cells of the cracks along one-year-old bark: to one turn of u, to one of v. */
 const CRACKS = [26, 1.6] as const;
-/** About here on its chart a blade stays green longest. */
+/** Position in a blade's texture that stays green longest. */
 const GREENEST = [0.5, 0.62] as const;
-/** How much of their colours is the brightest of green blades, and of turned ones. */
+/** Brightest factor on the colours of green blades, and of turned ones. */
 const BRIGHTEST = [1.25, 1.2] as const;
 
-/** So many shades of autumn there are: a leaf's picture is drawn anew for each, not for every moment of a life that plays. */
+/** Number of autumn shades: a leaf's texture is painted once per shade, not at every moment of an animation. */
 const SHADES = 50;
 
-/** Of a flower's mesh or a piece of it: 3 × vertices, linear light. */
+/** Returns the colours of a flower's mesh or of a piece of it: 3 × vertices, linear light. */
 export function flowerColours(uvs: Float32Array): Float32Array {
 	const colours = new Float32Array(1.5 * uvs.length);
 	for (let vertex = 0; vertex < uvs.length / 2; vertex++) {
@@ -48,19 +51,19 @@ export function flowerColours(uvs: Float32Array): Float32Array {
 	return colours;
 }
 
-/** How far leaves have turned, 0 … 1: they turn as berries dry. */
+/** Returns how far leaves have turned, 0 … 1: they turn as berries dry. */
 export function autumnOf(berries: Berries): number {
 	return Math.round(SHADES * meanOf(berries, "shrivel", 0)) / SHADES;
 }
 
-/** The brightest that a leaf is anywhere between its veins: what its picture shows, and vertices darken. */
+/** Returns the brightest colour of a leaf between its veins: its texture has it, and vertices darken it. */
 export function brightestLeaf(autumn: number): Colour {
 	const turned = smoothstep(AUTUMN[0] - 0.25, AUTUMN[0] + 0.1, autumn);
 	return LEAF.upper.map((value, k) => Math.max(BRIGHTEST[0] * value, BRIGHTEST[1] * turned * LEAF.late[k])) as Colour;
 }
 
 /**
- * 3 × vertices, linear light: of leaves with veins as shares of the brightest.
+ * Returns 3 × vertices, linear light; for leaves with veins as shares of the brightest colour.
  * @param autumn 0 … 1: how far leaves have turned
  */
 export function foliageColours({ positions, uvs, parts, veins }: Foliage, autumn: number): Float32Array {

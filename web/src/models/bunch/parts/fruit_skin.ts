@@ -1,21 +1,24 @@
 import type { Colour } from "../../../plant/colour";
 import type { Fruit } from "../bunch_plant";
 
-/** How the skin of a kind of fruit is made, whatever its colour. */
+/** Properties of the skin of a kind of fruit, independent of its colour. */
 export interface FruitSkin {
 	/** 0: taut and glossy, flesh shines through; 1: a dull rind. */
 	rind: number;
 	/** Colour in the grooves between drupelets or tubercles as a factor on the skin's. */
 	grooves: Colour;
-	/** Where they lie: nearer the centre than the first of these (in radii) all groove, beyond the second none. */
+	/**
+	 * Radial range of grooves: all groove nearer the centre than the first of these (in radii), none beyond the
+	 * second.
+	 */
 	depth: [groove: number, top: number];
-	/** 0 … 1: meridian veins seen in the flesh, as of currants; a grape's are not. */
+	/** 0 … 1: visibility of meridian veins in the flesh, as of currants; 0 for grapes. */
 	veins: number;
-	/** From this v on lies the tip's scar or what is left of the flower; beyond 1 there is none. */
+	/** Value of v from which on the tip's scar or the flower's remains lie; above 1 for none. */
 	scar: number;
-	/** Factor on how much light the flesh passes. */
+	/** Factor on the light that the flesh transmits. */
 	flesh: number;
-	/** 0 … 1: of a clean skin's smooth coat, in files; none over a rind. */
+	/** 0 … 1: gloss of a clean skin's coat, in files; 0 for rinds. */
 	gloss: number;
 }
 
@@ -30,7 +33,7 @@ const SMOOTH: FruitSkin = {
 };
 const RIND: FruitSkin = { ...SMOOTH, gloss: 0 };
 
-/** Estimates by eye. The core gives the relief, these only dress it. */
+/** Skins by fruit, estimated by eye. The core supplies the relief. */
 export const FRUIT_SKINS: Record<Fruit, FruitSkin> = {
 	grape: SMOOTH,
 	currant: { ...SMOOTH, veins: 0.6, scar: 0.955, flesh: 1.2, gloss: 0.9 },

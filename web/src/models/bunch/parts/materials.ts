@@ -1,4 +1,4 @@
-/** What a bunch is made of. Why each value is so is in docs/export.md. */
+/** Materials of a bunch. docs/export.md gives the reasons for the values. */
 import { type Colour, linear, mix, mixed, smoothstep, toLch } from "../../../plant/colour";
 import type { Veins } from "../../../plant/leaf";
 import { leafPicture } from "../../../plant/leaf_picture";
@@ -8,26 +8,26 @@ import type { Look } from "../specimen";
 import { AUTUMN, brightestLeaf, CANE, FLOWER, LEAF, PETIOLE } from "./foliage_colour";
 import type { FruitSkin } from "./fruit_skin";
 
-/** A smooth skin without wax; bloom scatters the highlight up to the second figure. */
+/** Roughness of a smooth skin without wax, and in full bloom, which scatters the highlight. */
 export const SKIN_ROUGHNESS: readonly [clean: number, bloomed: number] = [0.34, 0.46];
 export const RIND_ROUGHNESS = 0.78;
 const STEM_ROUGHNESS = 0.85;
-/** Wax crystals scatter a pale blue, strongest at grazing angles: what a sheen lobe describes. */
+/** Sheen of the bloom: wax crystals scatter a pale blue, strongest at grazing angles. */
 const BLOOM_COLOUR: Colour = [0.17, 0.2, 0.26];
 const BLOOM_ROUGHNESS = 0.55;
-/** Between water's 1.33 and wax's 1.45: a wet flesh behind a cuticle. */
+/** Index of refraction of wet flesh behind a cuticle, between water's 1.33 and wax's 1.45. */
 const FLESH_IOR = 1.4;
 const COAT_ROUGHNESS = 0.08;
-/** Wax scatters this share of the mirror. */
+/** Share of the specular reflection that wax scatters. */
 const WAX_ON_MIRROR = 0.8;
-/** Below this a coat is not worth a reader's time. */
+/** Least coat worth a viewer's cost. */
 const LEAST_COAT = 0.04;
-/** The most light that passes: more, and berries look like glass where readers see nothing but stems behind them. */
+/** Most transmitted light: above it berries look like glass in viewers that show only stems behind them. */
 const MOST_PASSING = 0.3;
-/** Below this the pass that readers need for it costs more than it shows. */
+/** Least transmission worth the viewers' extra render pass. */
 const LEAST_PASSING = 0.04;
 
-/** The paper's berries: one colour, one skin. */
+/** Returns the material of the paper's berries: one colour, one skin. */
 export function plainSkin(look: Look): Material {
 	const [clean, bloomed] = SKIN_ROUGHNESS;
 	const roughness = mix(clean, bloomed, look.bloom);
@@ -35,8 +35,8 @@ export function plainSkin(look: Look): Material {
 }
 
 /**
- * Natural berries.
- * @param colour of all of them in the mean
+ * Returns the material of natural berries.
+ * @param colour mean of all of them
  * @param width of a mean berry, metres
  */
 export function naturalSkin(look: Look, { rind, gloss }: FruitSkin, colour: Colour, width: number): Material {
@@ -56,7 +56,7 @@ export function naturalSkin(look: Look, { rind, gloss }: FruitSkin, colour: Colo
 	};
 }
 
-/** One way through a mean berry leaves the flesh's own colour. */
+/** Returns the transmission of the flesh: one path through a mean berry gives the flesh's own colour. */
 function flesh(look: Look, width: number): Pick<Material, "flesh"> {
 	const skin = linear(look.skin);
 	const factor = MOST_PASSING * look.glow * smoothstep(0.5, 0.75, toLch(skin).lightness);
@@ -71,15 +71,19 @@ function bloomSheen(bloom: number): Pick<Material, "sheen"> {
 	return { sheen: { colour: BLOOM_COLOUR.map((value) => value * bloom) as Colour, roughness: BLOOM_ROUGHNESS } };
 }
 
-/** @param colour of all stems in the mean */
+/**
+ * Returns the material of stems.
+ * @param colour mean of all stems
+ */
 export function stemMaterial(colour: Colour): Material {
 	return { name: "Stem", colour, roughness: STEM_ROUGHNESS };
 }
 
 /**
- * Of what leaves, petioles and cane are made. Leaves let light through, yellower, and are paler below until they turn.
+ * Returns the materials of leaves, petioles and cane. Leaves transmit yellower light, and are paler below until they
+ * turn.
  * @param autumn 0 … 1: how far leaves have turned
- * @param veins of the leaves, where they are known
+ * @param veins of the leaves, if known
  */
 export function foliageMaterials(autumn: number, veins?: Veins): Record<FoliagePart["kind"], Material> {
 	// The first patches turn long before the mean does.
@@ -101,7 +105,7 @@ export function foliageMaterials(autumn: number, veins?: Veins): Record<FoliageP
 	};
 }
 
-/** Flowers, thin and pale; what is what is told by the vertices' colours. */
+/** Material of flowers, thin and pale; colours of vertices distinguish their parts. */
 export const FLOWERS: Material = {
 	name: "Flower",
 	colour: FLOWER[1].colour,

@@ -1,27 +1,30 @@
 /**
- * The names a reader of an export sees in an outliner: the same in GLB and OBJ. Numbers start at 1, as people count,
- * and are padded so that sorting by name keeps their order.
+ * Names of a file's nodes in an outliner: the same in GLB and OBJ. Numbers start at 1 and are padded, so that sorting
+ * by name keeps their order.
  */
 import type { FlowerPiece, FoliagePart } from "../bunch_plant";
 
-/** Name of a part of the stem: `Rachis` for −1, else `Axis 01` for s = 0 (the top one) and so on. */
+/** Returns the name of a part of the stem: `Rachis` for −1, else `Axis 01` for s = 0 (the top one) and so on. */
 export function stemName(axis: number): string {
 	return axis < 0 ? "Rachis" : `Axis ${String(axis + 1).padStart(2, "0")}`;
 }
 
-/** Name of berry `index` (from 0) of `count`: `Berry 001`; more digits where there are more than 999. */
+/** Returns the name of berry `index` (from 0) of `count`: `Berry 001`; more digits above 999. */
 export function berryName(index: number, count: number): string {
 	return `Berry ${berryNumber(index, count)}`;
 }
 
 const PIECE_TITLES = { stamens: "Flower", cap: "Cap", pistil: "Pistil", petals: "Petals", calyx: "Calyx" } as const;
 
-/** What a piece of a flower is called; a flower is known by its stamens. */
+/** Returns the title of a piece of a flower; the stamens stand for the flower. */
 export function pieceTitle(piece: FlowerPiece): string {
 	return PIECE_TITLES[piece];
 }
 
-/** Name of a piece of the flower of berry `index`: `Flower 001`, `Cap 001`; of those beside it `Flower 001.2` and so on. */
+/**
+ * Returns the name of a piece of the flower of berry `index`: `Flower 001`, `Cap 001`; of those beside it `Flower
+ * 001.2` and so on.
+ */
 export function pieceName(piece: FlowerPiece, index: number, count: number, beside: number): string {
 	return `${pieceTitle(piece)} ${berryNumber(index, count)}${beside > 0 ? `.${beside + 1}` : ""}`;
 }
@@ -32,7 +35,7 @@ function berryNumber(index: number, count: number): string {
 
 const FOLIAGE_NAMES = { cane: "Cane", leaf: "Leaf", petiole: "Petiole" } as const;
 
-/** Names of foliage's parts, in their order: `Cane`, `Leaf 1`, `Petiole 1`, `Leaf 2` … */
+/** Returns the names of foliage's parts, in their order: `Cane`, `Leaf 1`, `Petiole 1`, `Leaf 2` … */
 export function foliageNames(parts: readonly FoliagePart[]): string[] {
 	const seen = new Map<string, number>();
 	return parts.map(({ kind }) => {

@@ -1,17 +1,17 @@
-/** What points on a bunch say of the part that they lie on. */
+/** Labels of points on a bunch: the class and id of their part. */
 import type { PointLabels } from "../../../formats/about";
 
 const BERRY = /^Berry (\d+)$/;
 
 export const BUNCH_LABELS: PointLabels = {
-	// The numbers stay what they are: a further kind goes to the end.
+	// Class numbers are frozen: append new kinds at the end.
 	classes: [
 		...["Rachis", "Axis", "Berry", "Flower", "Cap", "Pistil", "Petals", "Calyx"],
 		...["Cane", "Leaf", "Petiole"],
 	],
 	id: {
 		property: "berry_id",
-		// The paper's berries have no id but their place in the JSON document, which their names count from 1.
+		// The paper's berries have no ids; their index in the JSON document is their name's number less 1.
 		of: ({ name, extras }) => {
 			const [, number] = BERRY.exec(name) ?? [];
 			if (number === undefined) return undefined;

@@ -3,17 +3,17 @@ import type { BunchPlant, Fruit } from "../bunch_plant";
 import type { BunchSpecimen, Look } from "../specimen";
 import { FRUIT_SKINS, type FruitSkin } from "./fruit_skin";
 
-/** Flesh under a skin of one colour. */
+/** Optical properties of the flesh under a skin. */
 export interface Flesh {
-	/** 0: light stops at the skin (duku, longan); 1: the flesh is seen through (white grape, redcurrant). */
+	/** 0: opaque at the skin (duku, longan); 1: transparent flesh (white grape, redcurrant). */
 	translucency: number;
-	/** Absorption of light on its way through one radius of flesh, per channel. */
+	/** Absorption of light along one radius of flesh, per channel. */
 	absorption: Colour;
 }
 
-/** What is to be known of a skin. */
+/** Properties of a skin. */
 export interface Skin {
-	/** Colours seen by reflected light. */
+	/** Colours in reflected light. */
 	ripe: Colour;
 	unripe: Colour;
 	ripeFlesh: Flesh;
@@ -28,20 +28,23 @@ export interface Skin {
 	sunned: Sunned;
 }
 
-/** Where the sun finds a skin, and what it makes of it. */
+/** Direction of the sun and its effect on a skin. */
 export interface Sunned {
 	/** Unit vector towards the sun. */
 	towards: [x: number, y: number, z: number];
-	/** 0 … 1: how far skins that lie full in it turn amber. */
+	/** 0 … 1: how far skins in full sun turn amber. */
 	amber: number;
 }
 
-/** What a bunch is dressed by: its look, and the sun it grew in, where there is one. */
+/** Look of a bunch, and the sun it grew in, if known. */
 export type Dress = Pick<BunchSpecimen, "look"> & {
 	parameters?: Pick<BunchSpecimen["parameters"], "sun" | "sun_height" | "sunlight">;
 };
 
-/** Rinds through which no flesh shines: tan and brown ones that are not vivid (duku, longan), and brick red (lychee). */
+/**
+ * Returns how far a colour is that of an opaque rind: tan and brown without vividness (duku, longan), or brick red
+ * (lychee).
+ */
 function rindness(lightness: number, chroma: number, hue: number): number {
 	const degrees = (hue * 180) / Math.PI;
 	const tan = smoothstep(42, 58, degrees) * (1 - smoothstep(88, 102, degrees));
@@ -52,10 +55,13 @@ function rindness(lightness: number, chroma: number, hue: number): number {
 	);
 }
 
-/** How much of the light that a ripe berry of its colour would let through a hard unripe one does. */
+/** Light transmitted by a hard unripe berry, as a share of a ripe berry of its colour. */
 const HARD = 0.5;
 
-/** Pale or vivid skins let light through; dark ones, whose anthocyanins pass red last of all, redden it. */
+/**
+ * Returns the flesh under a colour: pale or vivid skins transmit light; dark ones redden it, since anthocyanins absorb
+ * red least.
+ */
 function fleshUnder(colour: Colour, passing: number): Flesh {
 	const { lightness, chroma } = toLch(colour);
 	const pale = smoothstep(0.35, 0.8, lightness);
@@ -72,8 +78,8 @@ function fleshUnder(colour: Colour, passing: number): Flesh {
 }
 
 /**
- * Reads the nature of a skin from the look and the kind of fruit.
- * @param guess whether the colour may tell a rind: the paper's procedure knows no fruit but the grape
+ * Derives a skin from the look and the kind of fruit.
+ * @param guess whether to infer a rind from the colour, since the paper's procedure has no fruit but the grape
  */
 export function skinOf(look: Look, kind: Fruit = "grape", guess = false): Skin {
 	const ripe = linear(look.skin);
@@ -84,7 +90,7 @@ export function skinOf(look: Look, kind: Fruit = "grape", guess = false): Skin {
 	const fruit = { ...own, rind: Math.max(own.rind, rind), flesh: own.flesh * (1 - 0.92 * rind) };
 	const passing = 2 * clamp(look.glow) * fruit.flesh;
 	const pale = smoothstep(0.35, 0.8, lightness);
-	// Wax scatters short waves a little more; on a dark skin the blue is what the eye sees.
+	// Wax scatters short waves a little more, which is visible on dark skins.
 	const wax = mixed(fromLch({ lightness: 0.74, chroma: 0.04, hue: 4.75 }), mixed(ripe, [1, 1, 1], 0.72), 0.6 * pale);
 	return {
 		ripe,
@@ -100,24 +106,24 @@ export function skinOf(look: Look, kind: Fruit = "grape", guess = false): Skin {
 	};
 }
 
-/** Before anything is known of the sun: none. */
+/** Default: no sun. */
 const NO_SUN: Sunned = { towards: [0, 1, 0], amber: 0 };
-/** Full sunlight gilds this much more than a skin shows; sunlight is 0.4 unless one says otherwise. */
+/** Factor on gilding; the default of sunlight is 0.4. */
 const GILDING = 1.6;
 
-/** Clear pale skins turn amber; dark ones hide it, and so do rinds. */
+/** Returns the sun's effect: clear pale skins turn amber; dark ones and rinds hide it. */
 function sunnedBy(parameters: NonNullable<Dress["parameters"]>, { ripe, uneven, fruit }: Skin): Sunned {
 	const turn = (parameters.sun * Math.PI) / 180;
 	const height = (parameters.sun_height * Math.PI) / 180;
 	const flat = Math.cos(height);
 	const { lightness, hue } = toLch(ripe);
-	// From yellow on: a rosy skin reddens in the sun.
+	// Only hues from yellow on: a rosy skin reddens in the sun.
 	const golden = smoothstep(1.2, 1.6, hue) * smoothstep(0.55, 0.75, lightness);
 	const amber = clamp(GILDING * parameters.sunlight * (0.4 + uneven)) * golden * (1 - fruit.rind);
 	return { towards: [flat * Math.sin(turn), Math.sin(height), flat * Math.cos(turn)], amber };
 }
 
-/** The skin of a bunch's berries. */
+/** Returns the skin of a bunch's berries. */
 export function bunchSkin(
 	{ form, procedure }: Pick<BunchPlant, "form" | "procedure">,
 	{ look, parameters }: Dress,

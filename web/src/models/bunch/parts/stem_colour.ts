@@ -1,10 +1,10 @@
-/** The colours of stems, vertex by vertex: what the view shows of them. */
+/** Colours of stems, vertex by vertex, as in the view. */
 import { clamp, linear, mix, smoothstep } from "../../../plant/colour";
 import { noise } from "../../../plant/noise";
 import { type BunchPlant, INTERNODE_STATES, type StemMesh } from "../bunch_plant";
 import { BARK, BROWN, LATER, MOTTLES, SHADE, woodOf, YOUNG } from "./stem_rules";
 
-/** 3 × vertices, linear light. */
+/** Returns 3 × vertices, linear light. */
 export function stemColours(grown: BunchPlant, { positions, uvs, internode }: StemMesh, hex: string): Float32Array {
 	const wood = woodOf(grown);
 	const green = linear(hex);
@@ -32,7 +32,7 @@ export function stemColours(grown: BunchPlant, { positions, uvs, internode }: St
 	return colours;
 }
 
-/** The share of bark at a place that is so near a node. */
+/** Returns the share of bark at a point, by its nearness to a node. */
 function brownAt(near: number, slender: number, mottle: number, wood: number, aged: number, dry: number): number {
 	const { node, streak, withered, wood: spread } = BROWN;
 	const nodes = slender * node.share * smoothstep(node.from, 1, near) * mix(node.young, 1, wood);
@@ -41,7 +41,7 @@ function brownAt(near: number, slender: number, mottle: number, wood: number, ag
 	return clamp(nodes + streaks + withered * dry + woody);
 }
 
-/** How far each internode is long enough for its nodes to stand apart, 0 … 1. */
+/** Returns for each internode whether it is long enough for distinct nodes, 0 … 1. */
 function slendernessOf({ internodes: { count, ends, radii } }: BunchPlant): Float32Array {
 	const [stout, slender] = BROWN.node.slender;
 	return Float32Array.from({ length: count }, (_, i) => {
@@ -50,7 +50,7 @@ function slendernessOf({ internodes: { count, ends, radii } }: BunchPlant): Floa
 	});
 }
 
-/** How near a place is to its internode's ends: 0 in the middle, 1 at a node. */
+/** Returns how near a point is to its internode's ends: 0 in the middle, 1 at a node. */
 function nodeShare(
 	{ internodes: { ends } }: BunchPlant,
 	internode: number,

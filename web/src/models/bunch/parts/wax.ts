@@ -1,10 +1,11 @@
-/** The waxy bloom on a berry's skin: how deep it lies at a place, and what it hides. */
+/** Waxy bloom on a berry's skin: its depth at a point, and the share of skin that it hides. */
 import { mix, smoothstep } from "../../../plant/colour";
 import { WAX } from "./skin_rules";
 
 /**
+ * Returns the depth of wax at a point.
  * @param bloom of the berry, 0 … 1
- * @param coarse noise at the place, 0 … 1, and `fine`, which is finer than vertices
+ * @param coarse noise at the point, 0 … 1; `fine` is finer than vertices
  * @param up how far its normal points up, −1 … 1
  * @param pressed 0 free … 1 in contact with a neighbour
  */
@@ -15,7 +16,7 @@ export function waxDepth(bloom: number, coarse: number, fine: number, up: number
 	return WAX.depth * bloom * mix(WAX.rubbed, 1, left) * mix(WAX.bare, 1, patches) * (WAX.side + WAX.up * up);
 }
 
-/** The share of the skin that wax of a depth hides, seen face on. */
+/** Returns the share of the skin that wax of a depth hides, seen face on. */
 export function hiddenBy(depth: number): number {
 	return 1 - Math.exp(-depth / (WAX.grazing + 1));
 }

@@ -1,8 +1,8 @@
-/** A photograph behind a flat view, and what hands and keys do to where it lies. All lengths are pixels of the profile. */
+/** A photograph behind a flat view, and its placement by pointer and keys. All lengths are pixels of the profile. */
 import type { Point } from "../../../ui/handles/point";
 import type { View } from "../profile/handles";
 
-/** Where a picture lies: its upper left corner from p1, and how large one of its own pixels is. */
+/** Placement of a picture: its upper left corner relative to p1, and the size of one of its own pixels. */
 export interface Placement {
 	readonly x: number;
 	readonly y: number;
@@ -11,24 +11,24 @@ export interface Placement {
 
 export interface Photo extends Placement {
 	readonly picture: ImageBitmap;
-	/** The view that it lies behind. */
+	/** View that it is behind. */
 	readonly view: View;
-	/** From 0 to 1. */
+	/** Opacity, 0 … 1. */
 	readonly opacity: number;
-	/** Whether hands move it, and not the handles alone. */
+	/** Whether the pointer moves the photograph as well as the handles. */
 	readonly loose: boolean;
 }
 
-/** Of the profile's length; smaller or larger nobody finds it again. */
+/** Smallest and largest longer side; beyond these the picture would be hard to find again. */
 const SMALLEST = 20;
 const LARGEST = 6000;
-/** What one press of a key does, in pixels and as a factor. */
+/** Shift in pixels, and scale factor, of one key press. */
 const STEP = 1;
 const FACTOR = 1.01;
-/** How much further keys go with Shift. */
+/** Multiple of a step with Shift. */
 const FAR = 10;
 
-/** As high as the bunch, in the middle of the view. */
+/** Places a picture as high as the bunch, in the middle of the view. */
 export function fitted({ width, height }: Pick<ImageBitmap, "width" | "height">, length: number): Placement {
 	const scale = length / height;
 	return { x: (-width * scale) / 2, y: 0, scale };
@@ -38,7 +38,7 @@ export function shifted({ x, y, scale }: Placement, by: Point): Placement {
 	return { x: x + by.x, y: y + by.y, scale };
 }
 
-/** Larger by a factor, a place of the view staying where it is. */
+/** Scales a picture about a point of the view. */
 export function zoomed<P extends Placement & Pick<Photo, "picture">>(
 	photo: P,
 	factor: number,
@@ -51,12 +51,12 @@ export function zoomed<P extends Placement & Pick<Photo, "picture">>(
 	return { x: about.x + by * (x - about.x), y: about.y + by * (y - about.y), scale: after };
 }
 
-/** The middle of a picture as it lies. */
+/** Returns the centre of a placed picture. */
 export function middleOf({ x, y, scale, picture }: Placement & Pick<Photo, "picture">): Point {
 	return { x: x + (scale * picture.width) / 2, y: y + (scale * picture.height) / 2 };
 }
 
-/** Where two fingers take it: what was under each stays under it, but for a turn. */
+/** Moves and scales a picture with two fingers; the points under them stay under them, except for rotation. */
 export function pinched(photo: Photo, from: readonly [Point, Point], to: readonly [Point, Point]): Placement {
 	const apart = ([a, b]: readonly [Point, Point]) => Math.hypot(a.x - b.x, a.y - b.y);
 	const between = ([a, b]: readonly [Point, Point]) => ({ x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 });
@@ -73,7 +73,7 @@ const ARROWS: Readonly<Record<string, Point>> = {
 	ArrowDown: { x: 0, y: STEP },
 };
 
-/** What a key does to it; undefined for nothing. */
+/** Returns the placement after a key press; undefined for other keys. */
 export function nudged(
 	photo: Photo,
 	{ key, shiftKey }: Pick<KeyboardEvent, "key" | "shiftKey">,

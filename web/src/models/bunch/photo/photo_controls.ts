@@ -9,7 +9,7 @@ const VIEWS: readonly (readonly [View, string])[] = [
 	["side", "Side"],
 ];
 
-/** What there is to a photograph that has been placed: loose or fast, behind which view, how plain, away. */
+/** Controls of a placed photograph: movable or fixed, its view, its opacity, removal. */
 export class PhotoControls extends ControlElement<BunchContext> {
 	protected override shows(context: BunchContext): readonly unknown[] {
 		return [context.toolState(photo)];

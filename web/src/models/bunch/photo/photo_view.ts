@@ -3,7 +3,7 @@ import type { Point } from "../../../ui/handles/point";
 import type { ViewFrame } from "../profile/view_frame";
 import { nudged, type Photo, type Placement, pinched, shifted, zoomed } from "./photo";
 
-/** `<panicle-photo>`: a photograph on a canvas below a flat view, moved by hands and keys while it is loose. */
+/** `<panicle-photo>`: a photograph on a canvas below a flat view, moved by pointer and keys while it is movable. */
 export class PhotoView extends LitElement {
 	static override styles = css`
 		:host {
@@ -31,7 +31,7 @@ export class PhotoView extends LitElement {
 	static override properties = { photo: { attribute: false }, frame: { attribute: false } };
 	declare photo: Photo;
 	declare frame: ViewFrame;
-	/** Fingers that hold it, by pointer, in pixels of the profile. */
+	/** Positions of the pointers that hold it, in pixels of the profile. */
 	readonly #held = new Map<number, Point>();
 
 	protected override render(): unknown {
@@ -70,7 +70,7 @@ export class PhotoView extends LitElement {
 
 	#down(event: PointerEvent): void {
 		if (event.button !== 0 || this.#held.size > 1) return;
-		// A handle beside it has its own reach; this is not for it.
+		// Stops the event before handles nearby take it.
 		event.stopPropagation();
 		(event.currentTarget as Element).setPointerCapture(event.pointerId);
 		this.#held.set(event.pointerId, this.#at(event));

@@ -1,4 +1,4 @@
-/** Lays photographs behind flat views. */
+/** Places photographs behind flat views. */
 import { PictureError, readBitmap } from "../../../ui/read_bitmap";
 import { FILE_TOPIC } from "../../../ui/tool";
 import type { BunchContext } from "../ui/context";
@@ -7,11 +7,11 @@ import { fitted } from "./photo";
 import "./photo_controls";
 import "./photo_view";
 
-/** The longer side that is kept, in pixels: as many as a view on a large screen shows. */
+/** Longer side of a stored picture, in pixels: as many as a view on a large screen shows. */
 const LONGEST = 2000;
 const OPACITY = 0.6;
 
-/** Lays a picture behind a view, as high as the bunch; what is wrong with it is said. */
+/** Places a picture behind a view, as high as the bunch; reports errors to the user. */
 export async function placePhoto(context: BunchContext, file: Blob): Promise<void> {
 	try {
 		const picture = await readBitmap(file, LONGEST);

@@ -34,12 +34,12 @@ import thompsonSeedless from "./varieties/thompson-seedless.json";
 import wingedCylindrical from "./winged-cylindrical.json";
 
 /**
- * Shapes and fruits have the profiles of Table 3 (Huang et al. 2013); where the numbers of varieties come from is in
- * docs/varieties.md.
+ * Kinds of presets. Shapes and fruits have the profiles of Table 3 (Huang et al. 2013); docs/varieties.md lists the
+ * sources of varieties.
  *
- * The paper leaves the double bunch winged at being two bunches. Ours keeps the first one's left side narrow and sends
- * the second out over it, sagging: in the paper's procedure, a second bunch that meets the axes of the first finds no
- * room and is cut.
+ * The paper describes the double bunch winged only as two bunches. Ours keeps the first one's left side narrow and
+ * sends the second out over it, sagging: in the paper's procedure, a second bunch that meets the axes of the first
+ * finds no room and is cut.
  */
 export const PRESET_KINDS = [
 	{ key: "shape", title: "Shapes" },
@@ -47,7 +47,7 @@ export const PRESET_KINDS = [
 	{ key: "fruit", title: "Other fruits" },
 ] as const satisfies readonly PresetKind[];
 
-/** As the file holds it: choices by name. */
+/** A preset's file, which stores choices by name. */
 interface PresetFile extends Omit<Preset, "kind" | "parameters"> {
 	parameters: Readonly<Partial<Record<NumberKey, number | string>>>;
 }
@@ -88,10 +88,10 @@ export const PRESETS: readonly Preset[] = [
 ];
 
 function ofKind(kind: (typeof PRESET_KINDS)[number]["key"], files: readonly PresetFile[]): Preset[] {
-	// Varieties came with the natural procedure.
+	// Varieties were added with the natural procedure.
 	const since = kind === "variety" ? { since: 2 } : {};
 	return files.map((file) => ({ ...file, ...since, kind, parameters: numbersIn(BUNCH_TABLE, file.parameters) }));
 }
 
-/** The preset a link without `preset` means. */
+/** Preset of a link without `preset`. */
 export const DEFAULT_PRESET = "long-conical";

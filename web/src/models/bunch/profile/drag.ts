@@ -1,5 +1,5 @@
 /**
- * What a drag or an arrow key does to the profile: pure functions from parameters to new parameters, in pixels of the
+ * Effects of drags and arrow keys on the profile: pure functions from parameters to new parameters, in pixels of the
  * profile (handles.ts), clamped to the table's ranges and rounded to whole pixels.
  */
 
@@ -19,19 +19,19 @@ import {
 } from "./handles";
 
 export interface DragOptions {
-	/** Pairs whose opposite handle follows, to stay mirror images of each other. */
+	/** Pairs whose handles move as mirror images of each other. */
 	locks?: Locks;
-	/** Moves the opposite handle this once as if its pair were locked. */
+	/** Moves the opposite handle for this change as if its pair were locked. */
 	mirror?: boolean;
 }
 
-/** The nearest whole pixel in the table's range. */
+/** Returns the nearest whole pixel in the table's range. */
 export function clampPixels(key: ShapeKey, value: number): number {
 	const { min, max } = BUNCH_TABLE.entry(key) as CoreEntry;
 	return Math.min(Math.max(Math.round(value), min), max) + 0; // −0 is 0
 }
 
-/** Sets one number of the profile as its slider does: clamped, and its opposite too where the pair is locked. */
+/** Sets one number of the profile as its slider does: clamped, and its opposite too if the pair is locked. */
 export function setShapeValue<P extends Shape>(
 	parameters: P,
 	key: ShapeKey,
@@ -45,7 +45,7 @@ export function setShapeValue<P extends Shape>(
 
 const BOTH_LOCKED: Locks = { leftRight: true, frontBack: true };
 
-/** What a change of some numbers is with its locks: a side that it leaves out takes its opposite's number. */
+/** Completes a change by its locks: omitted sides take their opposite's numbers. */
 export function withOpposites<C extends Partial<Shape>>(changed: C, locks?: Locks): C {
 	const followed = { ...changed };
 	for (const side of SIDE_HANDLES) {
@@ -60,9 +60,9 @@ export function withOpposites<C extends Partial<Shape>>(changed: C, locks?: Lock
 }
 
 /**
- * Moves a handle to a point of its view. A side handle stays on its side of the axis (w ≥ 0), p2 on the axis. The
- * drop of a side may pass the tip: the table allows it and rd is held at m − 1 (section 4.2). A coordinate that is
- * not a number leaves what it would set.
+ * Moves a handle to a point of its view. A side handle stays on its side of the axis (w ≥ 0), p2 on the axis. The drop
+ * of a side may pass the tip: the table allows it and rd is limited to m − 1 (section 4.2). A coordinate of NaN leaves
+ * its number unchanged.
  */
 export function dragHandle<P extends Shape>(parameters: P, handle: Handle, { x, y }: Point, options?: DragOptions): P {
 	if (!isSide(handle)) return setShapeValue(parameters, "l", y, options);
@@ -70,7 +70,10 @@ export function dragHandle<P extends Shape>(parameters: P, handle: Handle, { x, 
 	return setShapeValue(widened, `${handle}r`, y, options);
 }
 
-/** One arrow key's step of `pixels`; undefined for another key, or one along which the handle cannot move. */
+/**
+ * Moves a handle by `pixels` for an arrow key; returns undefined for another key, or a direction in which the handle
+ * cannot move.
+ */
 export function nudgeHandle<P extends Shape>(
 	parameters: P,
 	handle: Handle,
@@ -81,17 +84,17 @@ export function nudgeHandle<P extends Shape>(
 	const arrow = ARROWS[key];
 	if (!arrow || (!isSide(handle) && arrow.y === 0)) return undefined;
 	const { x, y } = handlePosition(parameters, handle);
-	// The other coordinate goes in as "not a number", so that a step to the side leaves a fractional drop alone.
+	// The other coordinate is NaN, so that a step to the side leaves a fractional drop alone.
 	const to = { x: arrow.x ? x + arrow.x * pixels : Number.NaN, y: arrow.y ? y - arrow.y * pixels : Number.NaN };
 	return dragHandle(parameters, handle, to, options);
 }
 
-/** The same place, kept on the level or on the plumb line of where the handle started from, whichever is nearer. */
+/** Projects a point on the horizontal or the vertical through `from`, whichever is nearer. */
 export function straightened(to: Point, from: Point): Point {
 	return Math.abs(to.x - from.x) >= Math.abs(to.y - from.y) ? { x: to.x, y: from.y } : { x: from.x, y: to.y };
 }
 
-/** Whether two profiles are the same in every number that the handles set. */
+/** Returns whether two profiles agree in every number that the handles set. */
 export function sameShape(a: Shape, b: Shape, handles: readonly Handle[]): boolean {
 	return handles.every((handle) => handleKeys(handle).every((key) => a[key] === b[key]));
 }

@@ -1,10 +1,10 @@
-/** The drags of the profile's handles, in a flat view or in three dimensions: places are pixels of the handle's flat view. */
+/** Drags of the profile's handles, in a flat view or in 3-D: positions are pixels of the handle's flat view. */
 import { DragSession } from "../../../ui/handles/drag_session";
 import { type DragOptions, dragHandle, sameShape, straightened } from "./drag";
 import { type Handle, handleKeys, handlePosition, type Locks, type Shape } from "./handles";
 
 export interface ProfileHost<P extends Shape> {
-	/** Handles whose numbers a drag here may change. */
+	/** Handles whose numbers a drag may change. */
 	handles(): readonly Handle[];
 	locks(): Locks;
 	get(): P;
@@ -16,7 +16,9 @@ export interface ProfileHost<P extends Shape> {
 export type ProfileKeys = Pick<PointerEvent, "shiftKey" | "altKey">;
 export type ProfileDrags<P extends Shape> = DragSession<Handle, P, ProfileKeys>;
 
-/** Shift keeps a handle on its level or plumb line, Alt moves the opposite one with it. */
+/**
+ * Creates a drag session: Shift keeps a handle on its horizontal or vertical, Alt moves the opposite handle with it.
+ */
 export function profileDrags<P extends Shape>(host: ProfileHost<P>): ProfileDrags<P> {
 	return new DragSession<Handle, P, ProfileKeys>({
 		get: () => host.get(),

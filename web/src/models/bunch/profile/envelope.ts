@@ -1,7 +1,8 @@
 /**
- * The envelope the handles mean: what a bunch of that profile should fill (the bare octahedron would make a cylinder a
- * spindle). Per side a quarter ellipse from p1 to (w, r), straight to the narrow width at the height of axis rd,
- * constant to the tip and rounded there. Only drawn; the core decides what grows (wasm-core/src/models/bunch/paper/envelope.hpp).
+ * The envelope of the handles: the region that a bunch of that profile should fill (the bare octahedron would make a
+ * cylinder a spindle). Each side is a quarter ellipse from p1 to (w, r), straight to the narrow width at the height of
+ * axis rd, constant to the tip and rounded there. For drawing only; the core decides the growth
+ * (wasm-core/src/models/bunch/paper/envelope.hpp).
  */
 import type { Point } from "../../../ui/handles/point";
 import { PROCEDURES } from "../bunch_plant";
@@ -10,20 +11,22 @@ import { SIDE_HANDLES, SIDES, type SideHandle, UNITS_PER_PIXEL, VIEW_SIDES, type
 
 type Parameters = Specimen["parameters"];
 
-/** Pixels of the profile to a rachis segment, and to a segment of a first-order axis (section 4.2, C_l and C_w). */
+/** Pixels of the profile per rachis segment, and per segment of a first-order axis (section 4.2, C_l and C_w). */
 const PIXELS_PER_SEGMENT = 29;
 const PIXELS_PER_AXIS_SEGMENT = 25;
-/** First-order axes to a pixel of drop (section 4.2, C_r). */
+/** First-order axes per pixel of drop (section 4.2, C_r). */
 const AXES_PER_PIXEL = 0.056;
 
-/** Degrees at which a natural bunch's end structures stand out, and their twig's length in berry widths. */
+/** Angle at which a natural bunch's end structures stick out, degrees, and their twig's length in berry widths. */
 const NATURAL_AIM = 60;
 const NATURAL_TWIG = 0.35;
 
 /** Points along each quarter ellipse; at 600 pixels across the chord's error is under half a pixel. */
 const ARC_STEPS = 12;
 
-/** How far to the side one end structure reaches, in pixels: its internode and pedicel (p7, p8) and the berry. */
+/**
+ * Returns how far one end structure reaches to the side, in pixels: its internode and pedicel (p7, p8) and the berry.
+ */
 export function endReach(parameters: Parameters, w: number): number {
 	if (w < PIXELS_PER_AXIS_SEGMENT / 2) return w;
 	const natural = PROCEDURES[parameters.procedure] === "natural";
@@ -41,7 +44,7 @@ function paperReach({ li, rrf, re, rp, rmin, rmax, yaw, fit }: Parameters, w: nu
 	return (stalk * Math.abs(sine(yaw)) + rmin + rmax) / UNITS_PER_PIXEL;
 }
 
-/** Half-width of a side as the core fills it, in pixels: a natural bunch is at least one berry thick. */
+/** Returns the half-width of a side as the core fills it, in pixels: a natural bunch is at least one berry thick. */
 export function filledWidth(parameters: Parameters, handle: SideHandle): number {
 	const w = parameters[`${handle}w`];
 	if (PROCEDURES[parameters.procedure] !== "natural") return w;
@@ -59,8 +62,8 @@ export interface EnvelopeSide {
 }
 
 /**
- * One side's envelope from p1 (0, 0) to the tip (0, l), x outward. Where the drawn r or the height of axis rd lies
- * below the tip, it is held above it. rd is taken before it is rounded, so that every pixel counts.
+ * Returns one side's envelope from p1 (0, 0) to the tip (0, l), x outward. The drawn r and the height of axis rd are
+ * limited to above the tip. rd is not rounded here, so that every pixel counts.
  */
 export function sideEnvelope({ w, r, narrow, first }: EnvelopeSide, l: number): Point[] {
 	const width = Math.min(narrow, w);
@@ -81,7 +84,7 @@ export function sideEnvelope({ w, r, narrow, first }: EnvelopeSide, l: number): 
 	return points;
 }
 
-/** Both sides of a view as the data of one closed SVG path, in pixels of the profile. */
+/** Returns both sides of a view as one closed SVG path, in pixels of the profile. */
 export function envelopePath(parameters: Parameters, view: View): string {
 	const [right, left] = VIEW_SIDES[view].map((handle) => {
 		const w = filledWidth(parameters, handle);

@@ -1,7 +1,7 @@
 /**
- * Dragging a handle in three dimensions: where a pointer's ray means the handle to go. Pure maths in the bunch's frame
- * (+Y up, p1 at the origin, p3 +X, p4 −X, p5 +Z, p6 −Z), in metres; the answer is a point of the handle's 2-D view, in
- * pixels of the profile, so that drag.ts serves both.
+ * Converts a pointer's ray in 3-D to a handle's position. Pure maths in the bunch's frame (+Y up, p1 at the origin, p3
+ * +X, p4 −X, p5 +Z, p6 −Z), in metres; the result is a point of the handle's 2-D view, in pixels of the profile, so
+ * that drag.ts serves both.
  */
 import type { Point } from "../../../ui/handles/point";
 import { type Handle, handlePosition, isSide, metresPerPixel, type Shape, SIDES } from "./handles";
@@ -10,31 +10,34 @@ export type Vector = readonly [x: number, y: number, z: number];
 
 export interface Ray {
 	origin: Vector;
-	/** Of any length but zero. */
+	/** Any non-zero length. */
 	direction: Vector;
 }
 
 /**
- * What of a handle's freedom the eye can see: `plane` is its axis and the vertical; seen along that plane only a
- * line of it is left, the `level` or the `plumb` one.
+ * Visible freedom of a handle: `plane` is spanned by its axis and the vertical; seen edge-on, only the horizontal
+ * `level` or the vertical `plumb` line is left.
  */
 export type Freedom = "plane" | "level" | "plumb";
 
-/** Sine of the angle between ray and plane under which the plane counts as seen edge-on (about 10°). */
+/** Sine of the angle between ray and plane below which the plane counts as seen edge-on (about 10°). */
 const GRAZING = 0.17;
 
-/** Sine of the angle between ray and line under which the line counts as seen end-on; the pointer then says nothing. */
+/**
+ * Sine of the angle between ray and line below which the line counts as seen end-on, so that the pointer's position is
+ * undefined on it.
+ */
 const END_ON = 0.02;
 
 const length = ([x, y, z]: Vector): number => Math.hypot(x, y, z);
 const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
-/** The view's axis to the right: +X in front, +Z at the side. */
+/** Returns the rightward axis of a handle's view: +X in front, +Z at the side. */
 export function across(handle: Handle): Vector {
 	return isSide(handle) && SIDES[handle].view === "side" ? [0, 0, 1] : [1, 0, 0];
 }
 
-/** Where a handle stands. */
+/** Returns a handle's position in the bunch's frame. */
 export function handleVector(shape: Shape, handle: Handle, unit: number): Vector {
 	const { x, y } = handlePosition(shape, handle);
 	const pixel = metresPerPixel(unit);
@@ -42,19 +45,22 @@ export function handleVector(shape: Shape, handle: Handle, unit: number): Vector
 	return [ax * x * pixel, -y * pixel, az * x * pixel];
 }
 
-/** The freedom a ray can speak of; taken once, when the handle is grabbed, so that it does not change in mid-drag. */
+/**
+ * Returns the freedom that is visible along a ray; computed once, when the handle is grabbed, so that it is constant
+ * during a drag.
+ */
 export function visibleFreedom(handle: Handle, { direction }: Ray): Freedom {
 	if (!isSide(handle)) return "plumb";
 	const size = length(direction);
 	const [ax, , az] = across(handle);
-	// The plane's normal is the horizontal across its axis.
+	// The plane's normal is horizontal and perpendicular to its axis.
 	if (Math.abs(direction[0] * az - direction[2] * ax) > GRAZING * size) return "plane";
 	return Math.abs(direction[1]) < Math.abs(dot(direction, [ax, 0, az])) ? "plumb" : "level";
 }
 
 /**
- * Where the ray meets the handle's plane, or comes nearest to its level or plumb line; undefined where it says nothing
- * (seen end-on, or behind the eye).
+ * Returns the point where the ray meets the handle's plane, or comes nearest to its line; undefined if there is none
+ * (seen end-on, or behind the camera).
  */
 export function rayToView(shape: Shape, handle: Handle, freedom: Freedom, ray: Ray, unit: number): Point | undefined {
 	const at = handleVector(shape, handle, unit);
@@ -76,7 +82,7 @@ export function rayToView(shape: Shape, handle: Handle, freedom: Freedom, ray: R
 	return { x: dot(hit, axis) / pixel, y: -hit[1] / pixel };
 }
 
-/** How far along the line (through `point`, unit `line`) it comes nearest to the ray. */
+/** Returns the position along a line (through `point`, unit `line`) where it is nearest to the ray. */
 function nearestOnLine(point: Vector, line: Vector, { origin, direction }: Ray): number | undefined {
 	const size = length(direction);
 	const towards = direction.map((value) => value / size) as [number, number, number];

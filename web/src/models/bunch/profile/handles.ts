@@ -12,20 +12,20 @@ export type SideHandle = "p3" | "p4" | "p5" | "p6";
 export type Handle = "p2" | SideHandle;
 export type ShapeKey = Extract<NumberKey, "l" | `${SideHandle}${"w" | "r"}`>;
 
-/** What the handles set; a specimen's parameters are one. */
+/** Numbers that the handles set; a specimen's parameters contain them. */
 export type Shape = Record<ShapeKey, number>;
 
-/** Whether the two sides of a view move as one. */
+/** Pairs of sides that move as one. */
 export interface Locks {
 	leftRight: boolean;
 	frontBack: boolean;
 }
 
 interface Side {
-	/** The word of its sliders: `Right width`. */
+	/** Word in its sliders' labels: `Right width`. */
 	name: "right" | "left" | "front" | "back";
 	view: View;
-	/** On which side of the axis it stands in its view. */
+	/** Side of the axis in its view. */
 	sign: 1 | -1;
 	opposite: SideHandle;
 	lock: keyof Locks;
@@ -47,10 +47,10 @@ export const VIEW_SIDES: Record<View, readonly [SideHandle, SideHandle]> = { fro
 /** Width and height of the paper's view, in pixels. */
 export const VIEW_PIXELS = 600;
 
-/** Units of the paper to one pixel: a rachis segment is 50 units long and C_l = 29 pixels of the profile. */
+/** Units of the paper per pixel: a rachis segment is 50 units long and C_l = 29 pixels of the profile. */
 export const UNITS_PER_PIXEL = 50 / 29;
 
-/** Metres to one pixel of the profile; `unit` is the specimen's scale in millimetres per unit of the paper. */
+/** Returns metres per pixel of the profile; `unit` is the specimen's scale in millimetres per unit of the paper. */
 export function metresPerPixel(unit: number): number {
 	return (UNITS_PER_PIXEL * unit) / 1000;
 }
@@ -59,12 +59,12 @@ export function isSide(handle: Handle): handle is SideHandle {
 	return handle !== "p2";
 }
 
-/** The parameters a handle sets. */
+/** Returns the parameters that a handle sets. */
 export function handleKeys(handle: Handle): ShapeKey[] {
 	return isSide(handle) ? [`${handle}w`, `${handle}r`] : ["l"];
 }
 
-/** Where a handle stands in its view. */
+/** Returns a handle's position in its view. */
 export function handlePosition(shape: Shape, handle: Handle): Point {
 	if (!isSide(handle)) return { x: 0, y: shape.l };
 	// −0 is 0
@@ -74,20 +74,20 @@ export function handlePosition(shape: Shape, handle: Handle): Point {
 /** A profile with the millimetres of its unit. */
 export type ScaledShape = Shape & Record<"unit", number>;
 
-/** What a handle says of itself: "p3, right: 64.7 mm wide, 64.7 mm down". */
+/** Returns a handle's label: "p3, right: 64.7 mm wide, 64.7 mm down". */
 export function handleLabel(shape: ScaledShape, handle: Handle): string {
 	return isSide(handle)
 		? `${handle}, ${SIDES[handle].name}: ${handleValue(shape, handle)}`
 		: `p2, length: ${handleValue(shape, handle)}`;
 }
 
-/** The numbers of a handle in words: "64.7 mm wide, 64.7 mm down". */
+/** Returns a handle's numbers in words: "64.7 mm wide, 64.7 mm down". */
 export function handleValue(shape: ScaledShape, handle: Handle): string {
 	const text = (key: ShapeKey) => `${inMillimetres(shape, key)} mm`;
 	return isSide(handle) ? `${text(`${handle}w`)} wide, ${text(`${handle}r`)} down` : text("l");
 }
 
-/** A length of the profile as it is read: millimetres to a tenth. */
+/** Returns a length of the profile in millimetres, to a tenth. */
 export function inMillimetres(shape: ScaledShape, key: ShapeKey): number {
 	return Math.round(shape[key] * metresPerPixel(shape.unit) * 10_000) / 10;
 }

@@ -1,6 +1,6 @@
 /**
- * The profile in the 3-D view: the octahedron's outline and faint faces, with five handles that can be dragged there
- * as in the flat views. In metres, in the bunch's frame: add `object` where the bunch is.
+ * The profile in the 3-D view: the octahedron's outline and faint faces, with five handles that can be dragged as in
+ * the flat views. In metres, in the bunch's frame: add `object` at the bunch's position.
  */
 import { type Camera, type Group, Matrix4, Raycaster, Vector2, Vector3 } from "three";
 import { EscapeKey } from "../../../ui/handles/escape_key";
@@ -13,22 +13,25 @@ import { type OctahedronColours, OctahedronRenderer } from "./octahedron_rendere
 
 type Parameters = Specimen["parameters"];
 
-/** What the handles need of the view they live in. */
+/** Interface of the view that contains the handles. */
 export interface OctahedronHost {
 	readonly canvas: HTMLCanvasElement;
 	readonly camera: Camera;
 	requestRender(): void;
-	/** Orbit, zoom and pan rest while a handle is held. */
+	/** Orbit, zoom and pan are disabled while a handle is held. */
 	setControlsEnabled(on: boolean): void;
-	/** Whether the sides of a pair move as one. */
+	/** Pairs of sides that move as one. */
 	locks(): Locks;
-	/** Live while a handle is dragged, once a frame at most; also with what was before, when Escape calls it off. */
+	/**
+	 * Reports changed parameters during a drag, at most once a frame; when Escape cancels it, reports the original
+	 * ones.
+	 */
 	input(parameters: Parameters): void;
-	/** A drag is over, or called off. */
+	/** Reports that a drag ended or was cancelled. */
 	change(): void;
 }
 
-/** How near to a handle, in CSS pixels, a mouse or pen and a finger take hold of it. */
+/** Distance within which a mouse or pen, and a finger, grab a handle, in CSS pixels. */
 const MOUSE_REACH = 16;
 const TOUCH_REACH = 26;
 
@@ -36,7 +39,7 @@ export class OctahedronHandles {
 	readonly #host: OctahedronHost;
 	readonly #renderer: OctahedronRenderer;
 	readonly #raycaster = new Raycaster();
-	/** What of its handle's freedom each pointer sees. */
+	/** Visible freedom of each pointer's handle. */
 	readonly #freedoms = new Map<number, Freedom>();
 	readonly #drags: ProfileDrags<Parameters>;
 	readonly #escape = new EscapeKey(() => this.#cancel());
@@ -56,7 +59,8 @@ export class OctahedronHandles {
 			},
 			change: () => host.change(),
 		});
-		// In the capturing phase, so that the controls are at rest before they hear of a pointer that took a handle.
+		// In the capturing phase, so that the camera controls are disabled before they get the event of a pointer that
+		// grabbed a handle.
 		host.canvas.addEventListener("pointerdown", this.#onPointerDown, { capture: true });
 		host.canvas.addEventListener("pointermove", this.#onPointerMove);
 		host.canvas.addEventListener("pointerleave", this.#onPointerLeave);
@@ -64,7 +68,7 @@ export class OctahedronHandles {
 		host.canvas.addEventListener("lostpointercapture", this.#onPointerEnd);
 	}
 
-	/** The outline, faces and handles; place it as the bunch is placed. */
+	/** The outline, faces and handles; place it like the bunch. */
 	get object(): Group {
 		return this.#renderer.object;
 	}
@@ -172,7 +176,7 @@ export class OctahedronHandles {
 		return nearest(places, pointer, event.pointerType === "touch" ? TOUCH_REACH : MOUSE_REACH);
 	}
 
-	/** What the pointer means in the flat view of its handle. */
+	/** Returns the pointer's position in the flat view of its handle. */
 	#point(event: PointerEvent, handle: Handle): Point | undefined {
 		const parameters = this.#parameters as Parameters;
 		const freedom = this.#freedoms.get(event.pointerId) ?? "plane";

@@ -1,4 +1,4 @@
-/** The octahedron as three.js draws it: lines, faint faces, handles of constant size on the screen. */
+/** Three.js objects of the octahedron: lines, faint faces, handles of constant size on the screen. */
 import {
 	BufferAttribute,
 	BufferGeometry,
@@ -18,7 +18,7 @@ import { HANDLES, type Handle, type Shape } from "./handles";
 export interface OctahedronColours {
 	line: ColorRepresentation;
 	handle: ColorRepresentation;
-	/** The rim around a handle that sets it off from what is behind. */
+	/** Rim around a handle, which contrasts with the background. */
 	rim: ColorRepresentation;
 }
 
@@ -49,7 +49,7 @@ export class OctahedronRenderer {
 		depthWrite: false,
 		toneMapped: false,
 	});
-	/** Where the bunch hides an edge it still shows through, fainter. */
+	/** Edges behind the bunch still show through, fainter. */
 	readonly #lineMaterials = [
 		new LineBasicMaterial({ transparent: true, opacity: 0.22, depthTest: false, depthWrite: false, toneMapped: false }),
 		new LineBasicMaterial({ transparent: true, opacity: 0.6, depthWrite: false, toneMapped: false }),
@@ -110,7 +110,7 @@ export class OctahedronRenderer {
 		return new BufferGeometry().setAttribute("position", this.#corners).setIndex(index);
 	}
 
-	/** A ball that is scaled just before it is drawn, so that it keeps its size on the screen. */
+	/** Creates a sphere that is scaled just before it is drawn, so that it keeps its size on the screen. */
 	#ball(material: MeshBasicMaterial, pixels: number, order: number): Mesh {
 		const ball = new Mesh(this.#sphere, material);
 		ball.renderOrder = order;
@@ -123,7 +123,7 @@ export class OctahedronRenderer {
 		return ball;
 	}
 
-	/** Metres to one CSS pixel at the ball's depth, for perspective and orthographic cameras alike. */
+	/** Returns metres per CSS pixel at the sphere's depth, for perspective and orthographic cameras. */
 	#metresPerScreenPixel(ball: Mesh, camera: Camera): number {
 		const { elements } = camera.projectionMatrix;
 		const view = camera.matrixWorldInverse.elements;

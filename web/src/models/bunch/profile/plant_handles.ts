@@ -18,7 +18,7 @@ import {
 type Parameters = BunchSpecimen["parameters"];
 
 const VERTICAL: Vector = [0, 1, 0];
-/** Pixels of the profile to a press of an arrow key, and to one with Shift. */
+/** Pixels of the profile per press of an arrow key, and with Shift. */
 const STEP = 1;
 const LARGE_STEP = 10;
 
@@ -46,7 +46,7 @@ function handleOf(parameters: Parameters, handle: Handle): PlantHandle {
 		pull: ([x, y, z]) => to((axis[0] * x + axis[2] * z) / pixel, -y / pixel),
 		nudge: (right, up, large) => {
 			const step = large ? LARGE_STEP : STEP;
-			// What is not a number leaves its coordinate alone, a fraction of a pixel included.
+			// NaN leaves its coordinate unchanged, including a fraction of a pixel.
 			return to(right ? from.x + right * step : Number.NaN, up ? from.y - up * step : Number.NaN);
 		},
 	};

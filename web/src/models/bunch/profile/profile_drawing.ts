@@ -1,4 +1,4 @@
-/** What a view draws, as templates: state in, templates out. Coordinates in the SVG are pixels of the profile. */
+/** Templates of a view's drawing: state in, templates out. Coordinates in the SVG are pixels of the profile. */
 import { html, nothing, svg, type TemplateResult } from "lit";
 import type { Point } from "../../../ui/handles/point";
 import { drawScaleBar } from "../../../ui/handles/scale_bar";
@@ -19,12 +19,12 @@ import {
 } from "./handles";
 import { scaleBar, type ViewFrame } from "./view_frame";
 
-/** Puts content that keeps its size on the screen at a point of the profile. */
+/** Returns the transform of content that keeps its size on the screen at a point of the profile. */
 function pin(frame: ViewFrame, x: number, y: number): string {
 	return `translate(${x} ${y}) scale(${1 / frame.scale})`;
 }
 
-/** Envelope, the octahedron's outline and its axis, and p1. */
+/** Draws the envelope, the octahedron's outline and axis, and p1. */
 export function drawOutline(parameters: Specimen["parameters"], view: View, frame: ViewFrame): TemplateResult {
 	const [right, left] = VIEW_SIDES[view].map((handle) => handlePosition(parameters, handle));
 	const { l } = parameters;
@@ -38,24 +38,24 @@ export function drawOutline(parameters: Specimen["parameters"], view: View, fram
 		</g>`;
 }
 
-/** The outline that the seed's own bunch fills, where it is not the handles'. */
+/** Draws the outline that the seed's bunch fills, if it differs from the handles'. */
 export function drawOwn(parameters: Specimen["parameters"], own: OwnProfile | undefined, view: View): unknown {
 	if (!own || !differs(parameters, own)) return nothing;
 	return svg`<path class="own" d=${envelopePath({ ...parameters, ...own }, view)}></path>`;
 }
 
-/** By half a pixel somewhere. */
+/** Returns whether two profiles differ by more than half a pixel. */
 function differs(parameters: Shape, own: OwnProfile): boolean {
 	return Object.entries(own).some(([key, value]) => Math.abs(parameters[key as keyof OwnProfile] - value) > 0.5);
 }
 
-/** Where a handle is drawn, CSS pixels from the view's corner. */
+/** Returns a handle's position in CSS pixels from the view's corner. */
 export function handlePlace(shape: Shape, handle: Handle, frame: ViewFrame): Point {
 	const { x, y } = handlePosition(shape, handle);
 	return { x: (x - frame.left) * frame.scale, y: (y - frame.top) * frame.scale };
 }
 
-/** A handle's name beside its dot: out where it stands close to the axis, clear of p1's and of its opposite's. */
+/** Draws a handle's name beside its dot, shifted outwards near the axis to avoid p1's and its opposite's names. */
 export function drawName(shape: Shape, handle: Handle, frame: ViewFrame): TemplateResult {
 	const { x } = handlePosition(shape, handle);
 	const shift = isSide(handle) ? SIDES[handle].sign * Math.max(5, 19 - Math.abs(x) * frame.scale) : 0;
@@ -63,7 +63,10 @@ export function drawName(shape: Shape, handle: Handle, frame: ViewFrame): Templa
 		><span class="symbol">p</span><sub>${handle.slice(1)}</sub></span>`;
 }
 
-/** The numbers of a handle on lines from the axis and from the level of p1; those of the paper beside them where `pixels` says. */
+/**
+ * Draws a handle's numbers on lines from the axis and from the level of p1, with the paper's pixels if `pixels` is
+ * set.
+ */
 export function drawGuides(shape: ScaledShape, handle: Handle, frame: ViewFrame, pixels: boolean): TemplateResult {
 	const { x, y } = handlePosition(shape, handle);
 	const text = (key: ShapeKey) => `${inMillimetres(shape, key)} mm${pixels ? ` · ${shape[key]} px` : ""}`;
@@ -88,7 +91,7 @@ function drawValue(symbol: string, index: string, value: string, x: number, y: n
 		>${index}</tspan><tspan dy=${index ? -2 : 0}> ${value}</tspan></text>`;
 }
 
-/** A scale bar at the lower left, as on a plate. */
+/** Draws a scale bar at the lower left. */
 export function drawScale(extent: number, unit: number, frame: ViewFrame): TemplateResult {
 	const { length, label } = scaleBar(extent, unit);
 	const pixels = length * frame.scale;

@@ -1,7 +1,9 @@
-/** What a flat view tells of. */
+/** Events of a flat view. */
 import type { BunchSpecimen } from "../specimen";
 
-/** `profile-input`: live, once a frame at most. `profile-change`: a drag ended or was called off, a key stepped. */
+/**
+ * `profile-input`: live, at most once a frame. `profile-change`: a drag ended or was cancelled, or a key made a step.
+ */
 export type ProfileEvent = CustomEvent<{ parameters: BunchSpecimen["parameters"]; run?: string }>;
 
 declare global {

@@ -1,6 +1,6 @@
 import { css } from "lit";
 
-/** What the profile's views add to handle_style.ts. */
+/** Styles of the profile's views, added to handle_style.ts. */
 export const profileStyle = css`
 	:host {
 		aspect-ratio: 1;

@@ -1,6 +1,6 @@
 /**
  * `<panicle-profile view="front|side">`: one view of the octahedral profile with its handles (paper section 4.2,
- * figures 5 and 8). It draws what it is given and tells what a person does to it; the document stays with the page.
+ * figures 5 and 8). It draws its properties and reports changes as events; the page owns the document.
  */
 import { html, nothing, type PropertyValues } from "lit";
 import { HandleView } from "../../../ui/handles/handle_view";
@@ -43,15 +43,15 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 	declare view: View;
 	declare parameters: Parameters | undefined;
 	declare locks: Locks;
-	/** The bunch drawn behind; a `BunchPlant` will do. */
+	/** Bunch that is drawn behind; a `BunchPlant` fits. */
 	declare berries: DrawnBunch | undefined;
-	/** What a double click on a handle brings back, if anything. */
+	/** Parameters that a double click on a handle restores, if any. */
 	declare initial: Parameters | undefined;
-	/** Side of the square shown, in pixels of the profile; chosen to suit the parameters where it is not given. */
+	/** Side of the visible square, in pixels of the profile; chosen by the parameters if absent. */
 	declare extent: number | undefined;
-	/** Whether the numbers of a handle say the paper's pixels too. */
+	/** Whether handles' numbers include the paper's pixels. */
 	declare pixels: boolean;
-	/** Lies below all; its element comes with it (photo/photo_view.ts). */
+	/** Photograph below the view; the importer also loads its element (photo/photo_view.ts). */
 	declare photo: Photo | undefined;
 
 	protected readonly help =
@@ -59,7 +59,7 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 	readonly #silhouette = new SilhouetteDrawing();
 	readonly #steady = new SteadyExtent();
 	#refresh?: ReturnType<typeof setTimeout>;
-	/** What a drag here left, while its pointer has not gone: the handle stays below it. */
+	/** Parameters after a drag here, until its pointer leaves: the handle stays below it. */
 	#left: Parameters | undefined;
 	protected readonly drags = profileDrags<Parameters>({
 		handles: () => this.#handles(),
@@ -135,7 +135,7 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 		return parameters ? this.#handles().map((handle) => [handle, handlePlace(parameters, handle, this.#frame())]) : [];
 	}
 
-	/** Pixels of the profile. */
+	/** Converts to pixels of the profile. */
 	protected units({ x, y }: Point): Point {
 		const { left, top, scale } = this.#frame();
 		return { x: left + x / scale, y: top + y / scale };
@@ -158,7 +158,7 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 		return true;
 	}
 
-	/** Its numbers come back. */
+	/** Restores the handle's numbers. */
 	protected doubled(handle: Handle | undefined): void {
 		if (!handle || !this.initial || !this.parameters) return;
 		const parameters = { ...this.parameters };
@@ -166,7 +166,7 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 		this.#step(parameters);
 	}
 
-	/** The pointer that let go of a handle has left, or its finger was lifted. */
+	/** Runs when the pointer that released a handle has left, or its finger was lifted. */
 	readonly #gone = (): void => {
 		if (this.drags.active || !this.#left) return;
 		this.#left = undefined;

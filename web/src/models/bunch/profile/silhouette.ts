@@ -1,16 +1,16 @@
-/** The grown bunch as a line drawing behind a view: orthographic, in pixels of the profile. */
+/** Line drawing of the grown bunch behind a view: orthographic, in pixels of the profile. */
 import { type Berries, type Internodes, type OwnProfile, TRAITS } from "../bunch_plant";
 import { metresPerPixel, type View } from "./handles";
 
-/** What is drawn of a growth; a whole `BunchPlant` is one. */
+/** Drawn data of a bunch; a whole `BunchPlant` fits. */
 export interface DrawnBunch {
 	berries: Berries;
 	internodes: Internodes;
-	/** The outline it fills, where that is known. */
+	/** Outline that it fills, if known. */
 	profile?: OwnProfile;
 }
 
-/** A berry's outline: half its axes, and by how much the first is turned clockwise on the page, in radians. */
+/** Outline of a berry: half its axes, and the clockwise rotation of the first on the page, in radians. */
 export interface Outline {
 	x: number;
 	y: number;
@@ -19,16 +19,16 @@ export interface Outline {
 	turn: number;
 }
 
-/** An internode: from where to where. */
+/** Start and end of an internode. */
 export type Stroke = readonly [x1: number, y1: number, x2: number, y2: number];
 
 export interface Silhouette {
-	/** Far ones first, so that each hides what is behind it. */
+	/** Berries, farthest first, so that each hides those behind it. */
 	berries: Outline[];
 	stems: Stroke[];
 }
 
-/** Where the axes of a view lie in the bunch's frame: to the right, and towards the eye. */
+/** Axes of a view in the bunch's frame: rightward, and towards the eye. */
 const AXES: Record<View, { right: 0 | 2; eye: 0 | 2; towards: 1 | -1 }> = {
 	front: { right: 0, eye: 2, towards: 1 },
 	side: { right: 2, eye: 0, towards: -1 },
@@ -53,11 +53,11 @@ export function silhouette({ berries, internodes }: DrawnBunch, view: View, unit
 	};
 }
 
-/** The ellipse that a berry, an ellipsoid about its own direction, is seen as. */
+/** Returns the visible ellipse of a berry, an ellipsoid about its own direction. */
 function outlineOf({ directions, traits }: Berries, berry: number, right: 0 | 2, pixel: number) {
 	const [width, length] = [WIDTH, LENGTH].map((trait) => traits[TRAITS.length * berry + trait] / pixel);
 	const [along, up] = [directions[3 * berry + right], directions[3 * berry + 1]];
-	// What is seen of the direction, as a share: 1 from the side, 0 end on.
+	// Visible share of the direction: 1 from the side, 0 end on.
 	const seen = along * along + up * up;
 	const rx = Math.sqrt(seen * length * length + (1 - seen) * width * width) / 2;
 	return { rx, ry: width / 2, turn: Math.atan2(-up, along) };

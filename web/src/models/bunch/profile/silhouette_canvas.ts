@@ -1,25 +1,25 @@
 /**
- * Puts the silhouette on a canvas under the view's own lines. A bunch of 500 is 500 outlines in each of two views,
- * anew at every step of a drag: as elements of a document they cost several times what growing them does.
+ * Draws the silhouette on a canvas below the view's own lines. A bunch of 500 is 500 outlines in each of two views,
+ * redrawn at every step of a drag: as DOM elements they would cost several times as much as growing them.
  */
 import type { View } from "./handles";
 import { type DrawnBunch, type Outline, type Stroke, silhouette } from "./silhouette";
 import type { ViewFrame } from "./view_frame";
 
-/** What a drawing is made from; equal ones need no new drawing. */
+/** Inputs of a drawing; equal inputs need no redrawing. */
 export interface SilhouetteScene {
 	bunch: DrawnBunch | undefined;
 	view: View;
-	/** Millimetres to a unit of the paper. */
+	/** Millimetres per unit of the paper. */
 	unit: number;
 	frame: ViewFrame;
-	/** Pixels of the screen to a CSS pixel. */
+	/** Screen pixels per CSS pixel. */
 	ratio: number;
 	/** Any CSS colour. */
 	ink: string;
 }
 
-/** Whether both give the same drawing. */
+/** Returns whether both give the same drawing. */
 export function sameScene(one: SilhouetteScene, other: SilhouetteScene): boolean {
 	const others = ingredients(other);
 	return ingredients(one).every((ingredient, index) => ingredient === others[index]);
@@ -34,7 +34,7 @@ function ingredients({ frame, ...scene }: SilhouetteScene): unknown[] {
 const STEM = 1;
 const BERRY = 0.8;
 
-/** The part of a canvas's context that is drawn with. */
+/** Methods of a canvas's context that are used. */
 export type Pen = Pick<
 	CanvasRenderingContext2D,
 	| "setTransform"
@@ -50,19 +50,19 @@ export type Pen = Pick<
 	| "globalCompositeOperation"
 >;
 
-/** What is on a view's canvas. */
+/** Drawing on a view's canvas. */
 export class SilhouetteDrawing {
 	#drawn?: SilhouetteScene;
 	#on?: HTMLCanvasElement;
 
-	/** Draws in the canvas's own colour and at the screen's density, where anything that it is drawn from has changed. */
+	/** Draws in the canvas's own colour and at the screen's density, if any input has changed. */
 	show(canvas: HTMLCanvasElement, drawn: Omit<SilhouetteScene, "ratio" | "ink">): void {
 		const scene = { ...drawn, ratio: devicePixelRatio, ink: getComputedStyle(canvas).color };
 		if (canvas === this.#on && this.#drawn && sameScene(this.#drawn, scene)) return;
 		this.#drawn = scene;
 		this.#on = canvas;
 		const { frame, ratio, bunch } = scene;
-		// Whoever sizes a canvas wipes it.
+		// Setting a canvas's size clears it.
 		canvas.width = Math.round(frame.width * frame.scale * ratio);
 		canvas.height = Math.round(frame.height * frame.scale * ratio);
 		const pen = canvas.getContext("2d");
@@ -94,7 +94,7 @@ function inkStems(pen: Pen, stems: readonly Stroke[]): void {
 	pen.stroke();
 }
 
-/** A berry takes away the lines behind it: so the page shows through, whatever its colour. */
+/** Draws a berry and erases the lines behind it, so that the page shows through. */
 function inkBerry(pen: Pen, { x, y, rx, ry, turn }: Outline): void {
 	pen.beginPath();
 	pen.ellipse(x, y, rx, ry, turn, 0, 2 * Math.PI);

@@ -1,4 +1,4 @@
-/** How a view of the profile lies in its element: what it shows, at what scale, with what scale bar. */
+/** Frame of a view of the profile in its element: visible region, scale and scale bar. */
 import { roundLength } from "../../../ui/handles/scale_bar";
 import { PROCEDURES } from "../bunch_plant";
 import type { BunchSpecimen as Specimen } from "../specimen";
@@ -10,32 +10,32 @@ export interface ViewFrame {
 	top: number;
 	width: number;
 	height: number;
-	/** Screen (CSS) pixels to one pixel of the profile. */
+	/** CSS pixels per pixel of the profile. */
 	scale: number;
 }
 
-/** Screen pixels left free around the paper's view, so that a handle at its edge is not cut. */
+/** Margin around the paper's view in CSS pixels, so that handles at its edge are not clipped. */
 const MARGIN = 14;
 
-/** Sides of the square a view may show, in pixels of the profile: the paper's, and less for small bunches. */
+/** Sides of the visible square, in pixels of the profile: the paper's, and less for small bunches. */
 const EXTENTS = [150, 200, 250, 300, 400, 500, VIEW_PIXELS];
 
-/** Beyond them, for a seed's bunch that is longer than any that handles draw. */
+/** Larger sides, for a seed's bunch longer than the handles allow. */
 const LONGER = [720, 860, 1000, 1200];
 
-/** Room left below a side handle, in pixels of the profile. */
+/** Margin below a side handle, in pixels of the profile. */
 const BELOW_SIDE = 20;
 
-/** The parameters that say how much room a bunch takes. */
+/** Parameters that determine a bunch's extent. */
 export type Roomy = Shape & Pick<Specimen["parameters"], "procedure" | "rmax" | "size" | "unit">;
 
-/** How far pedicel and berry reach beyond the tip and the widths, in pixels of the profile. */
+/** Returns how far pedicel and berry reach beyond the tip and the widths, in pixels of the profile. */
 function beyond({ procedure, rmax, size, unit }: Roomy): number {
 	const berry = PROCEDURES[procedure] === "natural" ? size / unit : 2 * rmax;
 	return berry / UNITS_PER_PIXEL + 15;
 }
 
-/** The shape, as large as it must be to hold the seed's own as well. */
+/** Enlarges a shape to contain the seed's own profile. */
 export function withRoomFor(shape: Roomy, own: Partial<Shape> = {}): Roomy {
 	const { l = 0, ...sides } = own;
 	const larger = { ...shape, l: Math.max(shape.l, l) };
@@ -44,9 +44,9 @@ export function withRoomFor(shape: Roomy, own: Partial<Shape> = {}): Roomy {
 }
 
 /**
- * The least of the extents at which an element of that size holds the whole bunch; in the paper's 600 pixels a lychee
- * of 65 would be a speck. Steps rather than a smooth fit: a view that rescaled after every drag would unsettle. Both
- * views of a profile get the same where they are of one size, so that they compare.
+ * Returns the smallest extent with which an element of that size shows the whole bunch. Extents are steps rather than
+ * a smooth fit, since rescaling after every drag would distract. Both views of a profile get the same extent if they
+ * have one size, so that they are comparable.
  */
 export function viewExtent(shape: Roomy, width: number, height: number): number {
 	const reach = beyond(shape);
@@ -67,20 +67,20 @@ export function viewExtent(shape: Roomy, width: number, height: number): number 
 	);
 }
 
-/** Fits a square of `extent` profile pixels into an element of CSS pixels, p1 at its top centre. */
+/** Fits a square of `extent` profile pixels into an element of CSS pixels, with p1 at its top centre. */
 export function viewFrame(width: number, height: number, extent: number): ViewFrame {
 	const scale = Math.max(Math.min(width, height) - 2 * MARGIN, 1) / extent;
 	return { left: -width / (2 * scale), top: -MARGIN / scale, width: width / scale, height: height / scale, scale };
 }
 
 export interface ScaleBar {
-	/** Pixels of the profile. */
+	/** Length in pixels of the profile. */
 	length: number;
-	/** "5 cm". */
+	/** Label, as "5 cm". */
 	label: string;
 }
 
-/** The longest round length that takes at most a quarter of the view. */
+/** Returns a scale bar of the longest round length up to a quarter of the view. */
 export function scaleBar(extent: number, unit: number): ScaleBar {
 	const millimetres = UNITS_PER_PIXEL * unit;
 	const length = roundLength((extent / 4) * millimetres);

@@ -5,25 +5,26 @@ import type { BerryTint } from "../parts/berry_tint";
 import { LEAST_LIGHT } from "../parts/skin_rules";
 import { halvesOf, traitOf } from "../traits";
 
-/** What the shader is told of each berry, four numbers each. */
+/** Attributes of each berry for the shader, four numbers each. */
 const ATTRIBUTES = ["centre", "nature", "posed", "ripened", "unripened", "formed"] as const;
 const STRIDE = 4 * ATTRIBUTES.length;
 
 /**
- * What each berry has of its own, in the order in which they are drawn:
+ * Attributes of each berry, in the order in which they are drawn:
  *
  *     centre     x, y, z, reach of its vertices      nature     index, mean share of the sky, exposure, 0
  *     posed      direction, phase                    ripened    log of ripe colour, bloom
  *     unripened  log of unripe colour, turned        formed     half width, half length, shrivel, seeds
  */
 export class BerryInstances {
-	/** By index. */
+	/** Records by berry index. */
 	#records = new Float32Array(0);
 	#buffer: InstancedInterleavedBuffer | undefined;
 
 	/**
+	 * Sets the berries.
 	 * @param reaches of each berry's vertices from its centre
-	 * @param skies share of the sky that each sees (skiesOf)
+	 * @param skies sky visibility of each berry (skiesOf)
 	 */
 	show(berries: Berries, tint: (berry: number) => BerryTint, reaches: Float32Array, skies: Float32Array): void {
 		const records = new Float32Array(STRIDE * berries.count);
@@ -42,7 +43,7 @@ export class BerryInstances {
 		this.#records = records;
 	}
 
-	/** Puts the berries of these indices, in this order, into the geometry that draws them. */
+	/** Writes the berries of these indices, in this order, into the geometry that draws them. */
 	order(geometry: InstancedBufferGeometry, indices: readonly number[]): void {
 		const buffer = this.#roomFor(geometry, indices.length);
 		const array = buffer.array as Float32Array;
@@ -67,7 +68,7 @@ export class BerryInstances {
 	}
 }
 
-/** Pigment absorbs, so a turning skin's colours mix as their logarithms do. */
+/** Returns a colour's logarithms: colours of pigments mix as their logarithms. */
 function logarithmOf(colour: Colour): Colour {
 	return colour.map((value) => Math.log(value + LEAST_LIGHT)) as Colour;
 }

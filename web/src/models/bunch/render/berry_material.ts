@@ -4,10 +4,10 @@ import type { Skin } from "../parts/skin";
 import { BERRY_FRAGMENT, BERRY_VERTEX } from "./berry_shader";
 import type { SharedUniforms } from "./lamp_shader";
 
-/** No berry. */
+/** Index of no berry. */
 export const NONE = -1;
 
-/** The one material of all berries. */
+/** Creates the material shared by all berries. */
 export function berryMaterial(shared: SharedUniforms): ShaderMaterial {
 	return new ShaderMaterial({
 		name: "berry",
@@ -37,7 +37,7 @@ export function berryMaterial(shared: SharedUniforms): ShaderMaterial {
 	});
 }
 
-/** Dresses the berries in a skin. */
+/** Sets the material's skin. */
 export function setSkin({ uniforms }: ShaderMaterial, skin: Skin): void {
 	const { ripeFlesh, unripeFlesh, fruit } = skin;
 	uniforms.ripeAbsorption.value.fromArray(ripeFlesh.absorption);
@@ -50,6 +50,6 @@ export function setSkin({ uniforms }: ShaderMaterial, skin: Skin): void {
 	uniforms.grooveDepth.value.fromArray(fruit.depth);
 	for (const key of ["bloom", "lenticels", "uneven"] as const) uniforms[key].value = skin[key];
 	for (const key of ["rind", "veins", "scar"] as const) uniforms[key].value = fruit[key];
-	// Only clear flesh lets seeds be seen; where none can be, the shader does not look for them.
+	// Seeds are visible through clear flesh only; otherwise the shader skips them.
 	uniforms.seedsSeen.value = smoothstep(0.35, 0.85, Math.max(ripeFlesh.translucency, unripeFlesh.translucency));
 }

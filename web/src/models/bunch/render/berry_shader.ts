@@ -23,7 +23,7 @@ import { FLESH_CHUNK } from "./flesh_shader";
 import { LAMP_CHUNK } from "./lamp_shader";
 import { SKIN_CHUNK } from "./skin_shader";
 
-/** What a vertex hands to the pixels: whatever is smooth enough over a berry to be settled at its few hundred vertices. */
+/** Varyings from vertices to pixels: values smooth enough over a berry to be computed at its few hundred vertices. */
 const VARYINGS = /* glsl */ `
 flat varying vec4 pose;
 flat varying vec4 form;
@@ -39,8 +39,8 @@ varying vec3 toEye;
 `;
 
 /**
- * An instance is a berry, with what berry_instances.ts says of it; \`uv\` is its pattern's, its vertices are fetched from a
- * texture (packVertices).
+ * Vertex shader. An instance is a berry with the attributes of berry_instances.ts; \`uv\` is its pattern's, and its
+ * vertices are fetched from a texture (packVertices).
  */
 export const BERRY_VERTEX = /* glsl */ `
 attribute vec4 centre;
@@ -91,7 +91,7 @@ void main() {
 
 	vec3 v = normalize(toEye);
 	float nv = dot(n, v);
-	// Out of sight, and so is every triangle it is a corner of.
+	// A vertex facing away: so do all triangles at it.
 	if (nv < -0.3) return;
 	vec2 lamps = caster_texel(berry, 0).xy;
 	vec3 at = in_ball(from, pose.xyz, form);
@@ -99,7 +99,7 @@ void main() {
 	place.w = lamps.y;
 	facing.w = key_share(berry, point);
 
-	// Its colour: turned or not. Pigment absorbs: colours mix as logarithms do.
+	// Colour by how far it has turned. Colours of pigments mix as logarithms.
 	float turned = turned_at(unripened.w, dot(at, pose.xyz), chart.w, 0.5);
 	hue = vec4(exp(mix(unripened.rgb, ripened.rgb, turned)), clearness(turned, form));
 	float gilt = 0.0;
@@ -108,7 +108,7 @@ void main() {
 		hue.rgb *= mix(vec3(1.0), ${vec3(AMBER.colour)}, gilt);
 	}
 
-	// The surroundings: gathered, and mirrored. Neighbours hide the sky from the horizon up: what they leave is taken for a
+	// Ambient light and reflections. Neighbours hide the sky from the horizon up: the visible part is approximated by a
 	// cone about the normal.
 	mat3 toView = mat3(viewMatrix);
 	ambient = vec4(diffuse_surroundings(toView * n), 1.0);
@@ -122,17 +122,18 @@ void main() {
 		vec3 keyward = towards_in_ball(keyDirection, pose.xyz, form);
 		vec3 rimward = towards_in_ball(rimDirection, pose.xyz, form);
 		glow.rgb = 0.11 * mix(0.35, 1.0, sky) * scattered(path, absorption, keyward, key.irradiance * lamps.x, rimward, rim.irradiance * lamps.y);
-		// Light that has gone to and fro in the flesh comes out all round, in its colour: the berry glows, most where it is lit.
+		// Light scattered many times in the flesh comes out on all sides, in its colour: the berry glows, most where it
+		// is lit.
 		float facingKey = 0.5 + 0.5 * dot(n, keyDirection);
 		vec3 within = key.irradiance * (lamps.x * mix(0.15, 0.6, facingKey)) + rim.irradiance * (0.4 * lamps.y) + 3.2 * ambient.rgb * mix(0.7, 1.0, sky);
 		glow.rgb += 0.065 * within * exp(-1.2 * absorption);
-		// What stands behind is not looked for: the more is about a berry, the less is seen through it.
+		// The background is not sampled: the more neighbours a berry has, the less is seen through it.
 		glow.rgb += gloss_surroundings(toView * bent) * exp(-absorption * path.run) * mix(0.03, 0.4, nature.y * nature.y);
 	}
 }
 `;
 
-/** The skin, the flesh behind it and the wax on it. */
+/** Fragment shader: the skin, the flesh behind it and the wax on it. */
 export const BERRY_FRAGMENT = /* glsl */ `
 ${VARYINGS}
 uniform vec3 wax;
@@ -172,7 +173,7 @@ void main() {
 	float dull = mix(0.07, 0.5, max(rind, 0.6 * shrivel));
 	float open = glow.w * (1.0 - ${float(CREVICE.pressed)} * pressed) * mix(${float(1 - CREVICE.groove)}, 1.0, high);
 
-	// Its colour, mottled, marked where pedicel and style were.
+	// Colour, mottled, marked at pedicel and style.
 	vec3 skin = hue.rgb;
 	skin *= (${float(MOTTLE.least)} + ${float(MOTTLE.span)} * mix(0.5, coarse, ${float(MOTTLE.share)} + ${float(MOTTLE.uneven)} * uneven)) * (0.94 + 0.12 * fine);
 	skin = mix(skin * grooves, skin, high);
@@ -191,7 +192,7 @@ void main() {
 		skin = mix(skin, skin * ${float(SEAT.skin)} + ${vec3(SEAT.colour)}, ${float(SEAT.share)} * seat);
 	}
 
-	// Where wax lies: all over, thinner below, patchy, rubbed off where berries touch and where something brushed by.
+	// Wax: all over, thinner below, patchy, rubbed off where berries touch or are brushed.
 	float waxed = 0.0;
 	if (bloom > 0.0) {
 		float rubbed = (1.0 - ${step(WAX.pressed, `pressed + ${float(WAX.pressedFine)} * (fine - 0.5)`)}) * ${step(WAX.brushed, `coarse + ${float(WAX.fine)} * fine`)};
@@ -214,7 +215,7 @@ void main() {
 	vec3 albedo = mix(skin, sqrt(skin) * ${vec3(AMONG_CLEAR)}, clear);
 	vec3 colour = skin * (wrapped + sky * bounced(open, albedo));
 
-	// Light through the flesh, less where seeds stand in its way.
+	// Light through the flesh, reduced by seeds.
 	if (clear > 0.03) {
 		vec3 through = glow.rgb;
 		if (veins > 0.0) through *= 1.0 + 0.45 * veins * (vein(chart.xy, fine) - 0.3);
@@ -226,7 +227,7 @@ void main() {
 	}
 	colour = mix(colour, wax * (white + sky * open), waxed);
 
-	// The mirror of the skin.
+	// Specular reflection of the skin.
 	float grazing = 1.0 - nv;
 	float fresnel = 0.035 + 0.6 * grazing * grazing * grazing * grazing * grazing;
 	float taut = (1.0 - 0.8 * waxed) * (1.0 - 0.75 * rind) * (1.0 - 0.7 * shrivel) * (1.0 - 0.7 * marked) * (1.0 - 0.6 * dots) * (1.0 - 0.85 * pressed) * (1.0 - 0.8 * halo);
@@ -237,7 +238,7 @@ void main() {
 	if (place.w > 0.0 && near_window(dot(r, rimDirection), rim.extent.xy, 0.15 + blur)) mirror += rim.radiance * (reflected_window(rim.toFrame * (mat3(viewMatrix) * r), rim.extent, 0.15 + blur) * place.w);
 	colour += mirror * fresnel * taut;
 
-	// The berry pointed at: lifted, with a bright outline.
+	// The highlighted berry: brighter, with a bright outline.
 	if (dress.y > 0.5) colour = mix(1.25 * colour + 0.04, vec3(1.0, 0.93, 0.82), 0.85 * smoothstep(0.55, 0.25, nv));
 
 	gl_FragColor = vec4(displayed(colour), 1.0);

@@ -2,12 +2,12 @@ import { clamp } from "../../../plant/colour";
 import { fromUp, placeVectors, rows } from "../../../plant/orientation";
 import type { Berries, BerrySurfaces, BunchPlant, SharedBerry } from "../bunch_plant";
 
-/** Texels of vertices side by side in one row of their texture. */
+/** Vertices per row of their texture. */
 export const VERTICES_PER_ROW = 1024;
 
 /**
- * The surface of every berry: its own where the procedure gave it one, else the shared berry at each sphere. Undefined
- * where only the skeleton was asked for.
+ * Returns the surfaces of all berries: their own if the procedure made them, else the shared berry at each sphere.
+ * Undefined if only the skeleton was requested.
  */
 export function surfacesOf({ surfaces, berry, berries }: BunchPlant): BerrySurfaces | undefined {
 	return surfaces ?? (berry && placedEverywhere(berry, berries));
@@ -28,13 +28,14 @@ function placedEverywhere(berry: SharedBerry, { count, spheres, directions }: Be
 	return { uvs, indices, positions, normals, pressed, sky };
 }
 
-/** Of two 16-bit numbers in a word. */
+/** Steps of the 16-bit numbers in a word. */
 const STEPS = 65535;
 
 /**
- * Packs vertices into texels of four words, low half first: x and y; z, `pressed` and `sky` in 8 bits each; the normal's
- * octahedral map (Cigolle et al. 2014, "A survey of efficient representations for independent unit vectors"); nothing.
- * Places count from the berry's centre in shares of its reach, −1 … 1. The vertex shader (berry_shader.ts) unpacks them.
+ * Packs vertices into texels of four words, low half first: x and y; z, `pressed` and `sky` in 8 bits each; the
+ * normal's octahedral map (Cigolle et al. 2014, "A survey of efficient representations for independent unit vectors");
+ * unused. Positions are relative to the berry's centre, as shares of its reach, −1 … 1. The vertex shader
+ * (berry_shader.ts) unpacks them.
  * @param words at least 4 × vertices
  * @returns the reach of each berry, metres
  */
@@ -72,7 +73,7 @@ export function packVertices(
 	return reaches;
 }
 
-/** Two numbers of −STEPS / 2 … STEPS / 2, the first in the lower half. */
+/** Packs two numbers of −STEPS / 2 … STEPS / 2, the first in the lower half. */
 function packed(first: number, second: number): number {
 	return (
 		(Math.round(clamp(first + 0.5 * STEPS, 0, STEPS)) | (Math.round(clamp(second + 0.5 * STEPS, 0, STEPS)) << 16)) >>> 0
@@ -91,7 +92,7 @@ function packedNormal(x: number, y: number, z: number): number {
 	return packed(0.5 * STEPS * u, 0.5 * STEPS * v);
 }
 
-/** How much of the sky each berry sees, 0 … 1: the mean over its surface. */
+/** Returns the sky visibility of each berry, 0 … 1: the mean over its surface. */
 export function skiesOf({ uvs, sky }: BerrySurfaces, count: number): Float32Array {
 	const skies = new Float32Array(count).fill(1);
 	if (!sky) return skies;

@@ -20,19 +20,19 @@ import { type Receivers, receiversOf } from "./receivers";
 import { capsulesOf } from "./shadow_capsules";
 import { WARM_UP_BUNCH, WARM_UP_LOOK } from "./warm_up";
 
-/** Of so many points of the foliage, one counts for the fit. */
+/** One of this many points of the foliage counts for the camera fit. */
 const LEAF_POINTS = 8;
 
-/** Which receiver a vertex belongs to: of stems its internode, of flowers the berry that they are to be. */
+/** Shader chunks that find a vertex's receiver: of stems its internode, of flowers their berry. */
 const OF_STEM =
 	"attribute uint internode;\nuniform int firstInternode;\nvec2 lamp_shares(vec3 point) { return shares_of(firstInternode + int(internode), point); }";
 const OF_FLOWER =
 	"attribute float ownerBerry;\nvec2 lamp_shares(vec3 point) { return shares_of(int(ownerBerry), point); }";
 
-/** `stems` shows the stems without berries, withered pedicels marked (the paper's figure 14). */
+/** Display modes: `stems` shows the stems without berries, with withered pedicels marked (the paper's figure 14). */
 export const BUNCH_MODES = ["whole", "stems"] as const;
 
-/** A bunch with its berries' flesh, wax and shadows; `pick` and `mark` know berries by their ids. */
+/** Renders a bunch with its berries' flesh, wax and shadows; `pick` and `mark` use berry ids. */
 export class BunchRenderer implements ModelRenderer<Dress, BunchPlant> {
 	readonly modes = BUNCH_MODES;
 	readonly #stage: RendererStage;
@@ -127,7 +127,7 @@ export class BunchRenderer implements ModelRenderer<Dress, BunchPlant> {
 		this.#surface.sort(camera);
 	}
 
-	/** The berry nearest along the ray. Stems hide nothing. */
+	/** Returns the id of the nearest berry along a ray. Stems do not occlude. */
 	pick(ray: Ray): number | undefined {
 		if (!this.#grown || this.#mode !== "whole") return undefined;
 		const { berries } = this.#grown;
@@ -157,7 +157,7 @@ export class BunchRenderer implements ModelRenderer<Dress, BunchPlant> {
 	}
 }
 
-/** The figure of bunches. */
+/** Creates the renderer of bunches. */
 export function bunchRenderer(stage: RendererStage): BunchRenderer {
 	return new BunchRenderer(stage);
 }

@@ -36,8 +36,8 @@ export interface PartMaterials {
 }
 
 /**
- * The meshes of a bunch: all berries as instances of one pattern whose vertices stand in a texture, all open flowers as
- * instances of one, all stems as one, all leaves as one. Buffers are kept from bunch to bunch.
+ * Meshes of a bunch: all berries as instances of one pattern whose vertices are in a texture, all open flowers as
+ * instances, all stems as one mesh, all leaves as one. Buffers are reused from bunch to bunch.
  */
 export class BunchSurface {
 	readonly group = new Group();
@@ -62,11 +62,11 @@ export class BunchSurface {
 			FOLIAGE_KINDS.map((kind) => foliage[kind]),
 		);
 		this.#flowers = new Flowers(this.group, flower);
-		// After the berries, which hide most of them.
+		// Drawn after the berries, which hide most of them.
 		this.#stems.renderOrder = 1;
 	}
 
-	/** Puts a bunch's geometry in place of the last one's. */
+	/** Replaces the geometry by another bunch's. */
 	show(grown: BunchPlant, look: Look, tint: (berry: number) => BerryTint): void {
 		this.#shown = { grown, look };
 		const surfaces = surfacesOf(grown);
@@ -80,7 +80,7 @@ export class BunchSurface {
 		this.#setVisible();
 	}
 
-	/** Whether the stems stand without berries, the withered ones marked. */
+	/** Whether the stems are shown without berries, with withered ones marked. */
 	set bare(bare: boolean) {
 		if (bare === this.#bare) return;
 		this.#bare = bare;
@@ -106,7 +106,7 @@ export class BunchSurface {
 	#part<G extends BufferGeometry, M extends Material | Material[]>(name: string, geometry: G, material: M): Mesh<G, M> {
 		const part = new Mesh(geometry, material);
 		part.name = name;
-		// Buffers are larger than what is in them, and the berries' shader places them: three's bounds would be wrong.
+		// Buffers are larger than their content, and the berries' shader places them: three's bounds would be wrong.
 		part.frustumCulled = false;
 		part.visible = false;
 		this.group.add(part);
@@ -142,7 +142,7 @@ export class BunchSurface {
 			fillStreams(this.#stems.geometry, stemStreams(grown, stem, look.stem, this.#bare), stem.indices);
 	}
 
-	/** Pictures are drawn anew where they are others, not with every step of a drag. */
+	/** Updates the leaves' textures, only when they change, not with every step of a drag. */
 	#dressLeaves(veins: Veins | undefined, autumn: number): void {
 		if (this.#dressed?.veins === veins && this.#dressed?.autumn === autumn) return;
 		this.#dressed = { veins, autumn };

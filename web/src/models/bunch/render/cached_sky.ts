@@ -1,17 +1,17 @@
 /**
- * The sky of a bunch in passing. While a hand moves a handle, the core is not asked how much of the sky each vertex
- * sees, a fifth of a step: berries and stems keep what they saw when it was last asked. It changes little from step to
- * step, and is asked for when the hand rests.
+ * Sky visibility of previews. During a drag the core does not compute sky visibility, a fifth of a step's time:
+ * berries and stems reuse the last known values, which change little from step to step. The core computes them when
+ * the drag pauses.
  */
 import type { BerrySurfaces, BunchPlant, Internodes, SharedBerry, StemMesh } from "../bunch_plant";
 
-/** Sky of vertices without a likeness in the bunch before. */
+/** Sky visibility of vertices without a counterpart in the previous bunch. */
 const OPEN = 255;
 
 export class CachedSky {
 	#last: BunchPlant | undefined;
 
-	/** The bunch with what is known of its sky; as it is, where none was ever told. */
+	/** Returns the bunch with the last known sky visibility; unchanged if none is known. */
 	of(grown: BunchPlant): BunchPlant {
 		if (!grown.stem || grown.stem.sky) {
 			this.#last = grown;
@@ -30,7 +30,7 @@ export class CachedSky {
 	}
 }
 
-/** Each berry has the sky of the berry of its id; one that is new, of the berries' mean. */
+/** Takes each berry's sky from the previous berry of its id; a new berry gets the mean. */
 function ofBerries(surface: BerrySurfaces | SharedBerry, { berries }: BunchPlant, last: BunchPlant): Uint8Array {
 	const each = surface.uvs.length / 2;
 	const before = (last.surfaces ?? last.berry)?.sky;
@@ -44,7 +44,7 @@ function ofBerries(surface: BerrySurfaces | SharedBerry, { berries }: BunchPlant
 	return sky;
 }
 
-/** Each internode has the mean sky of the one that was of its kind and its place among them, or of the last. */
+/** Takes each internode's sky from the previous internode of its kind and its rank among them, or the last one's. */
 function ofStems(
 	stem: StemMesh,
 	internodes: Internodes,
@@ -80,7 +80,7 @@ function byKind({ kind }: Internodes): Map<number, number[]> {
 	return members;
 }
 
-/** The sky of a mesh of as many vertices as before; of another, its mean. */
+/** Takes the sky of the previous mesh if it has as many vertices; otherwise its mean. */
 function fitting(before: Uint8Array | undefined, vertices: number): Uint8Array {
 	if (before?.length === vertices) return before;
 	return new Uint8Array(vertices).fill(before ? mean(before) : OPEN);

@@ -3,29 +3,29 @@ import { lampHidden } from "../../../render/occlusion";
 import { SphereIndex } from "../../../render/sphere_index";
 import type { Receivers } from "./receivers";
 
-/** Spheres between a receiver and the key light that are looked at one by one, at each vertex. */
+/** Spheres between a receiver and the key light that the shader tests individually, at each vertex. */
 export const CASTERS = 9;
 /** Texels of one receiver's record; see `Casters.cast`. */
 export const CAST_RECORD = 1 + CASTERS;
 
 const MAX_FOUND = 512;
 
-/** A lamp: the direction towards it (unit length, in the bunch's frame) and the tangent of its apparent radius. */
+/** A light: the direction towards it (unit length, in the bunch's frame) and the tangent of its apparent radius. */
 export interface Lamp {
 	direction: Vector;
 	spread: number;
 }
 
 /**
- * Who stands in whose light. What casts on a receiver lies in one column of light, so the spheres are sorted in the
- * plane across the light's direction and only the column is searched.
+ * Finds occluders. Occluders of a receiver lie in one column of light, so the spheres are sorted in the plane across
+ * the light's direction and only the column is searched.
  */
 export class Casters {
 	readonly #found = new Uint32Array(MAX_FOUND);
 	readonly #nearest = new Int32Array(CASTERS);
 	readonly #distances = new Float64Array(CASTERS);
 	#across = new Float32Array(0);
-	/** What the shares of key and rim light in the records were worked out for. */
+	/** Inputs from which the records' shares of key and rim light were computed. */
 	readonly #settled: (Settled | undefined)[] = [];
 
 	/**
@@ -34,7 +34,7 @@ export class Casters {
 	 *     0   share of the key and of the rim light that reaches the receiver's centre
 	 *     1…  the nearest spheres in the key light's way, centre and radius; 0 ends the list
 	 *
-	 * What was worked out for the same receivers and lamp stays, in the same `records`: only turning is work.
+	 * Results for the same receivers and lights are reused, in the same `records`: only rotation costs time.
 	 * @returns whether anything was written
 	 */
 	cast(receivers: Receivers, key: Lamp, rim: Lamp, records: Float32Array): boolean {
@@ -76,7 +76,7 @@ export class Casters {
 		}
 	}
 
-	/** Insertion into the short list, nearest first. */
+	/** Inserts a sphere into the short list, nearest first. */
 	#insert(j: number, distance: number, listed: number): number {
 		const distances = this.#distances;
 		if (listed === CASTERS && distance >= distances[listed - 1]) return listed;
@@ -115,7 +115,7 @@ function same(one: Lamp, other: Lamp): boolean {
 	return one.spread === other.spread && one.direction.every((value, k) => value === other.direction[k]);
 }
 
-/** The spheres seen along one direction: two coordinates across it, one along. */
+/** The spheres in coordinates of one direction: two across it, one along. */
 class Column {
 	readonly #index: SphereIndex;
 	readonly #u: Vector;
@@ -143,12 +143,12 @@ class Column {
 		this.#index = new SphereIndex(across);
 	}
 
-	/** Spheres that may stand in the light of a receiver; remembers where the receiver is. */
+	/** Returns spheres that may occlude a receiver; stores the receiver's position. */
 	near(x: number, y: number, z: number, extent: number, spread: number, found: Uint32Array): number {
 		this.#atU = dot(this.#u, x, y, z);
 		this.#atV = dot(this.#v, x, y, z);
 		const { reach } = this.#index;
-		// Penumbrae widen with distance; past about eight berries little is left to hide.
+		// Penumbrae widen with distance; beyond about eight berries little is hidden.
 		return this.#index.near(this.#atU, this.#atV, 0, extent + reach * (1 + 16 * spread), found);
 	}
 

@@ -1,4 +1,4 @@
-/** The order in which things are drawn: nearest first, so that the depth test spares the pixels of those behind. */
+/** Draw order: nearest first, so that the depth test skips the pixels of those behind. */
 export class DepthOrder {
 	#spheres: Float32Array = new Float32Array(0);
 	#depths = new Float64Array(0);
@@ -6,8 +6,8 @@ export class DepthOrder {
 	#from: readonly number[] | undefined;
 
 	/**
-	 * Other things to order. Where they are as many as before, they start in the order of those: from frame to frame little
-	 * changes.
+	 * Sets the spheres to order. If their number is unchanged, the previous order is the start, since little changes
+	 * from frame to frame.
 	 * @param spheres 4 × count: centre, radius
 	 */
 	reset(spheres: Float32Array): void {
@@ -19,12 +19,12 @@ export class DepthOrder {
 		this.#indices = Array.from({ length: count }, (_, i) => i);
 	}
 
-	/** In the order of the last `sort`; the same array until the next `reset`. */
+	/** Indices in the order of the last `sort`; the same array until the next `reset`. */
 	get indices(): readonly number[] {
 		return this.#indices;
 	}
 
-	/** Sorts by the distance from `eye`; tells whether there was anything to do. */
+	/** Sorts by the distance from `eye`; returns whether the eye has moved. */
 	sort({ x, y, z }: { x: number; y: number; z: number }): boolean {
 		const from = this.#from;
 		if (from && from[0] === x && from[1] === y && from[2] === z) return false;

@@ -14,7 +14,7 @@ import { flowerColours } from "../parts/foliage_colour";
 
 type Drawn = InstancedMesh<BufferGeometry, MeshStandardMaterial>;
 
-/** The flowers: of each kind of piece as many instances as there are of it. */
+/** Renders flowers: one instanced mesh per kind of piece. */
 export class Flowers {
 	readonly #group: Group;
 	readonly #material: MeshStandardMaterial;
@@ -26,8 +26,8 @@ export class Flowers {
 	}
 
 	/**
-	 * Puts a bunch's flowers in place of the last one's. They come and go with the age; nothing is kept of them.
-	 * @param skies share of the sky that each berry sees (skiesOf); all of it where absent
+	 * Replaces the flowers by another bunch's. They appear and disappear with age; nothing is reused.
+	 * @param skies sky visibility of each berry (skiesOf); all of the sky if absent
 	 */
 	show(grown: BunchPlant, skies?: Float32Array): void {
 		this.dispose();

@@ -2,14 +2,14 @@ import type { LightUniforms } from "../../../render/light_shader";
 import { RECORDS_PER_ROW } from "../../../render/record_texture";
 import { CAST_RECORD, CASTERS } from "./casters";
 
-/** What every material of a bunch is made with: the light, and who stands in it. */
+/** Uniforms of every material of a bunch: the light, and its occluders. */
 export type SharedUniforms = LightUniforms & {
 	casterRecords: { value: unknown };
-	/** 0 where the stems stand bare: berries then throw no shadow. */
+	/** 0 if only stems are shown: berries then cast no shadow. */
 	berriesShown: { value: number };
 };
 
-/** What berries leave of the lamps' light, for vertex shaders; after LIGHT_CHUNK. */
+/** Shader functions for the light that berries do not occlude, for vertex shaders; after LIGHT_CHUNK. */
 export const LAMP_CHUNK = /* glsl */ `
 uniform highp sampler2D casterRecords;
 uniform float berriesShown;
@@ -17,7 +17,7 @@ vec4 caster_texel(int receiver, int texel) {
 	return texelFetch(casterRecords, ivec2((receiver % ${RECORDS_PER_ROW}) * ${CAST_RECORD} + texel, receiver / ${RECORDS_PER_ROW}), 0);
 }
 
-// Share of the key light that passes the spheres in a point's way.
+// Share of the key light that passes the spheres in front of a point.
 float key_share(int receiver, vec3 point) {
 	float share = 1.0;
 	for (int i = 0; i < ${CASTERS}; i++) {
@@ -33,7 +33,7 @@ float key_share(int receiver, vec3 point) {
 	return share;
 }
 
-// The same, and the share of the rim light that reaches the receiver's centre.
+// That share, and the share of the rim light that reaches the receiver's centre.
 vec2 shares_of(int receiver, vec3 point) {
 	return berriesShown < 0.5 ? vec2(1.0) : vec2(key_share(receiver, point), caster_texel(receiver, 0).y);
 }

@@ -1,11 +1,11 @@
 import type { Foliage } from "../bunch_plant";
 
-/** Discs that a leaf's shadow is laid with. */
+/** Number of discs that approximate a leaf's shadow. */
 const DISCS = 28;
-/** Their radius as a share of the leaf's half breadth: neighbours overlap, the outline stays a leaf's. */
+/** Radius of a disc as a share of the leaf's half width: neighbours overlap, and the outline remains leaf-like. */
 const SHARE = 0.24;
 
-/** Leaves as balls, for the soft shadow they cast on the paper: 4 numbers each, centre and radius in metres. */
+/** Returns leaves as spheres, for their soft shadow on the paper: 4 numbers each, centre and radius in metres. */
 export function leafDiscs({ parts, positions }: Foliage): Float32Array {
 	const discs: number[] = [];
 	for (const { kind, firstVertex, vertexCount } of parts) {
@@ -19,7 +19,7 @@ export function leafDiscs({ parts, positions }: Foliage): Float32Array {
 	return Float32Array.from(discs);
 }
 
-/** The longest side of the points' box. */
+/** Returns the longest side of the points' bounding box. */
 function extentOf(points: Float32Array): number {
 	let longest = 0;
 	for (let k = 0; k < 3; k++) {

@@ -3,8 +3,8 @@ import type { Berries } from "../bunch_plant";
 import { halvesOf } from "../traits";
 
 /**
- * The berry nearest along a ray, as an index; undefined where it meets none. Berries are taken for ellipsoids of their
- * width and length about their direction, as they are before they press against each other.
+ * Returns the index of the nearest berry along a ray; undefined if there is none. Berries are treated as ellipsoids of
+ * their width and length about their direction, as before contacts flatten them.
  */
 export function pickBerry(berries: Berries, ray: Ray): number | undefined {
 	let best: number | undefined;
@@ -16,13 +16,13 @@ export function pickBerry(berries: Berries, ray: Ray): number | undefined {
 	return best;
 }
 
-/** How many of its direction's lengths a ray goes to the first point of berry `i` that it meets. */
+/** Returns the ray parameter of the first intersection with berry `i`, in lengths of its direction. */
 function meeting(berries: Berries, i: number, { origin, direction }: Ray): number | undefined {
 	const { spheres, directions } = berries;
 	const [width, length] = halvesOf(berries, i);
 	const axis: Vector = [directions[3 * i], directions[3 * i + 1], directions[3 * i + 2]];
 	const from: Vector = [origin[0] - spheres[4 * i], origin[1] - spheres[4 * i + 1], origin[2] - spheres[4 * i + 2]];
-	// Into the space where the berry is the unit ball: lengths along the axis shrink by more than those across it.
+	// In the space where the berry is the unit ball: lengths along the axis shrink by more than those across it.
 	const shrink = width / length - 1;
 	const scaled = (v: Vector) => v.map((value, k) => (value + dot(v, axis) * shrink * axis[k]) / width);
 	const [p, d] = [scaled(from) as unknown as Vector, scaled(direction) as unknown as Vector];

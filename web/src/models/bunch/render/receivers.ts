@@ -2,19 +2,19 @@ import { SphereIndex } from "../../../render/sphere_index";
 import type { Berries, BunchPlant } from "../bunch_plant";
 import { halvesOf } from "../traits";
 
-/** From these lengths over widths on, a berry stands in the light as two spheres, as three. */
+/** Ratios of length to width from which on two, and three, spheres represent a berry. */
 const TWO = 1.35;
 const THREE = 2.1;
 
-/** What the lamps shine on: berries first, then internodes; and what stands in the lamps' way, the berries. */
+/** Receivers of light: berries first, then internodes; and the occluders, the berries. */
 export interface Receivers {
-	/** Berries and internodes. */
+	/** Number of berries and internodes. */
 	count: number;
-	/** 4 × count: centre, and how far it reaches. */
+	/** 4 × count: centre, and reach from it. */
 	bodies: Float32Array;
-	/** The berries as spheres: one for a round berry, a row of them for a long one. */
+	/** Spheres of the berries: one for a round berry, a row of them for a long one. */
 	index: SphereIndex;
-	/** The berry that each of those belongs to. */
+	/** Berry of each sphere. */
 	owner: Uint32Array;
 }
 
@@ -39,7 +39,7 @@ export function receiversOf({ berries, internodes }: Pick<BunchPlant, "berries" 
 	return { count, bodies, index: new SphereIndex(spheres), owner };
 }
 
-/** The spheres that stand in the light for the berries. */
+/** Returns the spheres that represent the berries as occluders. */
 function rowsOf(berries: Berries): { spheres: Float32Array; owner: Uint32Array } {
 	const spheres: number[] = [];
 	const owner: number[] = [];

@@ -1,13 +1,19 @@
-/** What of a bunch casts its shadow on the paper: berries, stems, and leaves as balls. */
+/** Shapes of a bunch that cast its shadow on the paper: berries, stems, and leaves as spheres. */
 import type { Capsules } from "../../../render/capsule_shadow";
 import { type BunchPlant, INTERNODE_KINDS } from "../bunch_plant";
 import { halvesOf } from "../traits";
 import { leafDiscs } from "./leaf_discs";
 
-/** Among berries only rachis and axes show; the many short stems would cost more than all else. */
+/**
+ * Last kind of internode that casts among berries: only rachis and axes are visible, and the many short stems would
+ * cost most.
+ */
 const SEEN_AMONG_BERRIES = INTERNODE_KINDS.indexOf("axis");
 
-/** @param withBerries false for bare stems */
+/**
+ * Returns the shapes.
+ * @param withBerries false for bare stems
+ */
 export function capsulesOf(grown: BunchPlant, withBerries: boolean): Capsules {
 	const begins: number[] = [];
 	const ends: number[] = [];
@@ -34,7 +40,10 @@ function addBerries({ berries }: BunchPlant, begins: number[], ends: number[]): 
 	}
 }
 
-/** @param last kind of internode that casts */
+/**
+ * Adds stems.
+ * @param last kind of internode that casts
+ */
 function addStems({ internodes }: BunchPlant, last: number, begins: number[], ends: number[]): void {
 	const { count, kind, radii } = internodes;
 	for (let i = 0; i < count; i++) {

@@ -2,8 +2,8 @@ import { float } from "../../../render/glsl";
 import { FURROWS } from "../parts/skin_rules";
 
 /**
- * What the skin itself is like at a point, without light. `at` is the point in ball space (the berry scaled to the unit
- * ball), `chart` its u and v.
+ * Shader functions for the skin's own properties at a point, without light. `at` is the point in berry space (the
+ * berry scaled to the unit ball), `chart` its u and v.
  */
 export const SKIN_CHUNK = /* glsl */ `
 uniform float rind;
@@ -20,7 +20,7 @@ vec3 rough(vec3 n, vec3 at, float height) {
 	return normalize(n - height * (slope - n * dot(n, slope)));
 }
 
-// Small corky dots; too small to see, they fade.
+// Small corky dots; they fade when smaller than a pixel.
 float lenticel(vec3 at, float phase) {
 	vec3 place = at * 11.0 + phase * 37.0;
 	vec3 cell = floor(place);

@@ -1,16 +1,17 @@
-/** The stems' vertices as the view shows them: as they grew, or bare, with what has withered marked. */
+/** Vertex streams of the stems for the view: as grown, or bare, with withered pedicels marked. */
 import { linear } from "../../../plant/colour";
 import type { Stream } from "../../../render/streams";
 import { type BunchPlant, INTERNODE_STATES, type StemMesh } from "../bunch_plant";
 import { stemColours } from "../parts/stem_colour";
 
 const MARKED = linear("c2334f");
-/** Marked pedicels are short and thin: swollen by this share of their radius, they are seen. */
+/** Share of their radius by which marked pedicels are enlarged, since they are short and thin. */
 const SWELLING = 0.6;
 
 /**
+ * Returns the stems' vertex streams.
  * @param hex the look's stem colour
- * @param bare without berries: all of the sky is open, and withered pedicels are marked
+ * @param bare without berries: all of the sky is visible, and withered pedicels are marked
  */
 export function stemStreams(grown: BunchPlant, stem: StemMesh, hex: string, bare: boolean): Stream[] {
 	const colours = stemColours(grown, stem, hex);
@@ -24,7 +25,7 @@ export function stemStreams(grown: BunchPlant, stem: StemMesh, hex: string, bare
 	];
 }
 
-/** Marks withered pedicels in `colours`; returns where their vertices then are. */
+/** Marks withered pedicels in `colours`; returns their enlarged vertex positions. */
 function marked(
 	{ internodes }: BunchPlant,
 	{ positions, normals, internode }: StemMesh,

@@ -1,10 +1,13 @@
-/** Triangles looked at together. Software draws 128 at a time and keeps 64 vertices meanwhile; these have about as many. */
+/**
+ * Triangles ordered together: software renderers draw 128 at a time with a cache of 64 vertices; these have about as
+ * many.
+ */
 const TOGETHER = 64;
 
 /**
- * The same triangles in an order in which vertices that have not been met follow each other, first three a triangle, then
- * two, then one. Software works vertices out by fours of the list from the first it has not kept: of neighbouring
- * triangles most of the four are the same again.
+ * Reorders triangles for software renderers: triangles with three new vertices first, then two, then one. Such
+ * renderers process vertices in fours, from the first uncached one of the list: neighbouring triangles then share most
+ * of the four.
  * @param indices 3 × triangles
  */
 export function triangleOrder(indices: Uint32Array): Uint32Array {
@@ -23,7 +26,7 @@ function orderOf(indices: Uint32Array): number[] {
 		let turned = false;
 		left = left.filter((corners) => {
 			if (corners.filter((corner) => !met.has(corner)).length < fresh) return true;
-			// Old ones first and old ones last by turns, so that fresh ones meet.
+			// Known vertices alternately first and last, so that new ones adjoin.
 			ordered.push(...fromOld(corners, met, turned));
 			turned = !turned;
 			for (const corner of corners) met.add(corner);
@@ -33,7 +36,7 @@ function orderOf(indices: Uint32Array): number[] {
 	return ordered;
 }
 
-/** A triangle's corners, round the same way, with those that have been met first, or last. */
+/** Rotates a triangle's corners, so that known ones come first, or last. */
 function fromOld(corners: number[], met: ReadonlySet<number>, last: boolean): number[] {
 	const turns = [0, 1, 2].map((k) => [...corners.slice(k), ...corners.slice(0, k)]);
 	return turns.find((turn) => met.has(turn[last ? 2 : 0]) && !met.has(turn[last ? 0 : 2])) ?? corners;

@@ -4,7 +4,7 @@ import type { Look } from "../specimen";
 
 const side: PlanSide = { w: 0, r: 0, n: 0, rd: 0 };
 
-/** A triangle too small to see. */
+/** A triangle too small to be visible. */
 const SPECK: Mesh = {
 	positions: new Float32Array(9),
 	normals: new Float32Array([0, 1, 0, 0, 1, 0, 0, 1, 0]),
@@ -12,7 +12,7 @@ const SPECK: Mesh = {
 	indices: new Uint32Array([0, 1, 2]),
 };
 
-/** A bunch too small to see. Drawing it makes the GPU's driver build the programs before the first real one arrives. */
+/** A bunch too small to be visible. Drawing it compiles the shader programs before the first real bunch arrives. */
 export const WARM_UP_BUNCH: BunchPlant = {
 	...EMPTY_PLANT,
 	procedure: "natural",

@@ -4,7 +4,7 @@ import { FRUIT_SET } from "../words";
 import { isNatural } from "./context";
 import { FLOWER } from "./icons";
 
-/** The stages of a bunch's life. Past ripe, a bunch is named for where it goes from there on. */
+/** Stages of a bunch's life. Past ripe, a bunch is named after the next stage. */
 export const LIFE: Life = {
 	parameter: "age",
 	label: "Age",

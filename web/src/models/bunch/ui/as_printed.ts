@@ -5,7 +5,10 @@ import { type BunchContext, type BunchTool, isPaper } from "./context";
 
 type Bent = Pick<BunchSpecimen["parameters"], "fit" | "vary">;
 
-/** The switch between the paper's letter and what is bent of it; what it was bent by before is kept for the way back. */
+/**
+ * Switch between the paper's method as printed and our modifications of it; its state stores the modified values for
+ * switching back.
+ */
 export const asPrinted: BunchTool<Bent | undefined> = {
 	name: "asPrinted",
 	initial: undefined,
@@ -22,12 +25,12 @@ export const asPrinted: BunchTool<Bent | undefined> = {
 	},
 };
 
-/** Whether nothing of the paper's letter is bent. */
+/** Returns whether a bunch follows the paper as printed. */
 export function isAsPrinted({ parameters }: Pick<BunchSpecimen, "parameters">): boolean {
 	return parameters.fit === 0 && parameters.vary === 0;
 }
 
-/** `fit` and `vary` to 0, or back to the values they had before (else the preset's). */
+/** Sets `fit` and `vary` to 0, or back to their previous values (else the preset's). */
 export function setAsPrinted(context: BunchContext, on: boolean): void {
 	const { specimen } = context.state;
 	const { fit, vary } = specimen.parameters;

@@ -1,17 +1,20 @@
-/** Where a berry sits, in the words of someone who looks at the bunch; and the order in which they are gone through. */
+/** Describes a berry's place as seen by an observer, and orders berries from the top down. */
 import { type Berries, TRAITS } from "../bunch_plant";
 
-/** Below this share of a berry's distance from the axis a direction goes without saying. */
+/** Share of a berry's distance from the axis below which a direction is not mentioned. */
 const SLANT = 0.38;
-/** Berries nearer to the axis than this share of the widest are inside. */
+/** Share of the widest distance from the axis below which a berry is inside. */
 const INSIDE = 0.3;
 
-/** Indices of all berries, from the top of the bunch down. */
+/** Returns the indices of all berries, from the top of the bunch down. */
 export function fromTheTop({ count, spheres }: Berries): number[] {
 	return Array.from({ length: count }, (_, berry) => berry).sort((a, b) => spheres[4 * b + 1] - spheres[4 * a + 1]);
 }
 
-/** "at the top, front left": height in thirds of the bunch, direction as seen from the front. */
+/**
+ * Describes a berry's place, "at the top, front left": height in thirds of the bunch, direction as seen from the
+ * front.
+ */
 export function placeInWords(berries: Berries, berry: number): string {
 	let [top, bottom, widest] = [Number.NEGATIVE_INFINITY, Number.POSITIVE_INFINITY, 0];
 	for (let at = 0; at < 4 * berries.count; at += 4) {
@@ -37,7 +40,7 @@ function directionInWords(x: number, z: number, widest: number): string {
 	return words.filter((word) => word !== "").join(" ");
 }
 
-/** "18 mm", "8.5 mm": a berry's width. */
+/** Describes a berry's width: "18 mm", "8.5 mm". */
 export function widthInWords({ traits }: Berries, berry: number): string {
 	const millimetres = traits[TRAITS.length * berry + TRAITS.indexOf("width")] * 1000;
 	return `${millimetres < 10 ? Math.round(millimetres * 10) / 10 : Math.round(millimetres)} mm`;

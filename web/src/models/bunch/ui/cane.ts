@@ -2,10 +2,10 @@ import type { BunchSpecimen } from "../specimen";
 import { type BunchTool, isNatural } from "./context";
 import { LEAF } from "./icons";
 
-/** As many leaves as hang beside a bunch without hiding it. */
+/** Number of leaves that hang beside a bunch without hiding it. */
 const LEAVES = 2;
 
-/** The piece of cane that the bunch hangs from, with its leaves. */
+/** Button for the cane that the bunch hangs from, and its leaves. */
 export const cane: BunchTool<undefined> = {
 	name: "cane",
 	initial: undefined,
@@ -18,7 +18,7 @@ export const cane: BunchTool<undefined> = {
 	key: { letter: "v", does: "Cane and leaves, and back" },
 };
 
-/** Leaves bring the cane along. */
+/** Returns whether the cane is shown; leaves include it. */
 export function onCane({ parameters }: Pick<BunchSpecimen, "parameters">): boolean {
 	return parameters.cane === 1 || parameters.leaves > 0;
 }

@@ -4,7 +4,10 @@ import type { BunchPlant } from "../bunch_plant";
 import type { BunchSpecimen } from "../specimen";
 import { thinning } from "./thinning";
 
-/** What the stepper has to know of bunches: internodes, and as organs the berries, each with its own surface or as the ball they share. */
+/**
+ * Geometry of a bunch for the derivation stepper: internodes, and berries as organs, each with its own surface or the
+ * shared one.
+ */
 export const derivation: DerivationSource<BunchSpecimen, BunchPlant> = {
 	drawn: berriesDrawn,
 	renderer: async () => new (await import("../../../render/lit_renderer")).LitRenderer(),

@@ -5,7 +5,7 @@ import { procedureOf } from "../schema";
 import type { BunchSpecimen } from "../specimen";
 import { BUNCH_TABLE } from "../table";
 
-/** The bunch's texts, one for each procedure. */
+/** Source of a bunch's text for the editor, one for each procedure. */
 export const grammar: GrammarSource<BunchSpecimen> = {
 	noun: "bunch",
 	group: "branching",

@@ -1,6 +1,6 @@
 import { svg } from "lit";
 
-/** Line drawings on a 20 × 20 field (ui/icons.ts). */
+/** Icons: line drawings on a 20 × 20 grid (ui/icons.ts). */
 export const STEMS = svg`<path d="M10 2.5V17M10 6l4.5 3M10 6 5.5 9M10 10.5l3.5 2.5M10 10.5 6.5 13"/>`;
 export const OCTAHEDRON = svg`<path d="M10 2.5 16 9l-6 8.5L4 9zM4 9l6 2.5L16 9M10 2.5v9M10 11.5v6"/>`;
 export const MIRROR = svg`<path d="M10 3v14M7.5 6 3 10l4.5 4zM12.5 6l4.5 4-4.5 4z"/>`;

@@ -1,7 +1,7 @@
 import { html } from "lit";
 import type { BunchContext, BunchTool } from "./context";
 
-/** Says that the grammar's inputs do not follow the handles, and offers to let them again. */
+/** Shows that the grammar's inputs do not follow the handles, with a button to reset them. */
 export const inputs: BunchTool = {
 	name: "inputs",
 	initial: undefined,

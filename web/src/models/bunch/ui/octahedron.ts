@@ -7,7 +7,7 @@ import type { BunchContext, BunchState, BunchTool } from "./context";
 import { OCTAHEDRON } from "./icons";
 import { sides } from "./sides";
 
-/** The profile in the 3-D view, with its handles. */
+/** Tool: the profile in the 3-D view, with its handles. */
 export const octahedron: BunchTool<boolean> = {
 	name: "octahedron",
 	initial: false,
@@ -17,13 +17,13 @@ export const octahedron: BunchTool<boolean> = {
 	interaction: (view, context) => new OctahedronInteraction(view, context),
 };
 
-/** An outline or a handle near the view's edge must stay whole: style/stage.css. */
+/** Class of a canvas that must not be cropped, since outline or handles may be near its edge: style/stage.css. */
 const WHOLE_SURFACE = "handles";
 
 class OctahedronInteraction implements ToolInteraction<BunchSpecimen, BunchPlant> {
 	readonly #view: ToolView;
 	readonly #context: BunchContext;
-	/** Loaded when first asked for. */
+	/** Handles, loaded on first use. */
 	#handles: Promise<OctahedronHandles | undefined> | undefined;
 	#dark: boolean | undefined;
 	#disposed = false;
@@ -61,7 +61,7 @@ class OctahedronInteraction implements ToolInteraction<BunchSpecimen, BunchPlant
 		if (shown) handles.update(this.#context.state.specimen.parameters);
 	}
 
-	/** Where the script does not come, the tool is off again, and the next press asks for it anew. */
+	/** Loads the handles; on failure the tool turns off, and the next press retries. */
 	async #fetch(): Promise<OctahedronHandles | undefined> {
 		try {
 			return await this.#create();
@@ -100,7 +100,7 @@ function coloursOf(element: Element): OctahedronColours {
 	return { line: colour("--ink"), handle: colour("--wine"), rim: colour("--paper") };
 }
 
-/** `light-dark()` as the plain colour it means here. */
+/** Resolves `light-dark()` to a plain colour. */
 function resolve(colour: string): string {
 	const probe = document.createElement("i");
 	probe.style.color = colour;

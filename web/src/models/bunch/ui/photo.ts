@@ -5,7 +5,10 @@ import { FILE_TOPIC } from "../../../ui/tool";
 import type { Photo } from "../photo/photo";
 import type { BunchContext, BunchTool } from "./context";
 
-/** A photograph that lies behind a flat view, to fit the handles to. It is the page's alone: in no link, in no file, sent nowhere. */
+/**
+ * Tool: a photograph behind a flat view, to fit the handles to. It remains in the page: links and files do not contain
+ * it, and it is never uploaded.
+ */
 export const photo: BunchTool<Photo | undefined> = {
 	name: "photo",
 	initial: undefined,
@@ -17,7 +20,7 @@ export const photo: BunchTool<Photo | undefined> = {
 	},
 };
 
-/** Fetches what lays it (photo/place_photo.ts), and does. */
+/** Loads photo/place_photo.ts and places a photograph. */
 async function takePhoto(context: BunchContext, file: Blob): Promise<void> {
 	const again = () => void takePhoto(context, file);
 	const placing = await import("../photo/place_photo").catch(() => undefined);
@@ -29,7 +32,7 @@ async function takePhoto(context: BunchContext, file: Blob): Promise<void> {
 		});
 }
 
-/** Changes what there is of it; nothing where it has gone. */
+/** Changes the photograph; does nothing if it has been removed. */
 export function changePhoto(context: BunchContext, change: Partial<Photo>): void {
 	const before = context.toolState(photo);
 	if (before) context.setToolState(photo, { ...before, ...change });

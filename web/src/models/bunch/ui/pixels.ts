@@ -2,7 +2,7 @@ import { html } from "lit";
 import { OWN_LENGTHS } from "../../../ui/own_lengths";
 import type { BunchTool } from "./context";
 
-/** The switch that shows the paper's pixels beside the millimetres. */
+/** Switch that shows the paper's pixels beside the millimetres. */
 export const pixels: BunchTool<boolean> = {
 	...OWN_LENGTHS,
 	panel: {

@@ -8,7 +8,7 @@ import { pixels } from "./pixels";
 import { sides } from "./sides";
 import "../profile/profile_view";
 
-/** One flat view of the octahedral profile with its handles. */
+/** Creates the tool of one flat view of the octahedral profile. */
 function profile(view: View, title: string): BunchTool {
 	return { name: view, initial: undefined, editor: { title, draw: (context) => draw(context, view) } };
 }

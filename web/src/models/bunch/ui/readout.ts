@@ -15,7 +15,7 @@ const SIDES = [
 	["Back", "p₆"],
 ] as const;
 
-/** Why a berry is not there, for many and for one. */
+/** Reasons for missing berries, for several and for one. */
 const WHY: Readonly<Record<(typeof THINNED_WHY)[number], readonly [many: string, one: string]>> = {
 	"": ["for no reason told", "for no reason told"],
 	"not set": ["flowers that set no berry", "flower that set no berry"],
@@ -24,7 +24,7 @@ const WHY: Readonly<Record<(typeof THINNED_WHY)[number], readonly [many: string,
 	"by hand": ["taken off by hand", "taken off by hand"],
 };
 
-/** The numbers of a bunch: what is not there and why, and the paper's own. */
+/** Numbers of a bunch: missing berries with reasons, and the paper's own numbers. */
 export function readout(grown: BunchPlant, { parameters: { l, unit } }: BunchSpecimen): unknown {
 	const scale = 1000 * metresPerPixel(unit);
 	const { counts, procedure, plan, second } = grown;
@@ -39,13 +39,13 @@ export function readout(grown: BunchPlant, { parameters: { l, unit } }: BunchSpe
 		${planTable(plan, "Each side", scale)} ${second ? planTable(second, `Second bunch, m ${second.m}`, scale) : nothing}`;
 }
 
-/** The class of the skin's colour, which is of the look and not measured by the core. */
+/** Row of the class of the skin's colour, which belongs to the look and is not measured by the core. */
 export function skinRow({ look }: BunchSpecimen): ReadoutRow {
 	const found = skinClass(look);
 	return { ...SKIN_COLOUR, group: "berries", text: found.words, found };
 }
 
-/** How many berries are not there, by reason. */
+/** Lists the numbers of missing berries by reason. */
 function missing({ thinned }: BunchPlant): unknown {
 	const reasons = THINNED_WHY.map((why) => ({ why, count: thinned.filter((each) => each.why === why).length }));
 	const given = reasons.filter(({ count }) => count > 0);
@@ -56,7 +56,10 @@ function missing({ thinned }: BunchPlant): unknown {
 
 const tenths = (value: number) => Math.round(10 * value) / 10;
 
-/** @param scale millimetres to one pixel of the outline */
+/**
+ * Draws a plan as a table.
+ * @param scale millimetres per pixel of the outline
+ */
 function planTable(plan: Plan, caption: string, scale: number): unknown {
 	return html`<table>
 		<caption>${caption}</caption>

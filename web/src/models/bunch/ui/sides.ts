@@ -8,7 +8,7 @@ import { MIRROR } from "./icons";
 
 type Pair = keyof Locks;
 
-/** Whether the two sides of a pair move as one, and what exchanges them. */
+/** Tool that locks the two sides of a pair, or swaps them. */
 export const sides: BunchTool<Locks> = {
 	name: "sides",
 	initial: { leftRight: false, frontBack: false },
@@ -16,7 +16,7 @@ export const sides: BunchTool<Locks> = {
 		const { leftRight, frontBack } = (stored ?? {}) as Partial<Record<Pair, unknown>>;
 		return { leftRight: leftRight === true, frontBack: frontBack === true };
 	},
-	// A change that names both sides of a pair is left alone.
+	// A change of both sides of a pair stays as it is.
 	follow: ({ parameters, ...change }, context) =>
 		parameters
 			? { ...change, parameters: withOpposites(parameters as Partial<Shape>, context.toolState(sides)) }
@@ -24,21 +24,21 @@ export const sides: BunchTool<Locks> = {
 	panel: { group: "shape", place: "below", draw },
 };
 
-/** Locking brings the two sides together at once, so that what is shown is what is locked. */
+/** Locks or unlocks a pair; locking equalises its sides at once, so that the view shows the locked state. */
 export function toggleLock(context: BunchContext, pair: Pair): void {
 	const locks = context.toolState(sides);
 	context.setToolState(sides, { ...locks, [pair]: !locks[pair] });
 	if (!locks[pair]) context.set({ parameters: brought(context.state.specimen, pair) });
 }
 
-/** Left takes right's numbers, back takes front's. */
+/** Copies right to left, or front to back. */
 function brought({ parameters }: BunchSpecimen, pair: Pair): Partial<Shape> {
 	const side = pair === "leftRight" ? "p3" : "p5";
 	const { opposite } = SIDES[side];
 	return { [`${opposite}w`]: parameters[`${side}w`], [`${opposite}r`]: parameters[`${side}r`] };
 }
 
-/** Exchanges the two sides of a pair; every number is named, so that locks have nothing to add. */
+/** Swaps the two sides of a pair; sets every number, so that locks change nothing. */
 export function mirror(context: BunchContext, pair: Pair): void {
 	const { parameters } = context.state.specimen;
 	context.set({ parameters: pair === "leftRight" ? mirrorLeftRight(parameters) : mirrorFrontBack(parameters) });

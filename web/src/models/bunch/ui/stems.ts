@@ -1,7 +1,7 @@
 import type { BunchTool } from "./context";
 import { STEMS } from "./icons";
 
-/** Leaves the berries away in the 3-D view, and marks withered pedicels. */
+/** Tool that hides the berries in the 3-D view and marks withered pedicels. */
 export const stems: BunchTool<boolean> = {
 	name: "stems",
 	initial: false,

@@ -6,13 +6,13 @@ import { THIN } from "./icons";
 import { stems } from "./stems";
 
 export interface ThinningState {
-	/** Whether a click in the 3-D view takes a berry off. */
+	/** Whether a click in the 3-D view removes a berry. */
 	readonly on: boolean;
-	/** Id of the berry that is pointed at, in the view or on the panel. */
+	/** Id of the berry that is highlighted, by the pointer or in the panel. */
 	readonly marked: number | undefined;
 }
 
-/** Thinning by hand: the pointer's way in the 3-D view, and in the panel the way without one. */
+/** Tool for thinning by hand, by pointer in the 3-D view or in the panel. */
 export const thinning: BunchTool<ThinningState> = {
 	name: "thinning",
 	initial: { on: false, marked: undefined },
@@ -47,19 +47,19 @@ export const thinning: BunchTool<ThinningState> = {
 	},
 };
 
-/** Points at a berry, or at none. */
+/** Highlights a berry, or none. */
 export function mark(context: BunchContext, id: number | undefined): void {
 	const state = context.toolState(thinning);
 	if (id !== state.marked) context.setToolState(thinning, { ...state, marked: id });
 }
 
-/** Takes a berry off; the mark goes on to `next`. */
+/** Removes a berry and highlights `next`. */
 export function takeOff(context: BunchContext, id: number, next?: number): void {
 	context.replace(thin(context.state.specimen, id));
 	mark(context, next);
 }
 
-/** Gives back every berry that was taken off. */
+/** Restores every removed berry. */
 export function putBack(context: BunchContext): void {
 	context.replace(unthinAll(context.state.specimen));
 }

@@ -9,13 +9,13 @@ import { THIN } from "./icons";
 import { mark, putBack, takeOff, thinning } from "./thinning";
 
 /**
- * Thinning by hand without a pointer: a slider goes from berry to berry, from the top of the bunch down, and the view
- * marks where it is; Delete or the button takes the berry off. The pointer's way is in the 3-D view.
+ * Panel for thinning without a pointer: a slider goes from berry to berry, from the top of the bunch down, and the
+ * view highlights the berry; Delete or the button removes it.
  */
 export class Thinning extends ControlElement<BunchContext> {
 	#orderOf: Berries | undefined;
 	#order: number[] = [];
-	/** Where the slider was last, so that it stays there when its berry goes. */
+	/** Last position of the slider, which stays when its berry is removed. */
 	#at = 0;
 
 	protected override draw(context: BunchContext): unknown {
@@ -55,12 +55,15 @@ export class Thinning extends ControlElement<BunchContext> {
 		this.addEventListener("focusout", this.#left);
 	}
 
-	/** The mark goes when the focus goes elsewhere; where it goes nowhere, a press on a button may have taken it. */
+	/**
+	 * Removes the highlight when the focus moves elsewhere; if it moves nowhere, a press on a button may have taken
+	 * it.
+	 */
 	readonly #left = ({ relatedTarget }: FocusEvent): void => {
 		if (relatedTarget instanceof Node && !this.contains(relatedTarget)) mark(this.context, undefined);
 	};
 
-	/** Keeps the order and the slider's place in step with what has grown and what is marked. */
+	/** Updates the order and the slider's position from the grown berries and the highlight. */
 	#follow({ berries }: BunchPlant, marked: number | undefined): void {
 		if (berries !== this.#orderOf) {
 			this.#orderOf = berries;
@@ -97,7 +100,7 @@ export class Thinning extends ControlElement<BunchContext> {
 	};
 }
 
-/** "Berry 12 of 143, at the top, front left, 18 mm". */
+/** Describes a berry: "Berry 12 of 143, at the top, front left, 18 mm". */
 function described(berries: Berries, place: number, berry: number): string {
 	return `Berry ${place + 1} of ${berries.count}, ${placeInWords(berries, berry)}, ${widthInWords(berries, berry)}`;
 }

@@ -1,4 +1,4 @@
-/** The page's side of the bunch: loaded with the first bunch, in a page alone. */
+/** User interface of the bunch, loaded with the first bunch. */
 import { html } from "lit";
 import { steppedScene } from "../../../grammar_editor/derivation_tool";
 import { grammarTools } from "../../../grammar_editor/grammar_tool";
