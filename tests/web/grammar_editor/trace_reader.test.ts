@@ -17,7 +17,7 @@ function traced({ step, first = 0, count = WINDOW }: TraceRequest, steps = 12): 
 	return { counts, step: at, first, modules, segments: new Uint32Array(0), organs: new Uint32Array(0) };
 }
 
-/** Asks that are answered by hand. */
+/** Requests that the test answers by hand. */
 function byHand() {
 	const requests: {
 		request: TraceRequest;
@@ -73,7 +73,7 @@ describe("a derivation read window by window", () => {
 		requests[2].answer();
 		await settle();
 		expect(shown(reader)).toBe("A(7,0)");
-		// What was answered meanwhile is kept.
+		// Windows that arrived meanwhile are in the cache.
 		reader.want({ step: 11, about: 0 });
 		expect(shown(reader)).toBe("A(11,0)");
 		expect(requests).toHaveLength(3);

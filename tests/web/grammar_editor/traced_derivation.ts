@@ -1,4 +1,7 @@
-/** Lindenmayer's algae (A → AB, B → A) told as the core tells a derivation, worked out here: a source for what asks of one. */
+/**
+ * Derivation trace of Lindenmayer's algae (A → AB, B → A), computed here in the core's format: a test source of
+ * traces.
+ */
 import type { DerivationTrace, ModuleSpan, TraceRequest } from "../../../web/src/plant/derivation_trace";
 
 interface Written {
@@ -24,7 +27,7 @@ function stringsOf(steps: number): Written[][] {
 	return strings;
 }
 
-/** What the core tells of it; a segment for each module of the last string, in turn. */
+/** Returns the trace as the core reports it, with one segment for each module of the last string, in order. */
 export function algae({ step, first = 0, count = 2000, module }: TraceRequest, steps: number): DerivationTrace {
 	const strings = stringsOf(steps);
 	const at = Math.min(step, steps);

@@ -13,7 +13,7 @@ import { WORDS } from "../../../web/src/grammar_editor/words.generated";
 const named = (kind: string) => WORDS.filter((word) => word.kind === kind).map(({ name }) => name);
 const TEXT =
 	"#define angle 35 /* a turn */\n#role axis A\naxiom: A(5)\nA(n) : n>0 --> F(angle) [ +(abs(n)) A(n-1) ]\n  B";
-/** What is offered where a mark stands. */
+/** Returns the completions offered at a mark. */
 const offered = (text: string, word = "") => {
 	const place = text.indexOf("¦");
 	return optionsFor(text.replace("¦", ""), place, word, ["axis", "end"], LSYSTEM).map(({ label }) => label);

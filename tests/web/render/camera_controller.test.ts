@@ -9,7 +9,7 @@ const profile = (count: number, length: number) => {
 	return boundingProfileOf({ spheres: bunch.berries.spheres, points: bunch.internodes.ends });
 };
 
-/** As much of an element as OrbitControls asks for. */
+/** The part of an element that OrbitControls uses. */
 function element(): HTMLElement {
 	const stub = {
 		style: {},
@@ -131,7 +131,7 @@ describe("CameraController", () => {
 	});
 
 	it("keeps all of a plant in the picture that bends aside and grows while pointers do not turn it, and never comes nearer", () => {
-		// A stem of balls that bends to the right by an angle, as long as said.
+		// Returns a stem of spheres of a given length that bends to the right by an angle.
 		const stem = (length: number, degrees: number) => {
 			const spheres: number[] = [];
 			let [x, y] = [0, 0];

@@ -149,7 +149,7 @@ describe("the figure of any plant", () => {
 			marks[0].geometry.computeBoundingBox();
 			expect(marks[0].geometry.boundingBox?.getCenter(new Vector3()).x).toBeCloseTo(x, 5);
 		}
-		// What it is one of is marked more softly, and itself no twice.
+		// Members of the same group are marked more softly, and each triangle is marked once.
 		figure.mark(1, new Set([1, 2]));
 		const marks = meshes().slice(4);
 		expect(marks.map(({ geometry }) => geometry.index?.count)).toEqual([12, 12]);

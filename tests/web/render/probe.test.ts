@@ -3,7 +3,7 @@ import { describe, expect, it } from "vitest";
 import { blurred, COSINE_SHARPNESS, rigOf } from "../../../web/src/render/light";
 import { probeOf } from "../../../web/src/render/probe";
 
-/** What a matt white surface facing `n` gathers, by three's own formula. */
+/** Irradiance on a matt white surface with normal `n`, by three's own formula. */
 function gathered(n: Vector3, camera = new Matrix4()): Vector3 {
 	return probeOf(rigOf("light").surroundings, camera).getIrradianceAt(n, new Vector3()).divideScalar(Math.PI);
 }

@@ -38,7 +38,7 @@ describe("the figure of what bounds a plant", () => {
 		const figure = new ShellRenderer();
 		figure.show([{ points: corners, triangles: faces }], "red");
 		const first = [...(edgesIn(figure).index?.array ?? [])];
-		// Any edges would do: what is known of these triangles is not looked for again.
+		// Edges of these triangles come from the cache, so the new positions do not change them.
 		const flat = corners.map((value, i) => (i % 3 === 1 ? 0 : value));
 		figure.show([{ points: corners.map((value) => value + 2), triangles: faces }], "red");
 		expect(ends(edgesIn(figure))).toContain("2,2,2 – 2,2,3");

@@ -13,7 +13,7 @@ describe("StageLight", () => {
 		camera.updateMatrixWorld();
 		light.aim(camera);
 		const { x, y, z } = rigOf("light").key.direction;
-		// Seen from +X, what was to the right is −Z and what was behind the viewer +X.
+		// Seen from +X, the viewer's right is −Z, and +X is behind the viewer.
 		expect(light.uniforms.keyDirection.value.distanceTo(new Vector3(z, y, -x))).toBeLessThan(1e-9);
 	});
 

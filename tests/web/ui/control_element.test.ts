@@ -6,7 +6,7 @@ import { studioWith } from "../app/context";
 import { specimenFromPreset } from "../bunch";
 import { toy } from "../toy";
 
-/** What Lit asks before it draws, without a page to draw in. */
+/** Runs the checks that Lit makes before drawing, without a page. */
 class Probe extends ControlElement {
 	readonly drawn = vi.fn();
 

@@ -20,7 +20,7 @@ describe("the player of a life", () => {
 	const age = () => studio.state.specimen.parameters.age;
 	const playing = () => studio.toolState(PLAYED).playing;
 	const play = (on: boolean) => studio.setToolState(PLAYED, { playing: on });
-	/** Lets time pass, frame by frame; tells the ages seen. */
+	/** Advances time frame by frame and returns the ages shown. */
 	const run = (milliseconds: number) => {
 		const seen: number[] = [];
 		for (const end = now + milliseconds; now < end && due; now += FRAME) {

@@ -1,4 +1,7 @@
-/** What may stand at the cursor: the turtle's symbols and the text's own, functions, constants, parameters, roles, statements. */
+/**
+ * Completions at the cursor: symbols of the turtle and of the text, functions, constants, parameters, roles and
+ * statements.
+ */
 import type { Completion, CompletionContext, CompletionResult, CompletionSource } from "@codemirror/autocomplete";
 import { type Dialect, dialect } from "./dialect";
 import { formalsAt } from "./explain";
@@ -31,7 +34,10 @@ function complete(context: CompletionContext, roles: readonly string[]): Complet
 	return options.length > 0 ? { from: pos - word.length, options, validFor: /^[#?@]?[\p{L}\p{N}_]*$/u } : null;
 }
 
-/** What may stand at a place. @param word what of it stands there already */
+/**
+ * Returns the completions for a position.
+ * @param word the part of the word that is already typed
+ */
 export function optionsFor(
 	text: string,
 	place: number,

@@ -16,15 +16,18 @@ import "./curve_editor";
 const MOST_LISTED = 60;
 const NOT_FETCHED = "The list of constants could not be fetched";
 
-/** Sliders of a text’s constants, and its curves: what they change goes into the document’s values, or into a text of its own. */
+/**
+ * Sliders for a text's constants, and its curves. Changes are written into the document's values, or into the
+ * document's own text.
+ */
 export class ConstantsPanel extends ControlElement<GrammarContext> {
 	static override properties = { ...ControlElement.properties, source: { attribute: false } };
 	declare source: GrammarSource;
 
-	/** What a long list is searched for. */
+	/** Search query of a long list. */
 	#query = "";
 	readonly #held = new HeldKey(() => this.context.settle());
-	/** What became of a value that could not be taken as typed. */
+	/** Message about a typed value that was not accepted as typed. */
 	#message: { readonly name: string; readonly value: number; readonly text: string | undefined } | undefined;
 
 	protected override shows(): readonly unknown[] {
@@ -156,7 +159,7 @@ export class ConstantsPanel extends ControlElement<GrammarContext> {
 		return readOutline(this.#text() ?? "", this.source.dialect);
 	}
 
-	/** What a constant is in the text that the preset grows by, as it is written there. */
+	/** Returns a constant's text in the preset's grammar. */
 	#builtIn(name: string): string | undefined {
 		const text = textOf(this.source, this.context.preset, () => {});
 		if (text === undefined) return undefined;
@@ -173,10 +176,10 @@ async function fetchLongList(context: GrammarContext): Promise<void> {
 	}
 }
 
-/** What is taken of a number that is typed: links hold no larger one. */
+/** Clamps a typed number to the range that links can store. */
 export const takenOf = (typed: number): number => Math.min(Math.max(typed, -LARGEST), LARGEST);
 
-/** What to say where the number taken is not the one typed; undefined where it is. */
+/** Returns a message if the number accepted is not the one typed, else undefined. */
 export function complaintOf(name: string, text: string, typed: number, taken: Pick<NumberAt, "text" | "value">) {
 	if (typed === taken.value) return undefined;
 	return refusal(name, `${-LARGEST} … ${LARGEST}.`, text, typed, taken.text);

@@ -1,9 +1,9 @@
-/** Points of a curve as a hand moves them: pure, and always in order from left to right. */
+/** Edits a curve's points by dragging. Pure functions; the points stay in order from left to right. */
 import { written } from "./scrub";
 
 export type CurvePoint = readonly [x: number, y: number];
 
-/** Where the points of a curve may be drawn: what they span, with some room above and below. */
+/** Range in which the points of a curve may be drawn: their extent, with a margin above and below. */
 export interface CurveFrame {
 	readonly left: number;
 	readonly right: number;
@@ -16,7 +16,7 @@ const FEWEST = 2;
 /** Neighbours stay this far apart, as a share of the frame's width. */
 const APART = 0.01;
 
-/** The frame of a curve; 0 … 1 both ways holds for what lies within it. */
+/** Returns the frame of a curve, at least 0 … 1 in both directions. */
 export function frameOf(points: readonly CurvePoint[]): CurveFrame {
 	const [xs, ys] = [points.map(([x]) => x), points.map(([, y]) => y)];
 	const [low, high] = [Math.min(0, ...ys), Math.max(1, ...ys)];

@@ -29,7 +29,7 @@ export class CurveEditor extends LitElement {
 	declare curve: Curve;
 	/** Writes points into the text. */
 	declare write: (name: string, points: string) => void;
-	/** What has been written is a step. */
+	/** Ends the edit, so that the written points become one undo step. */
 	declare settle: () => void;
 	/** The frame stands still while a point is dragged. */
 	#frame: CurveFrame | undefined;

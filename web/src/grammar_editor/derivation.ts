@@ -1,6 +1,6 @@
 /**
- * A derivation as it is looked at: which step, which module, what of it is in the 3-D view. It follows the plant that is shown, so that
- * a text with a mistake leaves it as it is. What the view has to know stands in the tool's state.
+ * State of the step viewer: the step, the chosen module and the plant shown in the 3-D view. Follows the plant that is
+ * shown, so a text with an error leaves the state unchanged. The 3-D view reads its part from the tool's state.
  */
 import { Superseded } from "../core/errors";
 import type { DerivationTrace, ToldModule } from "../plant/derivation_trace";
@@ -66,7 +66,7 @@ export class Derivation {
 		return this.#pointed;
 	}
 
-	/** Whether what shines in the view is nothing: the chosen module draws none of the plant that is shown. */
+	/** Whether nothing is highlighted, because the chosen module draws no part of the plant shown. */
 	get bare(): boolean {
 		const { lit, scene } = this.#context.toolState(DERIVATION);
 		if (!lit || !scene || this.#pointed !== undefined) return false;
@@ -74,7 +74,7 @@ export class Derivation {
 		return segments.length + organs.length === 0;
 	}
 
-	/** What is told of a module of the step that is shown; undefined while it is not in the window. */
+	/** Returns the trace entry of a module of the step shown; undefined while the module is outside the window. */
 	module(index: number | undefined): ToldModule | undefined {
 		return index === undefined || !this.page ? undefined : this.page.modules[index - this.page.first];
 	}
@@ -144,7 +144,10 @@ export class Derivation {
 		return true;
 	}
 
-	/** To the first of what the chosen one becomes; false where it leaves nothing. */
+	/**
+	 * Moves to the chosen module's first child.
+	 * @returns false if the module has no children
+	 */
 	down(): boolean {
 		const { children } = this.module(this.#chosen) ?? {};
 		if (!children?.count || this.step === undefined || this.step === this.last) return false;
@@ -178,13 +181,13 @@ export class Derivation {
 		this.#changed();
 	}
 
-	/** Puts into the view what belongs there: the plant of the step, or the document's. */
+	/** Shows the plant of the step, or the document's plant, in the 3-D view. */
 	#stage(): void {
 		const { page, stale, step, last } = this;
 		const { grown, grownFrom: from } = this.#context.state;
 		if (this.#closed || !page || stale || !grown || !from || last === undefined || page.step !== step) return;
 		const { scene } = this.#context.toolState(DERIVATION);
-		// What no plant can be grown of leaves the last in view.
+		// If no plant can be grown for the step, the last plant stays in view.
 		const none = this.#ungrown?.from === from && this.#ungrown.step === page.step;
 		const shown = this.follows && !none ? page.step : last;
 		if (scene?.from === from && scene.step === shown) return;
@@ -229,7 +232,7 @@ export class Derivation {
 		this.#light();
 	}
 
-	/** Lets shine in the view what is pointed at, or else what is chosen. */
+	/** Highlights the pointed module in the view, or else the chosen module. */
 	#light(): void {
 		const { page } = this;
 		const index = this.#pointed ?? this.#chosen;
@@ -239,7 +242,7 @@ export class Derivation {
 		if (lit?.first !== next?.first || lit?.count !== next?.count) this.#write({ lit: next });
 	}
 
-	/** What is met in the view is marked in the string; what is clicked is chosen. */
+	/** Marks the module under the pointer in the string, and chooses the module that was clicked. */
 	#meet(met: MetModule | undefined): void {
 		const index = met && this.#ancestor(met);
 		if (!met?.chosen) this.point(index);
@@ -248,8 +251,8 @@ export class Derivation {
 	}
 
 	/**
-	 * The module of the step that is shown, of which one in the view is a descendant; undefined where the window does not tell, and while
-	 * the view is still of a step between.
+	 * Returns the ancestor, in the step shown, of a module in the view. Undefined if the window does not contain it,
+	 * or while the view still shows an intermediate step.
 	 */
 	#ancestor({ module, step }: MetModule): number | undefined {
 		const { page } = this;

@@ -1,4 +1,4 @@
-/** The derivation in the 3-D view: the plant of the step, what shines of it, and the module under the pointer. */
+/** Draws the derivation in the 3-D view: the step's plant, highlighted modules and the module under the pointer. */
 import type { Drawn } from "../plant/drawn";
 import type { Plant } from "../plant/plant";
 import { sighted } from "../plant/sighting";
@@ -13,7 +13,7 @@ import { drawnBy, drawnIn } from "./lit_parts";
 /** A thread may be missed by so many CSS pixels, and shines at least so wide. */
 const MISSED = 6;
 const THIN = 1.2;
-/** The style sheet's name for what shines. */
+/** CSS custom property of the highlight colour. */
 const COLOUR = "--lit";
 
 export class DerivationInteraction<S extends Specimen, G extends Plant> implements ToolInteraction<S, G> {
@@ -24,7 +24,7 @@ export class DerivationInteraction<S extends Specimen, G extends Plant> implemen
 	#renderer: LitDrawing | undefined;
 	#disposed = false;
 	#drawn: { readonly of: Plant; readonly drawn: Drawn } | undefined;
-	/** What shone last, and how. */
+	/** Inputs of the last highlight, to detect changes. */
 	#shone: readonly unknown[] = [];
 
 	constructor(view: ToolView, context: EditorContext<S, G>, source: DerivationSource<S, G>) {
@@ -44,7 +44,7 @@ export class DerivationInteraction<S extends Specimen, G extends Plant> implemen
 				view.addOverlay(renderer.object);
 				this.update(context.state);
 			},
-			() => {}, // Without it nothing shines; what is pointed at is told all the same.
+			() => {}, // Without the renderer nothing is highlighted, but pointed modules are still marked in the string.
 		);
 	}
 

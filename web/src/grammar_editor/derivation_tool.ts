@@ -1,4 +1,4 @@
-/** A derivation beside its plant: what of it is shown in the 3-D view, and what is pointed at there (docs/studio.md#steps). */
+/** Tool for the derivation of a plant: its state, and its interaction in the 3-D view (docs/studio.md#steps). */
 import type { Object3D } from "three";
 import type { ModuleSpan } from "../plant/derivation_trace";
 import type { Drawn } from "../plant/drawn";
@@ -8,18 +8,18 @@ import type { Specimen } from "../specimen/specimen";
 import type { EditorContext, Stateful } from "../ui/editor_context";
 import type { Tool, ToolInteraction } from "../ui/tool";
 
-/** What draws what shines: render/lit_renderer.ts. */
+/** Draws the highlight; implemented by render/lit_renderer.ts. */
 export interface LitDrawing {
 	readonly object: Object3D;
 	show(drawn: Drawn, segments: readonly number[], organs: readonly number[], thin: number, colour: string): void;
 	dispose(): void;
 }
 
-/** What the stepper has to know of a model. */
+/** Describes a model for the stepper. */
 export interface DerivationSource<S extends Specimen = Specimen, G extends Plant = Plant> {
-	/** What a plant has drawn, in the order of its trace's segments and organs. */
+	/** Returns a plant's drawn segments and organs, in the order of its trace. */
 	drawn(grown: G): Drawn;
-	/** Fetches what makes it shine. */
+	/** Loads the renderer of the highlight. */
 	renderer(): Promise<LitDrawing>;
 	/** Whether the pointer is another tool's now. */
 	taken?(context: EditorContext<S, G>): boolean;
@@ -46,19 +46,19 @@ export interface MetModule {
 	readonly chosen: boolean;
 }
 
-/** What the page keeps of it, until the pane is closed. */
+/** State of the tool, stored until the pane closes. */
 export interface DerivationState {
 	readonly open: boolean;
 	/** Whether the view shows the plant as it was after the step. */
 	readonly follows: boolean;
-	/** What the view shows, as soon as it is known which module drew what. */
+	/** Plant that the view shows; undefined until the trace has the module that drew each part. */
 	readonly scene?: DerivedScene | undefined;
 	/** Modules of the scene's string that shine. */
 	readonly lit?: ModuleSpan | undefined;
 	readonly met?: MetModule | undefined;
 }
 
-/** Where it stands, whatever the model. */
+/** Derivation state, shared by all models. */
 export const DERIVATION: Stateful<DerivationState> = { name: "derivation", initial: { open: false, follows: true } };
 
 /** The plant of a step, where the view shows one in place of the document's; for the words below it. */
@@ -95,7 +95,7 @@ export function derivationTool<S extends Specimen & WithGrammar, G extends Plant
 					if (interaction) interaction.update(state);
 					else if (!isFetching && context.toolState(DERIVATION).scene) {
 						isFetching = true;
-						// Without it the string is there all the same; the next opening asks again.
+						// If the script fails to load, the string still works; opening the pane again retries.
 						fetch().catch(() => {
 							isFetching = false;
 						});

@@ -4,16 +4,16 @@ import { partsOfModule } from "./trace_words";
 
 /** Modules that a page key goes on. */
 const PAGE = 40;
-/** Whoever scrolls as near to an end of the window, in pixels, is given another. */
+/** Distance from an end of the window at which scrolling loads the next window, in CSS pixels. */
 const NEAR = 120;
 
-/** What a string tells of the hand on it. */
+/** Events of the list of modules. */
 export interface StringEvents {
 	choose(index: number): void;
 	point(index: number | undefined): void;
 	/** Another part of the string comes into sight. */
 	look(about: number): void;
-	/** To where it came from, to what it becomes. */
+	/** Move to the parent, or to the first child. */
 	up(): void;
 	down(): void;
 	/** To the production that the chosen one is rewritten by, or was written by. */

@@ -6,12 +6,12 @@ import { WORDS, type Word } from "./words.generated";
 export interface Dialect {
 	/** Takes a text to pieces, blanks left out. */
 	scan(text: string): Token[];
-	/** What it knows besides the text's own names. */
+	/** Words of the language, in addition to the text's own names. */
 	readonly words: readonly Word[];
 }
 
 /** That of L-systems: docs/language.md. */
 export const LSYSTEM: Dialect = { scan, words: WORDS };
 
-/** The language of the text that is edited; L-systems' where nobody says another. */
+/** Language of the edited text; defaults to L-systems. */
 export const dialect = Facet.define<Dialect, Dialect>({ combine: ([chosen = LSYSTEM]) => chosen });

@@ -1,4 +1,4 @@
-/** What makes one text of another: the one stretch in which they differ. */
+/** Difference between two texts: the single stretch that was replaced. */
 export interface Difference {
 	readonly from: number;
 	readonly to: number;

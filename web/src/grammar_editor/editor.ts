@@ -27,17 +27,23 @@ import { type MarkedProductions, markProductions, productionMarks } from "./prod
 import { type Problem, sameProblems } from "./reported_problems";
 import { typingOver } from "./typing_over";
 
-/** What an editor tells of itself. */
+/** Events of the editor. */
 export interface EditorEvents {
-	/** The text has been changed by hand. @param how what kind of change, and where it goes on */
+	/**
+	 * The user changed the text.
+	 * @param how kind and place of the change: equal values form one undo step
+	 */
 	edited(text: string, how: string): void;
-	/** What was changed by a drag or before it is a step. */
+	/** Ends the current undo step, before and after a drag. */
 	settle(): void;
 	undo(): void;
 	redo(): void;
 	/** Escape: the focus is to go elsewhere. */
 	leave(): void;
-	/** The cursor is somewhere else, or what stands there is. @param production the line of the one that it is in */
+	/**
+	 * The cursor moved, or the text at it changed.
+	 * @param production line of the production at the cursor
+	 */
 	at(number: NumberAt | undefined, explained: Explanation | undefined, production: number | undefined): void;
 	/** The focus has gone. */
 	blurred(): void;
@@ -45,12 +51,12 @@ export interface EditorEvents {
 
 export interface EditorOptions {
 	readonly text: string;
-	/** What assistive technology calls it, and says of its keys. */
+	/** Accessible name of the editor, and description of its keys. */
 	readonly label: string;
 	readonly help: string;
 	/** Names that `#role` takes. */
 	readonly roles: readonly string[];
-	/** Whether Tab indents; else it goes on to what comes next. */
+	/** Whether Tab indents; else Tab moves the focus to the next element. */
 	readonly indents: boolean;
 	/** The language of the text; that of L-systems where absent. */
 	readonly dialect?: Dialect | undefined;
@@ -64,9 +70,11 @@ export class Editor {
 	readonly #events: EditorEvents;
 	readonly #tab = new Compartment();
 	#indents: boolean;
-	/** What was told of the text as it stands: to tell it again would lay all of it out anew. */
+	/**
+	 * Problems currently marked. Setting equal problems again would redo the layout of the whole text, so it is skipped.
+	 */
 	#shownProblems: readonly Problem[] | undefined;
-	/** Tells kinds of typing apart, and places: what follows another is a step of its own. */
+	/** Kind and place of the last edit; an edit that does not continue it begins an undo step. */
 	#how = "";
 	#end = -1;
 	#turn = 0;
@@ -114,7 +122,7 @@ export class Editor {
 					EditorView.updateListener.of((update) => this.#updated(update)),
 					EditorView.domEventHandlers({
 						blur: () => events.blurred(),
-						// What a menu, a shake or a phone's keyboard asks for.
+						// Undo and redo from a menu, a shake gesture or a phone's keyboard.
 						beforeinput: (event) => {
 							const act = { historyUndo: events.undo, historyRedo: events.redo }[event.inputType];
 							if (act) event.preventDefault();
@@ -139,7 +147,7 @@ export class Editor {
 		const anchor = change.from + change.insert.length;
 		this.#view.dispatch({
 			changes: change,
-			// Who reads sees what Undo has done.
+			// Scrolls to the undone change if the editor has the focus.
 			...(this.#view.hasFocus ? { selection: { anchor }, scrollIntoView: true } : {}),
 			annotations: [fromDocument.of(true), Transaction.addToHistory.of(false)],
 		});
@@ -249,7 +257,7 @@ export class Editor {
 		this.#events.at(numberHere(view), explain(outline, head, view.state.facet(dialect).words), production);
 	}
 
-	/** What kind of change: what is typed on behind the last is of one kind. */
+	/** Returns the kind of a change; typing that continues at the same place has the same kind. */
 	#kindOf({ changes, transactions }: ViewUpdate): string {
 		const event = transactions.map((each) => each.annotation(Transaction.userEvent)).find(Boolean) ?? "other";
 		let [from, end, whole] = [0, 0, ""];

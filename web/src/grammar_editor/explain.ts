@@ -1,4 +1,4 @@
-/** What there is to say of a word in a grammar's text: help under the pointer, and at the cursor. */
+/** Explains words of a grammar's text: for the tooltip, and for the hint at the cursor. */
 import type { GrammarOutline } from "./outline";
 import type { Token } from "./scan";
 import type { Word } from "./words.generated";
@@ -13,9 +13,9 @@ export interface Explanation {
 	readonly help: string;
 }
 
-/** What stands at a place of the text, in words; undefined where nothing is known of it. */
+/** Explains the word at a position; undefined if nothing is known about it. */
 export function explain(outline: GrammarOutline, place: number, words: readonly Word[]): Explanation | undefined {
-	// Between two pieces the one behind is meant, if there is anything to say of it.
+	// Between two tokens, the one after the position has priority if it has an explanation.
 	for (const piece of outline.pieces.filter(({ from, to }) => from <= place && place <= to).reverse()) {
 		const explanation = explained(outline, piece, place, words);
 		if (explanation) return { from: piece.from, to: piece.to, ...explanation };

@@ -26,7 +26,10 @@ export function openFind(view: EditorView): boolean {
 	return true;
 }
 
-/** Closes the panel; tells whether it was open. */
+/**
+ * Closes the panel.
+ * @returns whether the panel was open
+ */
 export const closeFind = (view: EditorView): boolean => searchPanelOpen(view.state) && closeSearchPanel(view);
 
 const OPEN = "Mod-f";

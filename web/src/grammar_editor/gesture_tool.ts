@@ -7,19 +7,19 @@ import type { Tool } from "../ui/tool";
 import type { Pair } from "./gestures/pair";
 import type { GrammarContext, GrammarSource } from "./source";
 
-/** What drives the two numbers. */
+/** Device that controls the two numbers. */
 export type DrivenBy = "pointer" | "gamepad" | "camera";
 
 export interface GestureState extends Pair {
 	readonly open: boolean;
 	readonly by: DrivenBy;
-	/** What is to be known of what drives. */
+	/** Message about the device. */
 	readonly words: string;
 }
 
 export type GestureTool = Tool<Specimen, Plant, GestureState>;
 
-/** What all that has to do with gestures is given. */
+/** Context shared by all parts of the gesture tool. */
 export interface Gestures {
 	readonly context: GrammarContext;
 	readonly tool: GestureTool;
@@ -30,9 +30,9 @@ const HAND = svg`<path d="M7 10.5V5.2a1.2 1.2 0 0 1 2.4 0V9m0-4.6a1.2 1.2 0 0 1 
 const AT_FIRST: GestureState = { open: false, by: "pointer", across: undefined, up: undefined, words: "" };
 
 /**
- * Two numbers of the document at a time, driven by the two ways that a pointer, a stick or a hand before the camera can go (Petrenko 2014,
- * section 4.3.3).
- * @param source of the text whose constants may be driven; absent where there is none
+ * Tool that controls two numbers of the document at once, by the two directions of a pointer, a stick or the user's hand before
+ * the camera (Petrenko 2014, section 4.3.3).
+ * @param source source of the text whose constants can be controlled; absent if the model has no text
  */
 export function gestureTool<S extends Specimen, G extends Plant>(source?: GrammarSource<S>): Tool<S, G> {
 	const tool: GestureTool = {

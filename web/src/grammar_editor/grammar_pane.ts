@@ -17,17 +17,19 @@ import "./number_pad";
 import "./stepper";
 
 const GESTURE = "grammar";
-/** Who types no further for this long, in milliseconds, has made a step. */
+/** Pause in typing that ends an undo step, milliseconds. */
 const PAUSE = 700;
 const KEYS =
 	"Alt with the arrow keys changes the number at the cursor, with Shift by ten steps, with Control by a tenth. Control and Space completes, Control and F finds. Tab goes on to what comes next, unless it is set to indent. Escape leaves the text.";
 
-/** More of what is said is marked in the text alone: nobody reads as many, and to lay thousands of lines out takes seconds. */
+/**
+ * Messages listed below the text. Further ones are only marked in the text, because the layout of thousands of lines takes seconds.
+ */
 const MOST_MESSAGES = 50;
-/** What opens it, where a key did. */
+/** Button that gets the focus back if a key opened the pane. */
 const OPENS = ".stage-tools [aria-label=Grammar]";
 
-/** The grammar beside its plant: every change grows at once, and what is wrong with it is shown where it stands. */
+/** Editor of the grammar beside the plant: every change grows at once, and problems are marked at their places. */
 export class GrammarPane extends ControlElement<GrammarContext> {
 	static override properties = {
 		...ControlElement.properties,
@@ -41,10 +43,10 @@ export class GrammarPane extends ControlElement<GrammarContext> {
 	};
 	declare source: GrammarSource;
 	declare tool: Stateful<GrammarState>;
-	/** Whether its derivation can be told step by step. */
+	/** Whether the model offers the derivation step by step. */
 	declare stepped: boolean;
 	declare close: () => void;
-	/** What the cursor is at. */
+	/** Number at the cursor. */
 	declare number: NumberAt | undefined;
 	declare explained: Explanation | undefined;
 	/** The line of the production that it is in. */
@@ -54,13 +56,13 @@ export class GrammarPane extends ControlElement<GrammarContext> {
 	readonly #runs = new KeyRuns();
 	#room: TypingRoom | undefined;
 	#pause: ReturnType<typeof setTimeout> | undefined;
-	/** What had the focus before. */
+	/** Element that had the focus before the pane opened. */
 	#opener: Element | null = null;
 
 	override connectedCallback(): void {
 		super.connectedCallback();
 		this.#opener = document.activeElement;
-		// Once the page is laid out anew.
+		// Runs after the page's new layout.
 		this.#room = new TypingRoom(() => requestAnimationFrame(() => this.#editor?.showCursor()));
 	}
 

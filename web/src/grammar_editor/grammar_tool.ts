@@ -7,7 +7,7 @@ import { GROWTH_TOPIC, type Tool } from "../ui/tool";
 import { type DerivationSource, derivationTool } from "./derivation_tool";
 import { type GrammarSource, isOwn, withText } from "./source";
 
-/** What the page keeps of the editor. */
+/** State of the editor that the page stores. */
 export interface GrammarState {
 	readonly open: boolean;
 	/** Whether Tab indents in it. */
@@ -36,9 +36,8 @@ const OWN = {
 } as const;
 
 /**
- * Grammars as the page has them: the text beside the plant, edited as it grows; sliders of its constants; and where a plant has a text
- * of its own, the way back to the built-in one.
- * @param derived how its derivation is told step by step; absent where it has none
+ * Tools for the grammar: the text editor, sliders for the text's constants, and the way back to the built-in text.
+ * @param derived description for the step viewer; absent if the model has no derivation
  */
 export function grammarTools<S extends Specimen & WithGrammar, G extends Plant>(
 	source: GrammarSource<S>,
@@ -53,7 +52,7 @@ export function grammarTools<S extends Specimen & WithGrammar, G extends Plant>(
 		name: "own-grammar",
 		initial: false,
 		applies: isOwn,
-		// Whether it is its preset's, altered, is told once that has come.
+		// The built-in text is needed to decide whether the document's text is the preset's with other numbers.
 		start: (context) => {
 			const builtIn = group === OWN && isOwn(context.state.specimen) ? source.builtIn(context.state.specimen) : "";
 			if (typeof builtIn !== "string")
@@ -66,7 +65,7 @@ export function grammarTools<S extends Specimen & WithGrammar, G extends Plant>(
 		panel: {
 			group,
 			place: "above",
-			// The editor says so itself, and has the way back.
+			// The open editor shows this itself, with a button that restores the built-in text.
 			draw: (context) =>
 				context.toolState(tool).open
 					? nothing
@@ -140,7 +139,7 @@ function show<S extends Specimen, G extends Plant>(context: EditorContext<S, G>,
 	void bring(context, () => import("./grammar_pane"), "The grammar's editor could not be fetched");
 }
 
-/** What the text shows no more is said. */
+/** Closes the pane; a fault that the text no longer shows becomes a notice. */
 function close<S extends Specimen, G extends Plant>(
 	context: EditorContext<S, G>,
 	tool: Tool<S, G, GrammarState>,

@@ -1,4 +1,4 @@
-/** A text's pieces in their colours, read anew with every change of it; only what is seen is marked. */
+/** Colours the tokens of the text, in the visible ranges only. */
 import { type EditorState, type Extension, StateField, type Text } from "@codemirror/state";
 import {
 	Decoration,
@@ -16,7 +16,7 @@ import { firstEndingBehind, type Token, type TokenKind } from "./scan";
 
 const read = (text: string, state: EditorState): GrammarOutline => readOutline(text, state.facet(dialect));
 
-/** What the text has, for all that asks. */
+/** Outline of the current text, shared by all extensions. */
 export const outlined = StateField.define<GrammarOutline>({
 	create: (state) => read(state.doc.toString(), state),
 	update: (value, { docChanged, newDoc, startState }) => (docChanged ? read(newDoc.toString(), startState) : value),
@@ -28,7 +28,10 @@ const MARKS = new Map<TokenKind, Decoration>(
 	),
 );
 
-/** Longer lines are not coloured, in characters: a browser lays a line out as a whole, and for thousands of pieces that takes long. */
+/**
+ * Longest line that is coloured, in characters. Browsers compute the layout of a line as a whole, which takes long for thousands of
+ * tokens.
+ */
 export const LONGEST_COLOURED = 10_000;
 
 /** The pieces to be coloured: those in the ranges, but for long lines. */

@@ -29,8 +29,8 @@ export function drawnIn({ segments, organs }: Marks, { segment, organ }: Sighted
 }
 
 /**
- * What shines for a module of the step that is told: itself where that step's plant is in view, its descendants where the last is; nothing
- * where the view is of another step.
+ * Returns the modules to highlight in the view for a module of the traced step: the module itself if the view shows
+ * that step, its descendants if the view shows the last step, else undefined.
  */
 export function litBy(
 	index: number,

@@ -23,7 +23,7 @@ export class NumberPad extends LitElement {
 		done: { attribute: false },
 	};
 	declare number: NumberAt | undefined;
-	/** Begins a drag; what it gives moves the number by pixels. */
+	/** Begins a drag and returns the function that moves the number by pixels. */
 	declare grip: () => ((pixels: number, keys: Keys) => void) | undefined;
 	declare step: (steps: number) => void;
 	/** The end of a drag. */

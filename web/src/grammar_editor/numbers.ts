@@ -7,7 +7,7 @@ import { PIXELS_A_STEP, reach, stepped } from "./scrub";
 
 /** The document's part of it. */
 export interface Scrubbing {
-	/** A drag begins: what was typed before is a step of its own. */
+	/** A drag begins: ends the undo step of earlier typing. */
 	begin(): void;
 	/** It has ended: one step. */
 	end(): void;
@@ -21,7 +21,10 @@ export function numberHere({ state }: EditorView): NumberAt | undefined {
 	return numberAt(state.field(outlined).pieces, state.selection.main.head);
 }
 
-/** Takes the number at the cursor so many steps on; tells whether there is one. */
+/**
+ * Changes the number at the cursor by a number of steps.
+ * @returns whether there is a number
+ */
 export function stepHere(view: EditorView, steps: number): boolean {
 	const number = numberHere(view);
 	if (number) write(view, number, stepped(number, steps), "step");
@@ -47,7 +50,7 @@ export class NumberDrag {
 	readonly #start: NumberAt;
 	#text: string;
 	#steps = 0;
-	/** Tenths, once they have been asked for. */
+	/** 0.1 after the first move in tenths, else 1. */
 	#quantum = 1;
 
 	constructor(start: NumberAt) {
@@ -67,7 +70,10 @@ export class NumberDrag {
 	}
 }
 
-/** Makes numbers follow the mouse. A click is a click, and whoever goes up or down first selects. */
+/**
+ * Makes numbers draggable by the mouse. A click only places the cursor, and a drag that begins vertically selects
+ * text.
+ */
 export function scrubbing(scrub: Scrubbing): Extension {
 	const step =
 		(steps: number): Command =>

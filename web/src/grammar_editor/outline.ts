@@ -1,4 +1,4 @@
-/** What a text of a grammar has that controls are made of: its constants, its curves, its numbers. */
+/** Outline of a grammar's text, for controls: its constants, curves and numbers. */
 import { insideComment } from "./comments";
 import { findRange, type RangeWords, trimSeparators } from "./range_words";
 import { scan, type Token } from "./scan";
@@ -28,7 +28,7 @@ export interface Constant extends NumberRange {
 	readonly words: string;
 }
 
-/** What a `#define` gives its name, and where that stands in the text. */
+/** Name and range of a `#define`'s value in the text. */
 export interface Definition {
 	readonly name: string;
 	readonly from: number;
@@ -45,20 +45,23 @@ export interface Curve {
 	readonly points: readonly (readonly [x: number, y: number])[];
 }
 
-/** What is known of a text. */
+/** Outline of a grammar's text. */
 export interface GrammarOutline {
 	readonly pieces: readonly Token[];
 	readonly constants: readonly Constant[];
-	/** Those and what is worked out. */
+	/** Constants, and definitions with computed values. */
 	readonly definitions: readonly Definition[];
 	readonly curves: readonly Curve[];
-	/** Names that constants, inputs and curves explain, by what they are. */
+	/** Source lines of constants, inputs and curves, by name. */
 	readonly names: ReadonlyMap<string, string>;
 	/** Symbols that stand in the axiom or in productions, as they are first written with their parameters. */
 	readonly symbols: ReadonlyMap<string, string>;
 }
 
-/** Reads what a text has; whatever cannot be read is left out. @param pieces the text's, of a language other than L-systems' */
+/**
+ * Reads the outline of a text; unreadable parts are left out.
+ * @param pieces tokens of the text, if its language is not L-systems
+ */
 export function outlineOf(text: string, pieces: readonly Token[] = scan(text)): GrammarOutline {
 	const constants: Constant[] = [];
 	const definitions: Definition[] = [];
@@ -67,7 +70,7 @@ export function outlineOf(text: string, pieces: readonly Token[] = scan(text)): 
 	for (const line of byStatement(pieces)) {
 		const [head, name] = line;
 		const word = wordOf(head);
-		// What follows is a grammar of its own, and so are its names.
+		// The module's body is a grammar with its own names.
 		if (word === "#module") break;
 		if (name?.kind !== "name" && name?.kind !== "function") continue;
 		if (!/^#(?:define|input|curve)$/.test(word)) continue;
@@ -91,12 +94,12 @@ export function numberAt(pieces: readonly Token[], place: number): NumberAt | un
 	return number && number.from <= place ? number : undefined;
 }
 
-/** What a statement begins with, be it written `# define`. */
+/** Returns the keyword of a statement; `# define` gives `#define`. */
 export const wordOf = ({ text }: Token): string => text.replace(/^#\s+/, "#");
 
 /**
- * The text with other values for what it defines, numbers or not: what presets of one text differ by.
- * @param pieces as `outlineOf` has them
+ * Replaces the values of definitions in a text; presets that share a text differ by these values.
+ * @param pieces tokens, as for `outlineOf`
  */
 export function withConstants(
 	text: string,
@@ -172,7 +175,7 @@ function rangeIn({ low, high, step }: RangeWords, { text, value }: NumberAt): Nu
 	return { min, max, step: given || stepFor(max - min, Math.max(...[low, high, text].map(decimals))) };
 }
 
-/** Angles by their names; what has a share's size is one. */
+/** Names of angles. Values of at most 1 are shares, under any name. */
 const ANGLE = /^(?:a|angle|alpha|beta|gamma|delta|theta|phi|psi|yaw|roll|pitch|turn|[αβγδθφψ])(?:_|\d|$)/i;
 
 function guessed(name: string, { text, value }: NumberAt): NumberRange {

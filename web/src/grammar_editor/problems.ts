@@ -1,4 +1,4 @@
-/** What the core said of a text, in its place: errors that keep it from growing, and remarks. */
+/** Shows the core's errors and remarks in the text. */
 import { type Extension, StateEffect, StateField } from "@codemirror/state";
 import { Decoration, type DecorationSet, EditorView, hoverTooltip } from "@codemirror/view";
 import type { Problem } from "./reported_problems";
@@ -10,7 +10,7 @@ interface Placed extends Problem {
 
 const problemsEffect = StateEffect.define<readonly Placed[]>();
 
-/** Problems follow the text while it is edited, until others are told. */
+/** Problems follow the text while it is edited, until they are replaced. */
 const problems = StateField.define<readonly Placed[]>({
 	create: () => [],
 	update(value, transaction) {
@@ -55,7 +55,7 @@ const hover = hoverTooltip(
 /** Shows problems in the text, by a wavy line and under the pointer. */
 export const showProblems: Extension = [problems, hover];
 
-/** Tells an editor what is wrong with its text now. */
+/** Replaces the problems shown in an editor. */
 export function setProblems(view: EditorView, all: readonly Problem[]): void {
 	view.dispatch({ effects: problemsEffect.of(all.map((each) => ({ ...each, ...placeOf(view, each) }))) });
 }

@@ -1,4 +1,6 @@
-/** Productions that have to do with a module of the derivation, marked in the text: what rewrites it next, and what wrote it. */
+/**
+ * Marks productions of the chosen module in the text: the production that rewrites it next, and the one that wrote it.
+ */
 import { type Extension, StateEffect, StateField } from "@codemirror/state";
 import { Decoration, type DecorationSet, EditorView } from "@codemirror/view";
 

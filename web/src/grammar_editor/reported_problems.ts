@@ -1,7 +1,7 @@
-/** What the core says of a grammar: the fault that keeps it from growing, and the remarks of the last plant. */
+/** Problems of a grammar as the core reports them: the fault that prevents growth, and remarks on the last plant. */
 import type { Fault } from "../ui/editor_context";
 
-/** Something said of a place in the text. */
+/** Error or remark with a place in the text. */
 export interface Problem {
 	readonly severity: "error" | "remark";
 	/** From 1; columns count characters. */
@@ -10,14 +10,17 @@ export interface Problem {
 	readonly message: string;
 }
 
-/** Whether the same is said of the same places. */
+/** Whether two lists have the same problems in the same places. */
 export function sameProblems(some: readonly Problem[], others: readonly Problem[]): boolean {
 	const alike = (a: Problem, b: Problem) =>
 		a.line === b.line && a.column === b.column && a.severity === b.severity && a.message === b.message;
 	return some.length === others.length && some.every((each, i) => alike(each, others[i]));
 }
 
-/** What of it has a place in the text. @param notes the plant's, whose remarks name theirs */
+/**
+ * Returns the problems that have a place in the text.
+ * @param notes the plant's notes; remarks among them begin with their place
+ */
 export function problemsOf(fault: Fault | undefined, notes: readonly string[]): Problem[] {
 	if (fault) return fault.line > 0 ? [{ severity: "error", ...fault }] : [];
 	return notes.flatMap((note) => {

@@ -1,9 +1,9 @@
-/** A grammar's text as pieces, for the eye and the hand: what grows is the core's business, and so is what is wrong. */
+/** Splits a grammar's text into tokens for colouring and editing. Errors are left to the core. */
 
-/** What a piece is. */
+/** Kind of a token. */
 export type TokenKind =
 	| "comment"
-	/** What begins a statement: `#define`, `axiom:`, `derivation length:`. */
+	/** Beginning of a statement: `#define`, `axiom:`, `derivation length:`. */
 	| "statement"
 	| "arrow"
 	/** A name or sign of a module: the turtle's, or the text's own. */
@@ -16,7 +16,7 @@ export type TokenKind =
 	| "function"
 	| "number"
 	| "operator"
-	/** `(`, `)`, `,`, `{`, `}` and whatever else there is. */
+	/** `(`, `)`, `,`, `{`, `}` and all other characters. */
 	| "mark";
 
 /** A piece of a text, by places in it; `line` counts from 1. */
@@ -28,12 +28,12 @@ export interface Token {
 	readonly line: number;
 }
 
-/** What is read: modules, or expressions. */
+/** Context of the scanner: modules or expressions. */
 type Sort = "modules" | "values";
 
 const PIECE =
 	/\/\*[\s\S]*?(?:\*\/|$)|\n|[ \t\r\f\v]+|-->|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[\p{L}_][\p{L}\p{N}_]*|\?\p{L}|@\p{L}*|#\p{L}+|[<>=!]=|&&|\|\||[\s\S]/gu;
-/** What a line may begin with besides a directive, up to its colon. */
+/** Beginnings of lines, other than directives, up to the colon. */
 const HEAD =
 	/^(?:axiom|derivation[ \t]+length|maximum[ \t]+depth|ignore|consider|angle[ \t]+increment|line[ \t]+(?:length|width)(?:[ \t]+increment)?|tropism|Lsystem)[ \t]*:/;
 const ALONE = /^(decomposition|homomorphism|derivation|endlsystem)[ \t]*(?:\n|\/\*|$)/;
@@ -96,7 +96,10 @@ class Scanner {
 		}
 	}
 
-	/** A line begins: a statement, a production, or what goes on with the line before. Gives how much of it is its head. */
+	/**
+	 * Begins a line: a statement, a production or a continuation.
+	 * @returns length of the statement's head, 0 if there is none
+	 */
 	#begin(at: number): number {
 		const end = this.#text.indexOf("\n", at);
 		const line = this.#text.slice(at, end < 0 ? undefined : end);
@@ -139,7 +142,7 @@ class Scanner {
 		if (/^[\d.]/.test(piece) && piece !== ".") return "number";
 		if (/^[(),.;]$/.test(piece)) return this.#depth === 0 && piece !== "(" && piece !== ")" ? this.#loose() : "mark";
 		if (this.#depth > 0 || this.#sort === "values") {
-			// What is defined is not called, whatever stands behind it.
+			// A name after #define is not a call, even before a parenthesis.
 			if (named && this.pieces.at(-1)?.text !== "#define")
 				return /^[ \t]*\(/.test(this.#text.slice(at + piece.length, at + piece.length + 8)) ? "function" : "name";
 			if (named) return "name";

@@ -1,10 +1,10 @@
-/** Numbers in a text that a hand moves: by how much, and how they are written then. */
+/** Step sizes and text of numbers that are dragged in the editor. */
 import { decimals, type NumberAt } from "./outline";
 
 /** Pixels of a drag to one step. */
 export const PIXELS_A_STEP = 4;
 
-/** What a step is multiplied by: Shift goes ten steps, Ctrl (on a Mac Command) a tenth of one. */
+/** Factor of a step for modifier keys: 10 with Shift, 0.1 with Ctrl or Command. */
 export function reach({ shiftKey, ctrlKey, metaKey }: Pick<MouseEvent, "shiftKey" | "ctrlKey" | "metaKey">): number {
 	if (shiftKey) return 10;
 	return ctrlKey || metaKey ? 0.1 : 1;

@@ -1,4 +1,4 @@
-/** Where a model's grammars come from, and what a change of one writes into the document. */
+/** Reads a model's grammars, and computes the changes that edit them in the document. */
 import type { Plant } from "../plant/plant";
 import { type Constants, inOrder, isHeld, MOST_CONSTANTS, type WithConstants } from "../specimen/constants";
 import type { WithGrammar } from "../specimen/grammar_text";
@@ -8,15 +8,18 @@ import type { Dialect } from "./dialect";
 import { withConstants } from "./outline";
 import { readOutline } from "./read_outline";
 
-/** What the editor of grammars has to know of a model. */
+/** Describes a model's grammars for the editor. */
 export interface GrammarSource<S extends Specimen & WithGrammar = Specimen & WithGrammar> {
-	/** What sentences call a plant of it: "bunch". */
+	/** Name of a plant in sentences: "bunch". */
 	readonly noun: string;
-	/** The group of the panel that says so where a plant has a grammar of its own; absent: one at the panel's end, for hands write texts. */
+	/**
+	 * Key of the panel group that shows the notice about a document's own grammar; absent: a group at the end of the
+	 * panel, because handles write texts.
+	 */
 	readonly group?: string;
 	/**
-	 * The text by which a document grows that has none of its own. One that has yet to be fetched is promised: once the promise is
-	 * kept, this gives it.
+	 * Returns the built-in text for a document, or a promise while the text loads; after the promise resolves, call
+	 * again.
 	 */
 	builtIn(specimen: S): string | Promise<unknown>;
 	/** The language of its texts; that of L-systems where absent. */
@@ -31,7 +34,7 @@ export interface GrammarSource<S extends Specimen & WithGrammar = Specimen & Wit
 	readonly leans?: string;
 	/** Constants that parameters of the table stand for: they have their sliders already. */
 	readonly governed?: ReadonlySet<string>;
-	/** What a plant lacks of what its text asks for, a line each: said below the text. */
+	/** Returns warnings about missing parts of a plant, one line each; shown below the text. */
 	warnings?(grown: Plant, specimen: S): readonly string[];
 	/** The values of constants that a preset sets, where documents hold such (specimen/constants.ts): sliders then leave the text as it is. */
 	presetConstants?(preset: string): Constants;
@@ -44,7 +47,7 @@ export interface GrammarSource<S extends Specimen & WithGrammar = Specimen & Wit
 export function textOf(source: GrammarSource, specimen: Specimen & WithGrammar, later: () => void): string | undefined {
 	const text = specimen.grammar ?? source.builtIn(specimen);
 	if (typeof text === "string") return source.presetConstants ? valued(source, text, constantsOf(specimen)) : text;
-	text.then(later, () => {}); // Who grows it says why it did not come.
+	text.then(later, () => {}); // The code that grows the plant reports why the text did not load.
 	return undefined;
 }
 
@@ -54,8 +57,9 @@ export function isOwn({ grammar }: WithGrammar): boolean {
 }
 
 /**
- * The change that makes a text the document's, undefined the built-in one. One that is that but for numbers of its constants is none of
- * its own, whoever wrote them. Values of names that a text of one's own defines are nowhere else: one number, one place.
+ * Returns the change that sets the document's text; undefined restores the built-in text. A text that differs from the
+ * built-in one only in numbers of constants is stored as constants. Values of names that the document's own text
+ * defines are stored in the text only.
  */
 export function withText(source: GrammarSource, specimen: Specimen & WithGrammar, text: string | undefined): Change {
 	const { presetConstants } = source;
@@ -98,7 +102,7 @@ export function withValues(
 	const published = presetConstants(specimen.preset);
 	const builtIn = source.builtIn(specimen) as string;
 	const builtInValues = new Map(readOutline(builtIn, source.dialect).constants.map((each) => [each.name, each.number]));
-	// What the text says itself need not be repeated.
+	// Values equal to the built-in text's are not stored.
 	const changed = Object.entries({ ...constantsOf(specimen), ...values }).filter(
 		([name, value]) => Object.hasOwn(published, name) || builtInValues.get(name)?.value !== value,
 	);
@@ -113,13 +117,13 @@ const areHeld = (constants: Constants): boolean => {
 	return all.length <= MOST_CONSTANTS && all.every(([name, value]) => isHeld(name, value));
 };
 
-/** What a text gives its names, as it is written there. */
+/** Returns the definitions of a text: name and value as written. */
 const definitionsOf = ({ dialect }: GrammarSource, text: string) =>
 	readOutline(text, dialect).definitions.map(({ name, from, to }) => [name, text.slice(from, to)] as const);
 
 const constantsOf = (specimen: Specimen & Partial<WithConstants>): Constants => specimen.constants ?? {};
 
-/** Texts as they were last written, by the values in them: asked for whenever something is drawn. */
+/** Cache of texts with substituted values, by the values: needed at every drawing. */
 const written = new WeakMap<Constants, { readonly text: string; readonly valued: string }>();
 
 function valued({ dialect, governed }: GrammarSource, text: string, constants: Constants): string {
@@ -132,5 +136,5 @@ function valued({ dialect, governed }: GrammarSource, text: string, constants: C
 	return now;
 }
 
-/** What all of the studio that has to do with grammars is given. */
+/** Editor context of models with a grammar. */
 export type GrammarContext = EditorContext<Specimen & WithGrammar>;

@@ -30,10 +30,10 @@ export class StepBar extends LitElement {
 	declare playing: boolean;
 	/** Goes to a step. */
 	declare go: (step: number) => void;
-	/** Goes one on, or back, with what is chosen. */
+	/** Moves one step forward or back, together with the chosen module. */
 	declare by: (by: 1 | -1) => void;
 	declare play: () => void;
-	/** Whether the view shows the plant as it was after the step, and what changes that. */
+	/** Whether the view shows the plant of the step, and the function that toggles this. */
 	declare follows: boolean;
 	declare follow: () => void;
 

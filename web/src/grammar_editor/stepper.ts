@@ -28,13 +28,16 @@ const KEYS =
 
 /** Productions of the text that have to do with the chosen module. */
 export interface ShownProductions {
-	/** What rewrites it next. */
+	/** Production that rewrites the module next. */
 	readonly fires?: TextPlace | undefined;
-	/** What wrote it. */
+	/** Production that wrote the module. */
 	readonly wrote?: TextPlace | undefined;
 }
 
-/** The derivation step by step: its strings, what was rewritten by what and with which values, what was asked and answered. */
+/**
+ * Step viewer of a derivation: the string of each step, and for a module its productions, values, queries and
+ * responses.
+ */
 export class Stepper extends ControlElement<GrammarContext> {
 	static override properties = {
 		...ControlElement.properties,
@@ -44,7 +47,7 @@ export class Stepper extends ControlElement<GrammarContext> {
 	};
 	/** The line of the production at the text's cursor. */
 	declare line: number | undefined;
-	/** Told which productions are to be marked in the text. */
+	/** Called with the productions to mark in the text. */
 	declare shown: (productions: ShownProductions) => void;
 	/** Takes the cursor to a place of the text. */
 	declare goTo: (place: TextPlace) => void;
@@ -259,7 +262,10 @@ export class Stepper extends ControlElement<GrammarContext> {
 
 let dressed = false;
 
-/** Its styles come with it, as a constructed sheet, which the page's policy allows: they are no part of what is loaded first. */
+/**
+ * Adds the style sheet as a constructed sheet, which the content security policy allows; the sheet is not part of the
+ * first load.
+ */
 function dress(): void {
 	if (dressed) return;
 	dressed = true;

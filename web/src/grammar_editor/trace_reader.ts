@@ -7,17 +7,17 @@ import type { DerivationTrace, TraceRequest } from "../plant/derivation_trace";
 
 /** Modules of a window. */
 export const WINDOW = 600;
-/** Windows begin at multiples of this, so that what was read is found again. */
+/** Windows begin at multiples of this, so that cached windows are found again. */
 const GRID = 200;
-/** Windows that are kept. */
+/** Largest number of cached windows. */
 const MOST_CACHED = 24;
-/** A question that nobody waits for any more is ended after so many milliseconds, with its worker. */
+/** Delay until a request that is no longer needed is aborted with its worker, milliseconds. */
 const ABANDON_DELAY = 200;
 
-/** Asks the core. */
+/** Requests a window of the trace from the core. */
 export type RequestTrace = (request: TraceRequest, signal: AbortSignal) => Promise<DerivationTrace>;
 
-/** What is wanted: about a module of a step's string. */
+/** Module that the window must contain. */
 export interface WindowTarget {
 	/** That of the last step where undefined. */
 	readonly step: number | undefined;
@@ -39,7 +39,7 @@ interface Running {
 	readonly wanted: WindowTarget;
 	readonly from: number;
 	readonly ending: AbortController;
-	/** Ends it, once nobody waits for it any more. */
+	/** Aborts the request once it is no longer needed. */
 	timer?: ReturnType<typeof setTimeout> | undefined;
 }
 
@@ -47,7 +47,7 @@ export class TraceReader {
 	readonly #changed: () => void;
 	#requestTrace: RequestTrace | undefined;
 	#cached = new Map<string, DerivationTrace>();
-	/** What is known of the whole; it stays while another document's is awaited. */
+	/** Modules of each step's string; stays while another document's is loading. */
 	#counts: Uint32Array | undefined;
 	#wanted: WindowTarget = { step: undefined, about: 0 };
 	#page: DerivationTrace | undefined;
@@ -70,12 +70,12 @@ export class TraceReader {
 		return this.#stale;
 	}
 
-	/** Modules of each step's string, as last told. */
+	/** Modules of each step's string, as last received. */
 	get counts(): Uint32Array | undefined {
 		return this.#counts;
 	}
 
-	/** Why nothing is told. */
+	/** Error message if no trace can be shown. */
 	get fault(): string | undefined {
 		return this.#fault;
 	}
@@ -86,7 +86,7 @@ export class TraceReader {
 		return last === undefined ? this.#wanted.step : Math.min(this.#wanted.step ?? last, last);
 	}
 
-	/** Another document: what was read is of none any more. */
+	/** Begins to read another document's trace and clears the cache. */
 	begin(requestTrace: RequestTrace): void {
 		this.#requestTrace = requestTrace;
 		this.#cached = new Map();
@@ -102,7 +102,7 @@ export class TraceReader {
 		this.#changed();
 	}
 
-	/** Ends what is under way. */
+	/** Aborts the running request. */
 	close(): void {
 		this.#requestTrace = undefined;
 		const running = this.#running;
@@ -111,7 +111,9 @@ export class TraceReader {
 		running.ending.abort();
 	}
 
-	/** What runs for long and is wanted no more ends; what ends soon is kept. */
+	/**
+	 * Aborts a running request that is no longer needed after a delay; if it finishes earlier, its window is cached.
+	 */
 	#abandon(running: Running): void {
 		const left = ABANDON_DELAY - (performance.now() - running.from);
 		running.timer ??= setTimeout(() => {
@@ -122,7 +124,7 @@ export class TraceReader {
 		}, left);
 	}
 
-	/** What was wanted no more is wanted again. */
+	/** The running request is needed again: cancels the delayed abort. */
 	#resume(running: Running): void {
 		clearTimeout(running.timer);
 		running.timer = undefined;
@@ -131,7 +133,7 @@ export class TraceReader {
 	#nextRequest(): TraceRequest {
 		const { step, about } = this.#wanted;
 		const length = this.#counts?.[this.step ?? 0] ?? 0;
-		// Of a step that nothing is known of the last is told.
+		// If the step is unknown, the last step is requested.
 		return { step: step ?? MANY, first: windowAbout(about, length), count: WINDOW };
 	}
 
@@ -187,16 +189,16 @@ export class TraceReader {
 	}
 
 	#fail(running: Running, error: unknown): void {
-		// What was ended is not wanted any more.
+		// An aborted request is ignored.
 		if (this.#running !== running) return;
 		this.#end(running);
-		// Something else that is request for aside took its place before it had begun.
+		// Another offscreen request replaced this one before it began.
 		const again = error instanceof Superseded;
 		if (again || this.#requestTrace !== running.requestTrace || this.#wanted !== running.wanted) this.#update();
 		else {
 			this.#fault = error instanceof Error ? error.message : String(error);
 			this.#page = undefined;
-			// Of a document that nothing was told of the steps are not known.
+			// Without any received window the steps are unknown.
 			if (this.#cached.size === 0) this.#counts = undefined;
 		}
 		this.#changed();

@@ -1,4 +1,4 @@
-/** What there is to say of a module of a derivation, in plain words. */
+/** Describes modules of a derivation in plain words. */
 import type { Chance, ModuleAnswer, ToldModule } from "../plant/derivation_trace";
 
 /** "1,240 modules". */
@@ -11,7 +11,7 @@ export function stepInWords(step: number, last: number): string {
 	return step === 0 ? "Axiom" : `Step ${step} of ${last}`;
 }
 
-/** A module by its symbol and by what stands in its parentheses: `B`, `(29)`. */
+/** Splits a module into its symbol and its parameters: `B`, `(29)`. */
 export function partsOfModule(text: string): readonly [symbol: string, parameters: string] {
 	const at = text.length > 1 ? text.indexOf("(", 1) : -1;
 	return at < 0 ? [text, ""] : [text.slice(0, at), text.slice(at)];
@@ -27,7 +27,7 @@ export function chanceInWords({ total, weight, drawn }: Chance): string {
 	return `by chance: ${short(weight)} of ${short(total)} is its weight, ${short(drawn)} was drawn`;
 }
 
-/** "Asked 0.1, 2 → answered 0.31, 1": a question and its answer; "was told …" of what asks nothing. */
+/** Describes a response of the environment, with its query if there is one: "Asked 0.1, 2 → answered 0.31, 1". */
 export function answerInWords({ asked, answered }: ModuleAnswer): string {
 	const list = (numbers: readonly string[]) => (numbers.length > 0 ? numbers.join(", ") : "nothing");
 	return asked ? `Asked ${list(asked)} → answered ${list(answered)}` : `Was told ${list(answered)}`;
@@ -39,7 +39,7 @@ export function piecesOf(words: string): readonly (string | number)[] {
 	return sentence.split(/\bmodule (\d+)/).map((piece, index) => (index % 2 === 1 ? Number(piece) : piece));
 }
 
-/** What becomes of it in the next step. */
+/** Describes the result of a module in the next step. */
 export function fateOf(
 	{ fires, children: { count } }: Pick<ToldModule, "fires" | "children">,
 	isLast: boolean,

@@ -1,11 +1,11 @@
 /**
- * What a phone's keyboard leaves of the page. It covers the page and makes it no smaller, so the page is told (style/pane.css): an
- * attribute of the root while there is one, and how high and where the part is that can be seen.
+ * Follows the on-screen keyboard of a phone, which covers the page without resizing it. While it is open, the root has
+ * an attribute and two style properties with the visible part (style/pane.css).
  */
 
-/** What is covered at the least, CSS pixels: bars of the browser come and go by less. */
+/** Least covered height that counts as a keyboard, CSS pixels: the browser's bars cover less. */
 const KEYBOARD = 120;
-/** Who has zoomed in sees less of the page without any keyboard. */
+/** A zoomed page shows less without any keyboard. */
 const UNZOOMED = 1.05;
 
 export class TypingRoom {

@@ -1,7 +1,10 @@
 import { describe, expect, it } from "vitest";
 import { HandReader } from "../../../../web/src/grammar_editor/gestures/hand";
 
-/** A hand upright, a tenth of the picture from wrist to knuckle, its palm's middle there; as the camera sees it. */
+/**
+ * Landmarks of an upright hand as the camera sees it: wrist to knuckle spans a tenth of the picture, and the palm's
+ * centre is at (x, y).
+ */
 function handAt(x: number, y: number, apart = 0.1) {
 	const points = Array.from({ length: 21 }, () => ({ x, y }));
 	points[0] = { x, y: y + 0.06 };

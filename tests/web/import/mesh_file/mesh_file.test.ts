@@ -74,7 +74,7 @@ describe("a closed mesh from a file", () => {
 		const shape = { mesh, material: standardMaterial("stem"), instances: { transforms } };
 		const about = { name: "box", link: "", extras: {} };
 		const bytes = exportGlb([{ name: "box", shape }], about as never);
-		// A quarter turn about z lays it on its side.
+		// Turns the box on its side by a quarter turn about z.
 		const { points: imported } = await readMeshFile(new File([bytes], "box.glb"));
 		expect(Math.max(...imported.filter((_, i) => i % 3 === 0))).toBeCloseTo(1);
 		expect(imported).toHaveLength(24);
@@ -88,7 +88,7 @@ describe("a closed mesh from a file", () => {
 		expect(simple.triangles.length / 3).toBeLessThanOrEqual(MOST_TRIANGLES);
 		expect(simple.triangles.length / 3).toBeGreaterThan(MOST_TRIANGLES / 4);
 		expect(volumeOf(simple)).toBeCloseTo(Math.PI / 6, 1);
-		// What is closed is accepted a second time.
+		// A closed mesh is accepted a second time.
 		expect(() => closedMesh(simple)).not.toThrow();
 	});
 

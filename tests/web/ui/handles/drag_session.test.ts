@@ -7,7 +7,7 @@ import { roundLength } from "../../../../web/src/ui/handles/scale_bar";
 
 type Places = Readonly<Record<string, Point>>;
 
-/** A session over named places, with frames that come when the test says so. */
+/** Drag session over named places, whose frames the test runs. */
 function session(start: Places, alone = false) {
 	const view = { places: start, calls: [] as string[], frames: [] as (() => void)[] };
 	const drags = new DragSession<string, Places>({

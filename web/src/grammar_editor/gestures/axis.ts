@@ -1,4 +1,4 @@
-/** What two axes of a hand can drive: the numbers of the table and those of the document's text, all alike. */
+/** Axes that gestures can control: numeric parameters of the table, and constants of the document's text. */
 import { scaleOf } from "../../specimen/lengths";
 import { nearestWithin } from "../../specimen/table";
 import type { Change, EditorState } from "../../ui/editor_context";
@@ -20,7 +20,7 @@ export interface Axis {
 	readonly value: number;
 }
 
-/** The axes of a document, and what it becomes where they stand elsewhere. */
+/** Axes of a document, and the changes that set them. */
 export class Axes {
 	readonly #context: GrammarContext;
 	readonly #source: GrammarSource | undefined;
@@ -91,7 +91,7 @@ export function shareOf({ value, min, max }: Axis): number {
 	return max > min ? (value - min) / (max - min) : 0;
 }
 
-/** What an axis is at a share of its way. */
+/** Returns the value of an axis at a share of its range. */
 export function atShare({ min, max }: Axis, share: number): number {
 	return min + (max - min) * Math.min(Math.max(share, 0), 1);
 }

@@ -1,11 +1,11 @@
 /**
- * A hand before the camera, seen by @mediapipe/hands: its files lie beside the app, in `hands/`, and come when the camera is asked for. What
- * the camera sees stays in this page.
+ * Hand tracking by @mediapipe/hands. The library's files are next to the app, in `hands/`, and load when the camera is
+ * chosen. The camera's picture never leaves the page.
  */
 import type { Driver, DriverEvents } from "./driver";
 import { HandReader, type Landmark } from "./hand";
 
-/** What is used of @mediapipe/hands, whose script knows no modules. */
+/** Used part of the API of @mediapipe/hands, whose script is not a module. */
 interface HandsFinder {
 	setOptions(options: { maxNumHands: number; modelComplexity: 0 | 1; minDetectionConfidence: number }): void;
 	onResults(listener: (results: { readonly multiHandLandmarks?: readonly (readonly Landmark[])[] }) => void): void;
@@ -16,11 +16,11 @@ interface HandsFinder {
 type HandsMaker = new (config: { locateFile(file: string): string }) => HandsFinder;
 
 const FOLDER = "hands/";
-/** Fewer pixels are found in sooner, and are enough for a hand. */
+/** Requested picture size: small pictures are faster to search, and are sufficient to find one hand. */
 const SIZE = { width: { ideal: 320 }, height: { ideal: 240 } } as const;
-/** A hand at rest for so long has done a step, seconds. */
+/** Time after which a resting hand ends an undo step, seconds. */
 const STILL = 0.8;
-/** Shares of the way that a hand at rest may tremble. */
+/** Largest tremor of a resting hand, as a share of the range. */
 const TREMBLE = 0.01;
 
 export class CameraDriver implements Driver {
@@ -33,7 +33,7 @@ export class CameraDriver implements Driver {
 	#seen: boolean | undefined;
 	#rested: { x: number; y: number; since: number; reported: boolean } | undefined;
 
-	/** @param video shows what the camera sees */
+	/** @param video element that shows the camera's picture */
 	constructor(video: HTMLVideoElement, events: DriverEvents) {
 		this.#video = video;
 		this.#events = events;
@@ -81,7 +81,7 @@ export class CameraDriver implements Driver {
 	/** Picture after picture, each once the one before has been looked at. */
 	async #look(finder: HandsFinder): Promise<void> {
 		while (!this.#stopped) {
-			// A page that nobody sees looks at nothing.
+			// While the page is hidden, no picture is analysed.
 			if (!document.hidden && this.#video.readyState >= HTMLMediaElement.HAVE_CURRENT_DATA)
 				await finder.send({ image: this.#video });
 			await new Promise((resolve) => setTimeout(resolve, document.hidden ? 300 : 16));

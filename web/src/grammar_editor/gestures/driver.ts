@@ -1,17 +1,17 @@
-/** What drives two axes: a pointer, a gamepad, a hand before the camera. Each says where it is, and when the next pair is wanted. */
+/** Devices that control two axes: a pointer, a gamepad, or the user's hand before the camera. */
 import type { Position } from "./hand";
 
-/** What a driver tells. Places are shares of the way from the left and from the top. */
+/** Events of a driver. Positions are shares of the picture, from the left and from the top. */
 export interface DriverEvents {
 	/** Where the circle stands now, for drivers that move it on. */
 	where(): Position;
 	/** It is somewhere else. */
 	move(place: Position): void;
-	/** It has come to rest: what it did is one step. */
+	/** The device rests: ends the undo step. */
 	rest(): void;
 	/** The next pair of axes. */
 	next(): void;
-	/** What is to be known of it, in a sentence. */
+	/** Message to the user, a sentence. */
 	report(words: string): void;
 	/** It cannot go on, and why: the pointer takes its place. */
 	fail(words: string): void;

@@ -1,11 +1,14 @@
 import type { Driver, DriverEvents } from "./driver";
 
-/** Shares of the whole way a second, at full tilt; and how far a stick that nobody touches may stand off its middle. */
+/**
+ * Speed at full tilt, as a share of the range per second; and dead zone of an untouched stick, as a share of its
+ * travel.
+ */
 const [SPEED, SLACK] = [0.6, 0.15];
 /** Buttons of the standard mapping: the lowest of the right four, and the cross. */
 const [NEXT, UP, DOWN, LEFT, RIGHT] = [0, 12, 13, 14, 15];
 
-/** What of a gamepad is read. */
+/** Used part of a gamepad's state. */
 export interface Pad {
 	readonly axes: readonly number[];
 	readonly buttons: readonly { readonly pressed: boolean }[];

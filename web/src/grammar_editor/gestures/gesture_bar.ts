@@ -11,7 +11,7 @@ const DRIVERS: readonly (readonly [by: DrivenBy, words: string])[] = [
 	["camera", "Hand before the camera"],
 ];
 
-/** Which two numbers are driven, and by what. */
+/** Controls of the gesture tool: the two numbers, and the device that controls them. */
 class GestureBar extends EditorElement<GrammarContext> {
 	static override properties = { ...EditorElement.properties, gestures: { attribute: false } };
 	declare gestures: Gestures;

@@ -1,4 +1,4 @@
-/** Gestures on the picture: the circle that shows where the two numbers stand, and whatever drives them. */
+/** Gestures on the picture: the circle that shows the two numbers, and the driver that moves it. */
 
 import { ARROWS } from "../../ui/handles/point";
 import { KeyRuns } from "../../ui/key_runs";
@@ -26,7 +26,7 @@ export class GestureInteraction implements ToolInteraction {
 	readonly #circle = Object.assign(document.createElement("button"), { type: "button", className: "gesture-circle" });
 	readonly #hand = Object.assign(document.createElement("span"), { className: "gesture-hand", hidden: true });
 	readonly #words = Object.assign(document.createElement("span"), { className: "gesture-words" });
-	/** Where the numbers stand once a hand has left them, for those who do not see the circle. */
+	/** Announces the numbers to screen readers when the device rests. */
 	readonly #status = Object.assign(document.createElement("p"), { className: "unseen", role: "status" });
 	readonly #runs = new KeyRuns();
 	readonly #video = Object.assign(document.createElement("video"), { muted: true, playsInline: true, hidden: true });
@@ -35,7 +35,7 @@ export class GestureInteraction implements ToolInteraction {
 	/** Where the hand has to come before the circle follows it. */
 	#awaited = false;
 	#moved = false;
-	/** Where a hand has gone since the last frame. */
+	/** Latest position of the device since the last frame. */
 	#to: Position | undefined;
 	#frame = 0;
 	#place: Position = { x: 0.5, y: 0.5 };
@@ -127,7 +127,7 @@ export class GestureInteraction implements ToolInteraction {
 	}
 
 	#made(by: DrivenBy): Driver {
-		// What a driver says once it has been ended is of no interest.
+		// Events of a stopped driver are ignored.
 		const mine = () => this.#by === by;
 		const events: DriverEvents = {
 			where: () => this.#place,

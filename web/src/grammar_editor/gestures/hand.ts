@@ -1,6 +1,6 @@
 /**
- * What a hand says that a camera sees: where it is, and whether it pinches. From landmarks as @mediapipe/hands numbers them: 21 points in shares
- * of the picture, x to the right and y down as the camera sees them.
+ * Reads position and pinch of the user's hand from the 21 landmarks of @mediapipe/hands, in shares of the camera's picture: x
+ * to the right and y down as the camera sees them.
  */
 
 export interface Landmark {
@@ -8,7 +8,7 @@ export interface Landmark {
 	readonly y: number;
 }
 
-/** Shares of the way, from the left and from the top as whoever stands before the camera sees them. */
+/** Position as shares of the picture, from the left and from the top as the person before the camera sees it. */
 export interface Position {
 	readonly x: number;
 	readonly y: number;
@@ -22,11 +22,11 @@ export interface HandRead extends Position {
 /** Numbers of landmarks. */
 const [WRIST, THUMB_TIP, INDEX_KNUCKLE, INDEX_TIP, MIDDLE_KNUCKLE, LITTLE_KNUCKLE] = [0, 4, 5, 8, 9, 17];
 const POINTS = 21;
-/** A hand cannot come to the picture's edge and still be seen whole: so much of it is beyond the ends of the axes. */
+/** Margin of the picture mapped beyond the ends of the axes: one at the picture's edge is not completely visible. */
 const MARGIN = 0.18;
 /** From tip to tip in lengths of the palm: a pinch begins below the first, and is over above the second. */
 const [TOGETHER, APART] = [0.28, 0.5];
-/** Hertz: what trembles slower is let through by a hand at rest, and how much sooner by one that moves (Casiez and others 2012). */
+/** Cut-off frequency of the filter for a resting hand, in hertz, and its increase with speed (Casiez et al. 2012). */
 const [REST, HASTE] = [1, 4];
 
 /** Reads one hand, picture by picture. */
@@ -35,7 +35,10 @@ export class HandReader {
 	#x: Smoothed | undefined;
 	#y: Smoothed | undefined;
 
-	/** @param seconds when the picture was taken; @returns undefined where these are no landmarks of a hand */
+	/**
+	 * @param seconds time of the picture
+	 * @returns undefined if the landmarks are not those of one hand
+	 */
 	read(landmarks: readonly Landmark[] | undefined, seconds: number): HandRead | undefined {
 		const known = landmarks?.length === POINTS && landmarks.every(({ x, y }) => Number.isFinite(x + y));
 		if (!landmarks || !known) {

@@ -1,4 +1,4 @@
-/** The two axes that a hand drives at a time, and which come next. */
+/** Selects the two axes that gestures control, and the next two. */
 import type { Axis } from "./axis";
 
 /** Ids of axes; undefined where there are none. */
@@ -10,7 +10,7 @@ export interface Pair {
 /** Petrenko 2014, section 4.3.3: the hand's way across bends the stem, its way up makes it longer. */
 const USUAL: Pair = { across: "constant bend", up: "constant length" };
 
-/** The pair as asked for, as far as the document has it; in place of what it has not the usual one, or what comes first. */
+/** Returns the axes of a pair. A missing axis is replaced by the usual one, or else by the first one. */
 export function pairOf(axes: readonly Axis[], { across, up }: Pair): { readonly across?: Axis; readonly up?: Axis } {
 	const find = (id: string | undefined) => axes.find((axis) => axis.id === id);
 	const [right, above] = [find(across) ?? find(USUAL.across), find(up) ?? find(USUAL.up)];

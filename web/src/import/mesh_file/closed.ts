@@ -42,7 +42,7 @@ function weldedShut(soup: Soup, size: number): Soup {
 	);
 }
 
-/** Edges at which an odd number of triangles meet: without any, inside and outside are told apart everywhere. */
+/** Counts edges with an odd number of triangles; without any, the mesh has an inside. */
 function openEdges({ triangles }: Soup): number {
 	const odd = new Set<number>();
 	triangles.forEach((a, i) => {
@@ -75,8 +75,8 @@ function farthestOf(soup: Soup): number {
 }
 
 /**
- * One point for each cell of a grid, at the mean of those in it; triangles that shrink to lines go. What is closed stays
- * closed: every edge keeps as many triangles on one side as on the other.
+ * Merges the points of each grid cell into their mean and removes degenerate triangles. A closed mesh stays closed:
+ * every edge keeps as many triangles on one side as on the other.
  */
 function merged({ points, triangles }: Soup, cell: number): Soup {
 	const first = boxOf({ points, triangles }).low.map((value) => Math.round(value / cell));

@@ -41,7 +41,7 @@ interface Gltf {
 	extensionsRequired?: string[];
 }
 
-/** Parts of meshes that are placed by nodes at the most: more would hold whoever reads for long. */
+/** Largest number of mesh parts placed by nodes; more would take too long to read. */
 const MOST_PARTS = 100_000;
 
 /**

@@ -2,7 +2,7 @@
 import type { FromMeshReader } from "./messages";
 import { readMeshFile } from "./read";
 
-/** What this file needs of a worker's global scope, which the page's types do not describe. */
+/** Used part of a worker's global scope, which the page's types do not describe. */
 interface Scope {
 	postMessage(message: FromMeshReader): void;
 	onmessage: ((event: MessageEvent<File>) => void) | null;

@@ -1,7 +1,7 @@
-/** What the page and the worker that reads a mesh's file send to each other: one file, one answer. */
+/** Messages between the page and the worker that reads a mesh file: one file, one result. */
 import type { ClosedMesh } from "../../specimen/closed_mesh";
 
 export type FromMeshReader =
 	| { readonly type: "read"; readonly mesh: ClosedMesh }
-	/** The file holds no mesh that can be a boundary; the message says why. */
+	/** The file holds no mesh that can be a boundary; `message` gives the reason. */
 	| { readonly type: "failed"; readonly message: string };

@@ -1,4 +1,4 @@
-/** Wavefront OBJ: positions and faces; the rest of the format says nothing of a boundary. */
+/** Wavefront OBJ: reads positions and faces; other statements do not matter for a boundary. */
 import { bounded, boundedPoints, MeshFileError, type Soup } from "./soup";
 import { linesOf, wordsOf } from "./text_lines";
 
@@ -47,7 +47,9 @@ function coordinate(word: string, line: number): number {
 	throw wrong(line, `“${word.slice(0, 32)}”, which is no number`);
 }
 
-/** Counted from 1, or back from the last point so far; what follows a slash are textures and normals. */
+/**
+ * Index counted from 1, or backwards from the last point so far; texture and normal indices after a slash are ignored.
+ */
 function corner(word: string, count: number, line: number): number {
 	const index = Number.parseInt(word, 10);
 	const place = index < 0 ? count + index : index - 1;

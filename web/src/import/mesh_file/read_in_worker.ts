@@ -22,7 +22,8 @@ export function readMeshInWorker(file: File, spawn: () => Worker = spawnReader):
 		worker.onmessageerror = () => fail("The file could not be handed over.");
 		worker.onerror = (event) => {
 			event.preventDefault(); // It is reported here; the console need not hear of it.
-			// What fails once the script runs is answered: without a message, the script has not come.
+			// Errors of a running script are sent as messages; an error event without a message means that the script
+			// did not load.
 			fail(event.message || "Part of the page could not be fetched; check the connection and try again.");
 		};
 		worker.postMessage(file);

@@ -10,7 +10,7 @@ export interface Soup {
 const MOST_READ = 500_000;
 const MOST_POINTS = 3 * MOST_READ;
 
-/** A file that holds no mesh that can be a boundary; the message says why, and what to do. */
+/** Error: the file holds no mesh that can be a boundary; the message gives the reason and the remedy. */
 export class MeshFileError extends Error {
 	override name = "MeshFileError";
 }

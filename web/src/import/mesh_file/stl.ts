@@ -8,7 +8,7 @@ import { linesOf, wordsOf } from "./text_lines";
 const HEADER = 80;
 const TRIANGLE = 50;
 
-/** @throws MeshFileError with what cannot be read */
+/** @throws MeshFileError with the unreadable part */
 export function readStl(bytes: ArrayBuffer): Soup {
 	const count = bytes.byteLength < HEADER + 4 ? 0 : new DataView(bytes).getUint32(HEADER, true);
 	// Programs begin binary files with “solid”, too, and end them with padding; letters, as a number, are more triangles than any file has.

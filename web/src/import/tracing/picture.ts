@@ -18,7 +18,7 @@ export interface Pixel {
 	y: number;
 }
 
-/** What a person can do about a picture that nothing can be traced from. */
+/** Error: nothing can be traced from the picture; the message explains to the user how to fix this. */
 export class TraceError extends Error {
 	override name = "TraceError";
 }

@@ -1,18 +1,18 @@
 /** A picture of one thing on a plain ground → its silhouette, without holes. */
 import { type Mask, type PixelImage, TraceError } from "./picture";
 
-/** Colours that differ by less than this from the ground are the ground, whatever else there is; 0 … 441. */
+/** Least colour difference from the background that counts as foreground, 0 … 441. */
 const LEAST_CONTRAST = 26;
 /** Less than this share of the picture is nothing. */
 const LEAST_SHARE = 0.005;
-/** What covers more than this share of the picture's rim runs out of it. */
+/** A silhouette that covers more than this share of the picture's border is cut off by it. */
 const MOST_OF_RIM = 0.12;
 /** Alpha below which a pixel is ground. */
 const CLEAR = 64;
 
 /**
- * @param noun what sentences call it: "leaf"
- * @throws TraceError where nothing stands out, or what does is not all in the picture
+ * @param noun name of the object in messages: "leaf"
+ * @throws TraceError if no object stands out, or the object is cut off by the border
  */
 export function silhouetteOf(picture: PixelImage, noun: string): Mask {
 	const away = differences(picture);
@@ -110,7 +110,10 @@ function filled({ width, height, inside }: Mask): Mask {
 	return { width, height, inside: Uint8Array.from(inside, (value, at) => (value || !seen[at] ? 1 : 0)) };
 }
 
-/** Marks what hangs together with a pixel that has not been seen; a view of `queue`. */
+/**
+ * Marks all pixels connected to an unvisited pixel.
+ * @returns a view of `queue`
+ */
 function flood(start: number, width: number, seen: Uint8Array, queue: Uint32Array): Uint32Array {
 	let end = 0;
 	queue[end++] = start;

@@ -24,7 +24,9 @@ const LONG = 4;
  * such a factor within so much of its height. A blade that narrows evenly, or in a bow, has none.
  */
 const [NARROW, HIGH, WIDENS, AT_ONCE] = [0.35, 0.1, 2.5, 0.05];
-/** What widens towards the blade is as wide as at this share of its rows, from the narrowest: its very end may be rounded off. */
+/**
+ * Quantile of the row widths, from the narrowest, that is the width of a widening foot: its very end may be rounded.
+ */
 const NARROWEST = 0.1;
 /** A foot ends where it is wider than this, against where it was found to widen. */
 const SHOULDER = 1.5;
@@ -57,7 +59,7 @@ function thinPart(whole: Mask): Part | undefined {
 	return longest && longest.length >= LONG * 2 * radius ? longest : undefined;
 }
 
-/** What an upright silhouette stands on, where that is narrow up to a shoulder: row by row from the lowest. */
+/** Finds the narrow foot of an upright silhouette, up to its shoulder, row by row from the lowest. */
 function footOf({ width, height, inside }: Mask): Part | undefined {
 	const rows = Array.from({ length: height }, (_, y) => inside.subarray(y * width, (y + 1) * width));
 	const [top, end] = [rows.findIndex((row) => row.includes(1)), rows.findLastIndex((row) => row.includes(1))];
@@ -89,7 +91,7 @@ function footOf({ width, height, inside }: Mask): Part | undefined {
 	return { members: Uint32Array.from(members), length, width: narrow };
 }
 
-/** What discs of a radius reach without leaving the mask. */
+/** Morphological opening by a disc. */
 function opened({ width, height, inside }: Mask, radius: number): Mask {
 	const core = reach({ width, height, inside: inside.map((value) => 1 - value) }, radius).inside.map(
 		(value) => 1 - value,

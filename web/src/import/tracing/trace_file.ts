@@ -3,15 +3,18 @@ import { sameDocument } from "../../ui/same_document";
 import { FILE_TOPIC } from "../../ui/tool";
 import type { PixelImage } from "./picture";
 
-/** What becomes of an outline that was found in a picture. */
+/** Use of an outline traced from a picture. */
 export interface Tracing<T> {
-	/** Fetches what finds it; that throws TraceError where there is none. */
+	/** Loads the tracer, which throws TraceError if it finds no outline. */
 	readonly tracer: () => Promise<(picture: PixelImage) => T>;
-	/** Writes it into the document, as one step; returns what to say of it, undefined where there is no place for it any more. */
+	/**
+	 * Writes the outline into the document as one step.
+	 * @returns the notice to show; undefined if there is no longer a place for the outline
+	 */
 	readonly take: (traced: T) => { readonly title: string; readonly details: readonly string[] } | undefined;
 }
 
-/** Takes the outline of what is in a picture for the document that is open; what is wrong with the picture is notice. */
+/** Traces the outline in a picture for the open document. Shows a notice if the picture cannot be traced. */
 export async function traceFile<T>(context: EditorContext, file: Blob, tracing: Tracing<T>): Promise<void> {
 	const isStill = sameDocument(context);
 	const again = () => void traceFile(context, file, tracing);

@@ -1,10 +1,11 @@
-/** A traced margin set upright, in lengths of what it is of. */
+/** Turns a traced margin upright and scales it to its own length. */
 import type { Point } from "../../ui/handles/point";
 import type { Pixel } from "./picture";
 
 /**
- * The margin in lengths of it: from the base, counter-clockwise, its middle straight above the base. Tips may be two, or
- * bent aside: they do not tell which way is up. And that length, in pixels.
+ * Returns the margin in units of its length, counter-clockwise from the base, with its centroid straight above the
+ * base, and that length in pixels. The tip is not used for the direction, because there may be two tips, or a bent
+ * one.
  */
 export function upright(contour: readonly Pixel[], base: Pixel): { margin: Point[]; size: number } {
 	const first = nearest(contour, base);
@@ -18,7 +19,7 @@ export function upright(contour: readonly Pixel[], base: Pixel): { margin: Point
 		x: ((pixel.y - base.y) * ux - (pixel.x - base.x) * uy) / size,
 		y: along[index] / size,
 	}));
-	// What is clockwise on the screen is read the other way round.
+	// The contour is clockwise on the screen, so it is read backwards.
 	return { margin: [turned[first], ...turned.slice(0, first).reverse(), ...turned.slice(first + 1).reverse()], size };
 }
 
