@@ -1,5 +1,5 @@
-// What the model keeps of its last flower shows in nothing but time: whatever is asked for in whatever order, the
-// answer is that of a model that has never been asked before. And the skin is as thick as the text says.
+// The cache of the flower model changes nothing but time: in any order of requests, each response equals that of a
+// model without a cache. And a skin is as thick as the text sets.
 #include <cmath>
 #include <cstring>
 #include <glm/geometric.hpp>
@@ -41,7 +41,7 @@ Result<Plant> grow_flower(const FlowerRequest& wanted, CacheSlot* cache) {
   return model.grow(request, Limits{});
 }
 
-// All that an answer has, as text; the message of what cannot be grown.
+// All parts of a response as text; or the message of an error.
 std::string answer(const FlowerRequest& wanted, CacheSlot* cache) {
   const auto grown = grow_flower(wanted, cache);
   if (!grown) return grown.error().message + std::to_string(grown.error().line);
@@ -68,7 +68,7 @@ std::string answer(const FlowerRequest& wanted, CacheSlot* cache) {
   return all;
 }
 
-// Where figures stand in a text.
+// Ranges of the figures in a text.
 std::vector<std::pair<std::size_t, std::size_t>> figures(const std::string& text) {
   std::vector<std::pair<std::size_t, std::size_t>> found;
   const auto is_digit = [&](std::size_t i) { return i < text.size() && text[i] >= '0' && text[i] <= '9'; };
@@ -82,7 +82,7 @@ std::vector<std::pair<std::size_t, std::size_t>> figures(const std::string& text
   return found;
 }
 
-// The skin of a tube that stands.
+// The skin of a vertical tube.
 Mesh tube(std::uint32_t sides, float diameter, std::uint32_t rounds) {
   const std::string n = std::to_string(sides), d = std::to_string(diameter);
   const Flower flower =
@@ -111,13 +111,13 @@ double radius_of(std::uint32_t sides, float diameter, std::uint32_t rounds) {
 
 }  // namespace
 
-TEST_CASE("what is kept of the last flower shows in nothing") {
+TEST_CASE("responses with a cache equal responses without one") {
   std::uint64_t draw = 0;
   const auto drawn = [&](std::size_t below) {
     return static_cast<std::size_t>(random_integer(7, 1, ++draw, 0, static_cast<std::int32_t>(below) - 1));
   };
   std::size_t changed = 0;
-  // By luck and by age another map.
+  // Its map depends on random values and on the age.
   const std::string random_map =
       "#define A(4,0,0,0,2,2,2,1)\n#axiom: A\nA{}{math.random(0,1) < 0.5}{} -> A[A]_{C1}\n"
       "A{}{step < 8*age}{} -> A[A(,<math.random(0,9)>)]_{E}";
@@ -128,7 +128,7 @@ TEST_CASE("what is kept of the last flower shows in nothing") {
     FlowerRequest wanted{whole};
     std::string before = answer(wanted, &cache);
     for (int i = 0; i < 60; ++i) {
-      // Mostly a figure of the text, sometimes the panel's, and back.
+      // Mostly changes a figure of the text, sometimes a parameter, and back.
       switch (drawn(9)) {
         case 0:
           wanted.text = whole;
@@ -167,7 +167,7 @@ TEST_CASE("what is kept of the last flower shows in nothing") {
   CHECK(changed > 100);
 }
 
-TEST_CASE("a value in a request takes the place of a variable's, and one that the text does not have is told") {
+TEST_CASE("a request's values replace those of variables, and a note lists unknown names") {
   const std::string text =
       "#define k=3\n#define own=1\n#define A(4,0,0,0,k,2,2,1)\n#axiom: A\n#module M\n#define j=1\n"
       "#define B(4)\n#axiom: B";
@@ -194,7 +194,7 @@ TEST_CASE("a value in a request takes the place of a variable's, and one that th
   CHECK(note.size() < 2000);
 }
 
-TEST_CASE("an m that is no material is told with the line that gives it") {
+TEST_CASE("an m that is not a material's number has a note with the line that gives it") {
   const auto noted = [](const std::string& text, std::string_view words) {
     const Plant plant = sound(grow_flower({text}, nullptr));
     return std::any_of(plant.notes.begin(), plant.notes.end(),
@@ -213,7 +213,7 @@ TEST_CASE("an m that is no material is told with the line that gives it") {
   CHECK_FALSE(noted("#define A(4,0,0,0,2,2,2,255)" + rest + "A -> A[A]_{E}", "has m"));
 }
 
-TEST_CASE("figures that only place the map are no part of its structure_key") {
+TEST_CASE("the structure key excludes figures that only place the map") {
   const auto same = [](std::string_view a, std::string_view b) { return same_map(program_of(a), program_of(b)); };
   const std::string text =
       "#define k=3\n#define n=5\n#define A(n,0,0,0,1,2,k,1)\n#axiom: A(, 4)\n#define finalStep=6\n"
@@ -228,7 +228,7 @@ TEST_CASE("figures that only place the map are no part of its structure_key") {
   for (const auto& [from, to] : std::vector<std::pair<std::string_view, std::string_view>>{
            {"k=3", "k=3.25"}, {"0,1,2,k", "9,1,2,k"}, {"(, 4)", "(, 5)"}, {"v=7", "v=8"}, {"112233", "445566"}})
     CHECK_MESSAGE(same(text, with(from, to)), from);
-  // Orders, conditions, what those are made of, faces, steps, lines, names, and what is more than a figure.
+  // Orders, conditions, figures that those depend on, faces, steps, lines, names, and changes of more than a figure.
   for (const auto& [from, to] : std::vector<std::pair<std::string_view, std::string_view>>{{"n=5", "n=6"},
                                                                                            {"w=2", "w=3"},
                                                                                            {"u=3", "u=4"},
@@ -240,12 +240,12 @@ TEST_CASE("figures that only place the map are no part of its structure_key") {
                                                                                            {"k=3", "k=-3"},
                                                                                            {"k=3", "k=2+1"}})
     CHECK_FALSE_MESSAGE(same(text, with(from, to)), from);
-  // What a call gives is made of is only what its own blocks come to: other lists of the line may have figures.
+  // The value of a call depends on the blocks of its own production alone: other lists of the line may have figures.
   const std::string line =
       "#define k=3\n#define A(4,0,0,0,1,1,1,1)\n#axiom: A\n"
       "A{q=step/2}{step<3}{} -> A[A(,,,,k,,,)]_{E}[&M{n=4+q}]_{C1}\n#module M\n#define n=4\n#define B(n)\n#axiom: B\n";
   CHECK(same(line, "#define k=5" + line.substr(11)));
-  // Nor what variables take, which counts as work: what is equal is worked out once.
+  // Nor are variables, whose code counts as work: equal terms are compiled once.
   const std::string twice = "#define k=age*3+age*3\n#define A(4)\n#axiom: A";
   CHECK(same(twice, twice));
   CHECK_FALSE(same(twice, "#define k=age*3+age*4\n#define A(4)\n#axiom: A"));
@@ -263,7 +263,7 @@ TEST_CASE("figures that only place the map are no part of its structure_key") {
   CHECK_FALSE(same(module, called("M", "N")));
 }
 
-TEST_CASE("a tube's skin is as thick as the text says, however few sides it has") {
+TEST_CASE("a tube's skin has the text's thickness for any number of sides") {
   for (const std::uint32_t sides : {4u, 5u, 6u, 8u, 12u, 21u})
     for (const std::uint32_t rounds : {1u, 2u, 3u}) {
       CAPTURE(sides);
@@ -309,8 +309,8 @@ TEST_CASE("a skin faces outwards") {
   CHECK(1e9 * volume < 900);
 }
 
-// As their lines have it: name, type and how many of it, where that is not 1.
-TEST_CASE("all columns are documented where the model is") {
+// The line of each column: name, type, and its width where that is not 1.
+TEST_CASE("model.hpp documents all columns") {
   const FlowerRequest wanted{.text = text_named("table-3"), .outputs = "meshes"};
   const Plant plant = sound(grow_flower(wanted, nullptr));
   const std::string page = content(panicle::tests::repository_folder() + "/wasm-core/src/models/flower/model.hpp");

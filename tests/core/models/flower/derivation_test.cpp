@@ -1,4 +1,4 @@
-// What grows from a flower's text: by the laws that the thesis's productions state, and by its own printed grammars.
+// Derivations of flowers: by the rules that the thesis states for productions, and by its own printed grammars.
 #include <cmath>
 #include <set>
 
@@ -18,7 +18,7 @@ const std::string volume =
 
 }  // namespace
 
-TEST_CASE("a chain grows by a volume a step") {
+TEST_CASE("a chain grows by one volume a step") {
   const Flower flower = grown(volume + "A -> A[A]_{E}", steps(7));
   CHECK(flower.derived.map.volumes() == 8);
   CHECK(flower.derived.map.darts() == 8 * 48);
@@ -31,29 +31,29 @@ TEST_CASE("a chain grows by a volume a step") {
   CHECK(flower.derived.notes.empty());
 }
 
-TEST_CASE("a face's sign may stand behind any blanks, on a line of its own, too") {
+TEST_CASE("a face may follow blanks or begin a line of its own") {
   for (const char* const blank : {"", " ", "\t", " \n", "\r\n  "})
     CHECK(grown(volume + "A -> A[B]" + blank + "_{C1}", steps(1)).count("B") == 1);
 }
 
-TEST_CASE("all productions apply that fit, and of those on one face the last listed wins") {
+TEST_CASE("all matching productions apply, and the last listed wins on a face") {
   const Flower flower = grown(volume + "A -> A[B]_{C1}\nA -> A[B]_{E}\nA -> A[C]_{E}\nA -> A[C]_{C1,C3}", steps(1));
   CHECK(flower.count("B") == 0);
   CHECK(flower.count("C") == 3);
-  // Only where it fits: the last of those that do.
+  // Only where conditions hold: the last of those productions.
   const Flower other = grown(volume + "A{}{step>=0}{} -> A[B]_{E}\nA{}{step>0}{} -> A[C]_{E}", steps(3));
   CHECK(other.count("B") == 1);
   CHECK(other.count("C") == 0);
 }
 
-TEST_CASE("a face that is taken is passed over, and all that fits goes on") {
+TEST_CASE("a taken face is skipped, and other matching productions still apply") {
   const Flower flower = grown(volume + "A -> A[B]_{E}\nA{}{step==3}{} -> A[C]_{E,C2}", steps(6));
   CHECK(flower.count("B") == 1);
   CHECK(flower.count("C") == 1);
   CHECK(flower.derived.map.volume(2).parent_face == gm::side(2));
 }
 
-TEST_CASE("what a list leaves empty is the predecessor's where that has the same name, else the definition's") {
+TEST_CASE("omitted numbers are the predecessor's where it has the same name, else the definition's") {
   const Flower flower = grown(volume + "A -> A[A(,5,,,,3*L,,)]_{E}\nA -> A[B(,,,,,W+7,,)]_{C1}", steps(2));
   // A grows A, which is thrice as long and turned by 5.
   REQUIRE(flower.name(1) == "A");
@@ -69,7 +69,7 @@ TEST_CASE("what a list leaves empty is the predecessor's where that has the same
   CHECK(flower.value(3, Field::length) == 9);
 }
 
-TEST_CASE("lists of numbers are read by how many there are") {
+TEST_CASE("lists of numbers are read by their length") {
   const auto values = [](const std::string& list) {
     const Flower flower = grown(
         "#define A(8,1,2,3,4,5,6,7)\n#define T(8,.5,1,2,3,4,5,6,7)\n#axiom: A\nA -> A[" + list + "]_{E}", steps(1));
@@ -90,7 +90,7 @@ TEST_CASE("lists of numbers are read by how many there are") {
   CHECK(ten.noted("ten numbers"));
 }
 
-TEST_CASE("a volume without numbers has as many sides as what it grows on") {
+TEST_CASE("a volume without numbers has as many sides as the face that it grows on") {
   const Flower flower =
       grown("#define A\n#define B(7,0,0,0,1,1,1,1)\n#axiom: B\nB -> B[A]_{E}\n#define D\nA -> A[D]_{C1}", steps(2));
   CHECK(flower.derived.map.volume(1).order == 7);
@@ -98,7 +98,7 @@ TEST_CASE("a volume without numbers has as many sides as what it grows on") {
   CHECK(flower.noted("without numbers"));
 }
 
-TEST_CASE("a face may be worked out") {
+TEST_CASE("a face's number may be an expression") {
   const Flower flower = grown(
       "#define A(21,0,0,0,1,1,1,1)\n#define F(4,0,0,0,face,1,1,2)\n#axiom: A\n"
       "A -> A[A]_{E}\nA -> A[F]_{C(1 + 8*step%21)}",
@@ -112,7 +112,7 @@ TEST_CASE("a face may be worked out") {
   CHECK(std::set<std::uint32_t>(sides.begin(), sides.end()) == std::set<std::uint32_t>{1, 9, 17, 4, 12});
 }
 
-TEST_CASE("a volume knows how far along its organ it stands, and how far beside the axis") {
+TEST_CASE("`along` and `beside` count volumes along an organ's axis and beside it") {
   const std::string text =
       "#define A(4,0,0,0,1,1,1,1)\n#define F(4,0,0,0,along,beside,1,2)\n#define R(4,0,0,0,1,1,1,1)\n#axiom: A\n"
       "A{}{along<3}{} -> A[A]_{E}\nA -> A[R]_{C2}\nR{}{beside<2+along}{} -> R[R]_{E}\nR -> R[F]_{C1}\n"
@@ -126,7 +126,7 @@ TEST_CASE("a volume knows how far along its organ it stands, and how far beside 
   for (std::uint32_t v = 0; v < flower.derived.map.volumes(); ++v) {
     const std::pair place(flower.value(v, Field::height), flower.value(v, Field::length));
     if (flower.name(v) == "F") places.insert(place);
-    // A module counts its own, from 0 on, and what it begins with is told where it is called.
+    // A module counts its own steps, from 0 on; its first volume has the step of its call.
     if (flower.name(v) != "G") continue;
     const bool begins = flower.name(flower.derived.map.volume(v).parent) == "R";
     CHECK(place.second == (begins ? 2 : 0));
@@ -139,7 +139,7 @@ TEST_CASE("a volume knows how far along its organ it stands, and how far beside 
             .derived.values[1] == VolumeValues{4, 1, 0, 0, 0, 7, 3, 1, 1});
 }
 
-TEST_CASE("blocks work values out for what stands behind them") {
+TEST_CASE("blocks set values for the parts after them") {
   const Flower flower = grown(volume + "A{w = 2*step+1; v = w*w;}{w < 6}{u = v+1} -> A[A(,,,,w,v,u,)]_{E}", steps(6));
   REQUIRE(flower.derived.map.volumes() == 4);
   for (std::uint32_t v = 1; v < 4; ++v) {
@@ -150,7 +150,7 @@ TEST_CASE("blocks work values out for what stands behind them") {
   }
 }
 
-TEST_CASE("a glue waits until its faces are adjacent, and one that never was is noted") {
+TEST_CASE("a glue waits until its faces are adjacent, and a note lists glues that never applied") {
   // A stack whose sides grow; the lobes' neighbouring sides meet.
   const std::string lobes =
       "#define V(4,0,0,0,1,1,1,1)\n#define R(4,0,0,0,1,1,1,2)\n#axiom: V\n"
@@ -166,7 +166,7 @@ TEST_CASE("a glue waits until its faces are adjacent, and one that never was is 
   CHECK(gm::check(flower.derived.map).fault == gm::Fault::nothing);
   CHECK(flower.derived.notes.empty());
   CHECK(grown(lobes + "R : R_C2 < R_C4 -> R_C2 | R_C4", steps(6)).noted("never came to be adjacent"));
-  // Of what has not grown there is nothing to glue: whether it should have is another matter.
+  // Where volumes have not grown there is nothing to glue, and no note either.
   CHECK_FALSE(grown(lobes + "#define lobes=1\n#define W(4,0,0,0,1,1,1,1)\nV{}{lobes>1}{} -> V[W]_{C1}\n" +
                         "W : W_C1 < W_C3 -> W_C1 | W_C3",
                     steps(6))
@@ -177,7 +177,7 @@ TEST_CASE("a glue waits until its faces are adjacent, and one that never was is 
             .noted("Line 6: V is a prism with 4 sides, which has no C7, and"));
 }
 
-TEST_CASE("a glue finds its own instance's face behind another's") {
+TEST_CASE("a glue finds the face of its own instance where another's is adjacent too") {
   // On each side of a prism a module's chain of two, whose sides are beside those of the neighbouring chain.
   const Flower flower = grown(
       "#define A(8,0,0,0,1,1,1,1)\n#axiom: A\n#define finalStep=1\nA -> A[&M]_{C1,C2,C3}\n#module M\n"
@@ -200,7 +200,7 @@ TEST_CASE("a glue finds its own instance's face behind another's") {
   CHECK(gm::check(flower.derived.map).fault == gm::Fault::nothing);
 }
 
-TEST_CASE("what a later line displaces, and what could not be done, is told of each line") {
+TEST_CASE("notes list lines that later ones displace, and lines that could not be applied") {
   const Flower twice = grown(volume + "A{}{step==0}{} -E-> B C\nA{}{step==0}{} -C1-> B C", steps(1));
   CHECK(twice.noted("Line 5: where a later line splits"));
   const Flower renamed = grown(volume + "A -> B\nA -> C", steps(1));
@@ -225,14 +225,14 @@ TEST_CASE("a split halves a volume, and both go on growing") {
   CHECK(grown(volume + "A -E-> B(,,,,.25) C(,,,,.75)", steps(1)).value(1, Field::height) == 0.75f);
 }
 
-TEST_CASE("what a production makes of its predecessor has that one's productions from then on") {
+TEST_CASE("a relabelled volume has the new label's productions from then on") {
   const Flower flower = grown(volume + "A -> B\nB -> B[C]_{E}", steps(2));
   CHECK(flower.name(0) == "B");
   CHECK(flower.count("C") == 1);
   CHECK(flower.noted("A becomes B"));
 }
 
-TEST_CASE("a module has a step of its own and is run to its end") {
+TEST_CASE("a module has a step of its own and runs to its end") {
   const std::string text =
       volume +
       "A{}{step==1}{} -> A[&M(,,,,9,,,)]_{E}\n#define finalStep=2\n"
@@ -250,7 +250,7 @@ TEST_CASE("a module has a step of its own and is run to its end") {
   CHECK(step == 5);
 }
 
-TEST_CASE("a module's steps are counted for each call, by what that gives and draws") {
+TEST_CASE("a module's number of steps depends on the values that each call gives and draws") {
   const auto text = [](const std::string& n, const std::string& calls) {
     return "#define A(9)\n#define k=8\n#axiom: A\nA -> A" + calls + "\n#define finalStep=1\n#module P\n#define n=" + n +
            "\n#define finalStep=n\n#define B(4,finalStep)\n#axiom: B\nB -> B[B]_{E}";
@@ -260,7 +260,7 @@ TEST_CASE("a module's steps are counted for each call, by what that gives and dr
   CHECK(flower.count("B") == 9 + 4 + 1);
   CHECK(flower.value(1, Field::turn_x) == 8);
   CHECK(flower.value(2, Field::turn_x) == 3);
-  // So what is given makes another map.
+  // So another given value makes another map.
   Given now;
   now.values = {{"k", 2}};
   CHECK(flower::rebuilds(flower.program, {}, now));
@@ -273,14 +273,14 @@ TEST_CASE("a module's steps are counted for each call, by what that gives and dr
   CHECK(counts.size() > 3);
 }
 
-TEST_CASE("modules that hold themselves end, with a note") {
+TEST_CASE("modules that call themselves end at a depth, with a note") {
   const Flower flower =
       grown(volume + "A -> A[&M]_{E}\n#module M\n#define A(4,0,0,0,1,1,1,1)\n#axiom: A\nA -> A[&M]_{E}", steps(1));
   CHECK(flower.derived.instances.size() == 33);
   CHECK(flower.noted("Line 9: modules stand in one another more than 32 deep"));
 }
 
-TEST_CASE("variables are the text's or their module's, and given ones take their place") {
+TEST_CASE("variables belong to the text or to their module, and given values replace the text's") {
   const std::string text =
       "#define a=2\n#define b=a*3\n" + volume +
       "A -> A[&M(,,,,b,a,,)]_{E}\n#module M\n#define b=a+100\n#define A(4,0,0,0,1,1,b,1)\n#axiom: A";
@@ -293,12 +293,12 @@ TEST_CASE("variables are the text's or their module's, and given ones take their
   const Flower other = grown(text, given);
   CHECK(other.value(1, Field::height) == 15);
   CHECK(other.value(1, Field::width) == 105);
-  // One that the text has no more changes nothing.
+  // A value of a variable that the text no longer has changes nothing.
   given.values = {{"c", 5}};
   CHECK(grown(text, given).derived.values == flower.derived.values);
 }
 
-TEST_CASE("a call gives a module's variables their values, each call its own") {
+TEST_CASE("each call gives a module's variables values of its own") {
   const std::string text =
       "#define A(4,0,0,0,1,1,1,1)\n#define tall=3\n#axiom: A\n#define finalStep=1\n"
       "A{k=2}{}{} -> A[&M{high=k*H+tall; n=2}]_{E}[&M{high=math.random(5,6)}]_{C1,C2}[&M]_{C3}\n"
@@ -319,7 +319,7 @@ TEST_CASE("a call gives a module's variables their values, each call its own") {
   CHECK(b[1] != b[2]);
   CHECK(b[3] == 7);
   CHECK(c == std::vector<float>{10});
-  // The same map anew, where no condition depends on what was given.
+  // The same map, where no condition depends on the given value.
   Given now;
   now.values = {{"tall", 4}};
   CHECK_FALSE(flower::rebuilds(flower.program, {}, now));
@@ -334,7 +334,7 @@ TEST_CASE("a call gives a module's variables their values, each call its own") {
   CHECK(flower::rebuilds(program, {{{"b", 6}}, 0, 1, 1}, {{{"b", 7}}, 0, 1, 1}));
 }
 
-TEST_CASE("luck is a volume's own: uniform, the same for the same seed, another for each") {
+TEST_CASE("random values are uniform, repeatable by seed, and different for each volume") {
   const std::string text =
       "#define r=7\n#define V(4,0,0,0,1,1,1,1)\n#define P(4,0,0,0,1,1,1,1)\n#axiom: V\nV -> V[V]_{E}\nV -> "
       "V[P(,<math.random(-r,r)>,,,,,,)]_{C2}";
@@ -375,7 +375,7 @@ TEST_CASE("luck is a volume's own: uniform, the same for the same seed, another 
   CHECK(heights.size() == 9);
 }
 
-TEST_CASE("other numbers are placed on the same map as if it had grown with them") {
+TEST_CASE("reworked values equal those of a flower that grows with the new numbers") {
   const std::string text = text_named("table-3");
   const Program program = program_of(text);
   for (const float turn : {0.0f, 3.0f, 40.0f}) {
@@ -391,7 +391,7 @@ TEST_CASE("other numbers are placed on the same map as if it had grown with them
       program_of("#define n=6\n#define m=n\n#define k=3\n#define A(m,0,0,0,1,1,k,1)\n#axiom: A\nA{x=k}{}{}->A[A]_{E}");
   CHECK(flower::rebuilds(orders, {{{"n", 6}}, 0, 1, 1}, {{{"n", 7}}, 0, 1, 1}));
   CHECK_FALSE(flower::rebuilds(orders, {{{"k", 6}}, 0, 1, 1}, {{{"k", 7}}, 0, 1, 1}));
-  // Another seed, where luck has nothing to do with the map; where it has, what it has drawn tells.
+  // Another seed matters only where the map depends on draws; there the drawn values decide.
   CHECK_FALSE(flower::rebuilds(orders, {}, {{}, 0, 1, 2}));
   const auto random_order = [](const std::string& order) {
     return program_of("#define n=floor(math.random(4,6))\n#define A(" + order +
@@ -443,7 +443,7 @@ TEST_CASE("Table 3 has one receptacle, four petals and four modules") {
   }
 }
 
-TEST_CASE("figure 16 has its whorls: six sepals, six petals, six stamens, a carpel") {
+TEST_CASE("figure 16 has whorls of six sepals, six petals, six stamens and a carpel") {
   const Flower flower = grown(text_named("figure-16"), steps(3));
   std::array<std::size_t, 5> of{};
   for (const Instance& instance : flower.derived.instances) ++of[instance.grammar];
@@ -451,14 +451,14 @@ TEST_CASE("figure 16 has its whorls: six sepals, six petals, six stamens, a carp
   const Flower whole = grown(text_named("figure-16"), steps(4));
   of = {};
   for (const Instance& instance : whole.derived.instances) ++of[instance.grammar];
-  // The relabelled base bears petals and stamens of its own.
+  // The relabelled base has petals and stamens of its own attached.
   CHECK(of[4] == 1);
   CHECK(whole.noted("BASEC becomes BASE"));
   CHECK(whole.noted("CARPEL in line"));
   CHECK(gm::check(whole.derived.map).fault == gm::Fault::nothing);
 }
 
-TEST_CASE("growth ends where a limit is reached, and what has grown stays") {
+TEST_CASE("growth ends at a limit, and the flower so far remains") {
   Limits limits;
   limits.darts = 48 * 100;
   const Flower flower = grown(volume + "A -> A[A]_{E}", steps(500), limits);
@@ -469,7 +469,7 @@ TEST_CASE("growth ends where a limit is reached, and what has grown stays") {
   limits = {};
   limits.work = 50;
   CHECK(grown(volume + "A -> A[A]_{E,C1}", steps(500), limits).noted("which is the limit"));
-  // By productions that were tried, not by volumes, and with what modules' variables take.
+  // Work is counted by tried productions, not by volumes, and includes the variables of modules.
   std::string many = volume;
   for (int i = 0; i < 200; ++i) many += "A{}{step<0}{} -> B\n";
   limits.work = 20000;
@@ -478,7 +478,7 @@ TEST_CASE("growth ends where a limit is reached, and what has grown stays") {
   for (int i = 1; i < 100; ++i) drawing += "#define v" + std::to_string(i) + "=v" + std::to_string(i - 1) + "*1.001\n";
   CHECK(
       grown(drawing + "#define Q(4,0,0,0,1+v99,v98*3,1,1)\n#axiom: Q", steps(200), limits).noted("which is the limit"));
-  // Blocks that are worked out in too many places.
+  // Blocks that are compiled in too many places.
   std::string blocks = volume + "A{a=H";
   for (int i = 0; i < 20000; ++i) blocks += "+H";
   blocks += ";}{}{} -> A";
@@ -489,7 +489,7 @@ TEST_CASE("growth ends where a limit is reached, and what has grown stays") {
   CHECK(trouble(volume + "A -> A[A]_{E}\n#define finalStep=10", {}, limits).reason == Reason::limit);
 }
 
-TEST_CASE("every grammar of the shelf grows to a whole map, and the same one each time") {
+TEST_CASE("every grammar of the presets grows to a valid map, repeatably") {
   for (const auto& file : files()) {
     CAPTURE(file.string());
     const Flower flower = grown(content(file)), again = grown(content(file));
@@ -499,7 +499,7 @@ TEST_CASE("every grammar of the shelf grows to a whole map, and the same one eac
   }
 }
 
-TEST_CASE("the examples of the language's page grow") {
+TEST_CASE("the examples of the language's documentation grow") {
   const std::string page = content(panicle::tests::repository_folder() + "/docs/models/flower/language.md");
   std::size_t examples = 0;
   for (std::size_t at = 0; (at = page.find("```flower\n", at)) != std::string::npos; ++examples) {
@@ -524,7 +524,7 @@ TEST_CASE("functions of Lua are read under their own names, its angles as radian
   CHECK(drawn <= 2);
 }
 
-TEST_CASE("what never comes about is told, but not where age, values or the panel's steps may bring it about") {
+TEST_CASE("a note lists productions that never apply, unless they depend on age, values or given steps") {
   const std::string start = "#define k=100\n#define A(4,0,0,0,1,1,1,1)\n#define Z(4)\n#axiom: A\n#define finalStep=6\n";
   const auto notes_that_it_never_happens = [&](const std::string& production, const Given& given = {}) {
     return grown(start + production, given).noted("never c");

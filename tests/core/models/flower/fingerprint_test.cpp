@@ -1,4 +1,4 @@
-// Two flowers that differ have two fingerprints, be the difference in a lobe beside a vein.
+// Flowers that differ have different fingerprints, also where they differ only in a lobe beside a vein.
 #include "models/flower/fingerprint.hpp"
 
 #include <array>
@@ -47,7 +47,7 @@ std::string blade(const std::string& lobe, const Figures& figures, const std::st
 
 }  // namespace
 
-TEST_CASE("each figure of a lobe is seen in a flower's fingerprint") {
+TEST_CASE("a flower's fingerprint depends on each number of a lobe") {
   std::set<std::uint64_t> prints = {print_of(blade("L", petal))};
   for (std::size_t i = 0; i < fields; ++i) {
     INFO(field_names[i]);
@@ -58,12 +58,12 @@ TEST_CASE("each figure of a lobe is seen in a flower's fingerprint") {
   CHECK(prints.insert(print_of(blade("L", petal, "2.5"))).second);
 }
 
-TEST_CASE("places are seen in a flower's fingerprint along each axis") {
+TEST_CASE("a flower's fingerprint depends on places along each axis") {
   const auto box = [](const std::string& sizes) { return print_of("#define A(4,0,0,0," + sizes + ",1)\n#axiom: A\n"); };
   CHECK(std::set{box("5,5,5"), box("6,5,5"), box("5,6,5"), box("5,5,6")}.size() == 4);
 }
 
-TEST_CASE("what a volume is called is not seen in a flower's fingerprint, which volumes are called alike is") {
+TEST_CASE("a flower's fingerprint does not depend on names, but on which volumes share a name") {
   CHECK(print_of(blade("L", petal)) == print_of(blade("Lobe", petal)));
   const std::string a = "#define A(4,0,0,0,5,5,5,1)\n", b = "#define B(4,0,0,0,5,5,5,2)\n",
                     rest = "#axiom: A\nA -> A[B]_{E}";
@@ -72,8 +72,8 @@ TEST_CASE("what a volume is called is not seen in a flower's fingerprint, which 
   CHECK(print_of(one + "A -> A[A]_{E}") != print_of(one + "A -> A[B]_{E}\nB -> B[B]_{E}"));
 }
 
-TEST_CASE("what is glued is seen in a flower's fingerprint, also where it moves nothing") {
-  // Four cubes about an edge: the last stands against the one before wherever it has grown on the right side.
+TEST_CASE("a flower's fingerprint depends on glued faces, also where gluing moves no vertex") {
+  // Four cubes about an edge: the last is beside the first only where all have grown on the right sides.
   int moved_nothing = 0;
   for (const char side : std::string("1234"))
     for (const char own : std::string("1234"))

@@ -1,4 +1,4 @@
-// What the tests of flowers share: texts read and grown in one line.
+// Helpers for tests of flowers: read and grow a text in one line.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -67,7 +67,7 @@ inline Flower grown(std::string_view text, const Given& given = {}, const Limits
   return {std::move(program), std::move(derived)};
 }
 
-// What is wrong with a text that is read and grown; nothing where it is sound.
+// The error of reading and growing a text; none where it is valid.
 inline Diagnostic trouble(std::string_view text, const Given& given = {}, const Limits& limits = {}) {
   const auto program = read_program(text, limits);
   if (!program) return program.error();

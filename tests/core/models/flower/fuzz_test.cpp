@@ -1,5 +1,5 @@
-// Texts put together from tokens at random, and good texts with tokens changed: each ends in a flower or a diagnostic,
-// and what grew is a whole map. PANICLE_SEED repeats a run (fuzz_dice.hpp).
+// Texts of random tokens, and valid texts with tokens changed: each gives a flower with a valid map, or a diagnostic.
+// PANICLE_SEED repeats a run (fuzz_dice.hpp).
 #include "flowers.hpp"
 #include "fuzz_dice.hpp"
 #include "generalized_map/embedding.hpp"
@@ -89,7 +89,7 @@ void try_out(const std::string& text) {
   generalized_map::Embedding embedding;
   embedding.build(derived.value().map);
   embedding.place(derived.value().shapes());
-  // Placing anew is no more work than growing was, where that did not end early.
+  // Placing anew takes no more work than growing, where no limit ended the growth.
   const auto again = reworked(program.value(), steps(6), derived.value(), derived->whole ? limits : Limits{});
   REQUIRE(again);
   CHECK(again.value() == derived.value().values);

@@ -63,7 +63,7 @@ Levelled levelled(const std::string& text, const Given& given = {}) {
   return made;
 }
 
-// For each kind of material, how much of a mesh's surface is of it.
+// Surface area of a mesh by kind of material.
 std::map<std::string, double> shares(const PlantMesh& mesh) {
   std::map<std::string, double> all;
   const double whole = seen(mesh.mesh).area;
@@ -76,7 +76,7 @@ std::map<std::string, double> shares(const PlantMesh& mesh) {
   return all;
 }
 
-// What vertices of a kind have along their organ, 0, or across it, 1, in hundredths.
+// Coordinates of a kind's vertices along their organ (0) or across it (1), in hundredths.
 std::set<int> painted(const PlantMesh& mesh, std::string_view kind, std::size_t way) {
   std::set<int> found;
   for (const MeshRun& run : mesh.runs)
@@ -87,16 +87,16 @@ std::set<int> painted(const PlantMesh& mesh, std::string_view kind, std::size_t 
 
 }  // namespace
 
-TEST_CASE("a level has its colours where the skin has them, to the middle, the margin and both ends") {
+TEST_CASE("a level has the colours of the skin at the middle, the margin and both ends of organs") {
   const Plant plant = levelled(leaf).plant;
   CHECK(painted(plant.meshes[0], "petal", 1) == std::set{0, 50, 100});
   CHECK(painted(plant.meshes[0], "petal", 0) == std::set{0, 25, 75, 100});
   CHECK(painted(plant.meshes[0], "stem", 1) == std::set{0});
 }
 
-TEST_CASE("a flower at four distances has few triangles, and is as large, as wide and of the same kinds as it is") {
+TEST_CASE("levels have few triangles and keep the flower's extent, area and kinds of material") {
   constexpr std::array<std::size_t, level_count> most{6000, 2200, 800, 260};
-  // How much of the surface is left; of panicles and umbels of umbels, whose florets are thousands, less.
+  // Least share of the surface that remains; less for panicles and umbels of umbels with thousands of florets.
   constexpr std::array<double, level_count> least{0.9, 0.74, 0.6, 0.45}, of_thousands{0.6, 0.3, 0.2, 0.15};
   for (const auto& file : files()) {
     const std::string name = file.stem().string();
@@ -132,7 +132,7 @@ TEST_CASE("a flower at four distances has few triangles, and is as large, as wid
   }
 }
 
-TEST_CASE("plants of one map have the same triangles at each distance, wherever those are") {
+TEST_CASE("plants of one map have the same triangles at each distance, at other places") {
   const std::string text = text_named("tulip");
   const Plant one = levelled(text).plant;
   Given other;
@@ -145,7 +145,7 @@ TEST_CASE("plants of one map have the same triangles at each distance, wherever 
     CHECK(one.meshes[k].mesh.positions.size() == two.meshes[k].mesh.positions.size());
     CHECK(one.meshes[k].mesh.positions != two.meshes[k].mesh.positions);
   }
-  // What is given for what the map depends on is the same as what is drawn.
+  // Given and drawn values of variables that the map depends on have the same effect.
   const std::string bells = text_named("bluebell");
   Given seeded;
   std::size_t same = 0;
@@ -159,7 +159,7 @@ TEST_CASE("plants of one map have the same triangles at each distance, wherever 
   CHECK(same < 8);
 }
 
-TEST_CASE("of a crowd some are left from afar, wider") {
+TEST_CASE("of a crowd of organs some remain from afar, wider") {
   const Plant plant = levelled(text_named("dandelion")).plant;
   const auto petals = [&](std::size_t k) {
     for (const MeshRun& run : plant.meshes[k].runs)
@@ -172,7 +172,7 @@ TEST_CASE("of a crowd some are left from afar, wider") {
   CHECK(share.at("petal") > 0.15);
 }
 
-TEST_CASE("organs that are all unlike are no crowd, and are left out where they are too many") {
+TEST_CASE("organs that are all different are omitted where they are too many") {
   // Of 480 organs each has another number of sides, another size, or both.
   const std::string text =
       "#define S(12,0,0,0,2,2,2,1)\n#axiom: S\n#define finalStep=40\nS -> S[S]_{E}\n"

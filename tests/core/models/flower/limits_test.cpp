@@ -1,4 +1,4 @@
-// Texts that ask for more than anyone may have: they end, and what is kept of them stays in proportion.
+// Texts beyond the limits: reading and growing them ends, and the memory of the result stays in proportion.
 #include "flowers.hpp"
 
 using namespace panicle;
@@ -22,8 +22,8 @@ std::string defines(std::size_t count) {
 
 }  // namespace
 
-// Six gigabytes, where each setting keeps every mention of the same variable in the blocks before it.
-TEST_CASE("what calls depend on is kept once, however often the text says it") {
+// Would take six gigabytes if each setting stored every mention of a variable in the blocks before it.
+TEST_CASE("dependences of calls are stored once, however often the text repeats them") {
   std::string sum = "b";
   for (int i = 0; i < 12; ++i) sum = "(" + sum + "+" + sum + ")";
   std::string text = "#define A(4)\n#define b=1\n#define c=1\n#axiom: A\nA{a=" + sum + "}{}{} -> A";
@@ -41,14 +41,14 @@ TEST_CASE("what calls depend on is kept once, however often the text says it") {
   CHECK_FALSE(rebuilds("v8"));
 }
 
-TEST_CASE("what calls give counts as work") {
+TEST_CASE("settings of calls count as work") {
   Limits limits;
   limits.work = 50'000;
   const auto calling = [](const std::string& order, const std::string& faces, const std::string& value) {
     return "#define A(" + order + ")\n#axiom: A\nA -> A[A]_{E}[&M{v500=" + value + ";" + settings(500, "step") +
            "}]_{" + faces + "}\n#module M\n" + defines(501) + "#define B(4)\n#axiom: B\n";
   };
-  // A call a step, and all in one step, which ends within it.
+  // A call a step, and all calls in one step, where the limit ends the growth.
   std::string faces = "C1";
   for (int i = 2; i <= 400; ++i) faces += ",C" + std::to_string(i);
   for (const std::string& text : {calling("4", "C1", "1"), calling("400", faces, "1")}) {
@@ -57,7 +57,7 @@ TEST_CASE("what calls give counts as work") {
     CHECK(flower.derived.instances.size() > 10);
     CHECK(500 * flower.derived.instances.size() <= limits.work);
   }
-  // And so does what it takes to work them out, or what a variable draws.
+  // The work of evaluating them, and of a variable's draws, counts too.
   std::string sum = "step";
   for (int i = 0; i < 500; ++i) sum += "+step*" + std::to_string(i);
   const auto instances = [&](const std::string& value) {
@@ -82,7 +82,7 @@ TEST_CASE("conditions, blocks and numbers count as work by their length") {
     CHECK(flower.noted("which is the limit"));
     return flower.derived.map.volumes();
   };
-  // Each works out a thousand instructions or more, for which there is room a hundred times.
+  // Each takes a thousand instructions or more; the limit is a hundred times as much.
   CHECK(volumes("A{}{" + sum + "==0}{} -> A[A]_{E}") <= 100);
   CHECK(volumes("A{a=" + sum + "}{a==0}{} -> A[A]_{E}") <= 100);
   CHECK(volumes("A{}{}{a=" + sum + "} -> A[A(,a,,,,,,)]_{E}") <= 100);
@@ -92,7 +92,7 @@ TEST_CASE("conditions, blocks and numbers count as work by their length") {
   CHECK(grown("#define A(4)\n#axiom: A\nA -> A[A]_{E}\n", steps(4000), limits).derived.map.volumes() == 4001);
 }
 
-TEST_CASE("what an instance takes does not grow with what other modules have") {
+TEST_CASE("the work of an instance does not grow with the variables of other modules") {
   Limits limits;
   limits.work = 20'000;
   const auto instances = [&](std::size_t modules) {
@@ -111,11 +111,11 @@ TEST_CASE("what an instance takes does not grow with what other modules have") {
     return flower.derived.instances.size();
   };
   CHECK(instances(0) > 100);
-  // But for what it takes to work those out once.
+  // Except the work of evaluating those once.
   CHECK(instances(200) > 0.9 * static_cast<double>(instances(0)));
 }
 
-TEST_CASE("what a call gives is a variable's own, in whatever order it is given") {
+TEST_CASE("a call's settings may be in any order") {
   const Flower flower = grown(
       "#define A(4)\n#axiom: A\nA -> A[&M{c=2*step+4; a=1; d=(2*step+4)*2}]_{E}\n#module M\n#define a=9\n#define b=9\n"
       "#define c=9\n#define d=9\n#define B(4,a,b,c,d,1,1,1)\n#axiom: B\n",
@@ -127,7 +127,7 @@ TEST_CASE("what a call gives is a variable's own, in whatever order it is given"
   CHECK(flower.value(1, Field::height) == 8);
 }
 
-TEST_CASE("what is kept of a flower is counted whole, and nothing that calls gave is") {
+TEST_CASE("the memory of a cached flower is counted, and settings of calls are not stored") {
   std::string text = "#define A(4)\n#axiom: A\nA -> A[A]_{E}[&M{" + settings(300, "step*step+H") +
                      "}]_{C1}\n#module M\n" + defines(300) + "#define B(4)\n#axiom: B\n";
   std::string sum = "H";
@@ -144,7 +144,7 @@ TEST_CASE("what is kept of a flower is counted whole, and nothing that calls gav
   CHECK(sizeof(Instance) <= 2 * sizeof(std::uint64_t));
 }
 
-TEST_CASE("a flower that is placed anew takes no more work than one that grows") {
+TEST_CASE("placing a flower anew takes no more work than growing it") {
   const Flower flower = grown("#define A(4)\n#axiom: A\nA -> A[A]_{E}[&M]_{C1}\n#module M\n" + defines(300) +
                                   "#define v=ran(1)\n#define B(4,v)\n#axiom: B\n",
                               steps(30));

@@ -36,7 +36,7 @@ std::size_t flowers_of(const Flower& flower) {
 
 }  // namespace
 
-TEST_CASE("a meadow's ground is one, and each of its volumes bears a seed of one kind") {
+TEST_CASE("a meadow's ground is one surface, and each of its volumes has a seed of one kind") {
   const Flower flower = meadow({{"across", 12}});
   CHECK(gm::check(flower.derived.map).fault == gm::Fault::nothing);
   CHECK_FALSE(flower.noted("never came to be adjacent"));
@@ -68,7 +68,7 @@ TEST_CASE("all kinds grow in a meadow, in drifts, and other ones of another seed
   for (const std::string& kind : kinds) CHECK(modules_of(other).contains(kind));
 }
 
-TEST_CASE("how many flowers a meadow has, and how large it is, is told by figures") {
+TEST_CASE("figures of the text set a meadow's number of flowers and its size") {
   std::size_t before = 0;
   for (const float share : {0.0f, 0.5f, 1.0f, 2.0f}) {
     const std::size_t now = flowers_of(meadow({{"across", 16}, {"flowers", share}}));
@@ -81,7 +81,7 @@ TEST_CASE("how many flowers a meadow has, and how large it is, is told by figure
   CHECK(large < 6 * small);
 }
 
-TEST_CASE("a meadow that is too large is cut short, and says so") {
+TEST_CASE("a meadow that is too large is cut short, with a note") {
   Limits limits;
   limits.darts = 200'000;
   const Flower flower = meadow({}, 1, limits);

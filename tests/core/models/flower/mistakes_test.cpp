@@ -1,5 +1,4 @@
-// What people write wrong in a flower's grammar: each mistake is told at its place, in a sentence that says what to
-// write.
+// Common mistakes in flower grammars: each has a diagnostic at its place, with advice.
 #include "mistakes.hpp"
 
 #include "flowers.hpp"
@@ -134,7 +133,7 @@ const Mistake mistakes[] = {
 
 }  // namespace
 
-TEST_CASE("mistakes in a flower's grammar are told at their place, with advice") {
+TEST_CASE("mistakes in a flower's grammar have diagnostics at their place, with advice") {
   panicle::tests::check_mistakes(mistakes, [](const std::string& text) {
     const Diagnostic diagnostic = trouble(text);
     CHECK(diagnostic.message.find('%') == std::string::npos);
@@ -142,7 +141,7 @@ TEST_CASE("mistakes in a flower's grammar are told at their place, with advice")
   });
 }
 
-TEST_CASE("a flower's grammar may be written as the thesis writes it, or more plainly") {
+TEST_CASE("a flower's grammar may use the thesis's notation, or a simpler one") {
   const Flower plain = grown(good + "A -> A[A]_{E}\nA -> A[B]_{C1,C3}", steps(4));
   for (const char* rules :
        {"p00 A->A[A(,,,,,,)]_ {E}\np00 A->A[B(,,,,,,)]_{C1,C3}", "(p1) A → A[A]E\n(p2) A --> A[B]C1,C3",

@@ -1,4 +1,4 @@
-// What is painted on a skin: where in its organ each corner is, and the colours of an age.
+// Data for the paint of a skin: positions of corners in their organs, and colours at an age.
 #include "models/flower/skin.hpp"
 
 #include <cmath>
@@ -26,7 +26,7 @@ std::vector<PlantMesh> painted(const std::string& text, std::uint32_t rounds) {
   return std::move(plant.meshes);
 }
 
-// What a mesh's vertices have along their organ, 0, or across it, 1, in hundredths.
+// Coordinates of a mesh's vertices along their organ (0) or across it (1), in hundredths.
 std::set<int> found(const PlantMesh& mesh, std::size_t way) {
   std::set<int> found;
   for (std::size_t i = way; i < mesh.mesh.uvs.size(); i += 2)
@@ -45,23 +45,23 @@ std::set<int> across(const PlantMesh& mesh) { return found(mesh, 1); }
 
 }  // namespace
 
-TEST_CASE("across an organ each lobe reaches from where the one within it ends to the next") {
+TEST_CASE("coordinates across an organ: each lobe extends from the end of its inner neighbour to the next") {
   const std::vector<PlantMesh> bare = painted(leaf, 0);
   REQUIRE(bare.size() == 2);
   CHECK(across(bare[0]) == std::set{0});
   CHECK(across(bare[1]) == std::set{0, 50, 100});
 }
 
-TEST_CASE("and is even over its faces, however often they are rounded") {
+TEST_CASE("coordinates across an organ are linear over faces after any number of rounds") {
   CHECK(across(painted(leaf, 1)[1]) == std::set{0, 25, 50, 75, 100});
   CHECK(across(painted(leaf, 2)[1]) == std::set{0, 13, 25, 38, 50, 63, 75, 88, 100});
 }
 
-TEST_CASE("along an organ a segment's ends are where its neighbours begin") {
+TEST_CASE("coordinates along an organ: a segment ends where its neighbours begin") {
   CHECK(along(painted(leaf, 0)[1]) == std::set{0, 25, 75, 100});
 }
 
-TEST_CASE("an organ that stands on another begins anew") {
+TEST_CASE("coordinates of an organ attached to another begin at 0") {
   const std::string text = std::string("#define T(4, 0, 0, 0, 4, 2, 2, 2)\n#axiom: T\n#define finalStep=3\n") +
                            "T{}{step < 2}{} -> T[T]_{E}\nT{}{step == 2}{} -> T[&LEAF]_{C2}\n#module LEAF\n" + leaf;
   const std::vector<PlantMesh> bare = painted(text, 0);
@@ -70,7 +70,7 @@ TEST_CASE("an organ that stands on another begins anew") {
   CHECK(across(bare[2]) == std::set{0, 50, 100});
 }
 
-TEST_CASE("each triangle names the volume and the face that it is of, and every face with nothing beyond it is there") {
+TEST_CASE("each triangle has its volume and face, and every free face has triangles") {
   const Flower flower = grown(leaf);
   const generalized_map::Map& map = flower.derived.map;
   generalized_map::Embedding embedding;
@@ -110,7 +110,7 @@ TEST_CASE("each triangle names the volume and the face that it is of, and every 
   CHECK(named.size() == free);
 }
 
-TEST_CASE("colours of a bud are soon those of the flower, and those of what wilts come evenly") {
+TEST_CASE("colours change quickly from bud to flower, and linearly to the wilted flower") {
   Material material;
   material.bud = {0x000000, 0x000000};
   material.open = {0x646464, 0xc8c8c8};

@@ -32,7 +32,7 @@ struct Area {
   Volume volume() const { return {kind, centre, size, rotation, mesh}; }
 };
 
-// Areas as blocks of a request, which must not outlive it.
+// Areas as blocks of a request; the request must not outlive them.
 struct Blocks {
   std::vector<std::uint32_t> kinds, meshes, triangles;
   std::vector<float> places, points, path;
@@ -63,7 +63,7 @@ GrammarRequest in(const Blocks& blocks, std::string text) {
   return {.text = std::move(text), .parameters = {{"unit", 1000}}, .more = blocks.views()};
 }
 
-TEST_CASE("no lateral leaves its area, whatever the areas are and however they are turned and overlap") {
+TEST_CASE("no lateral leaves its area, for areas of any kind, rotation and overlap") {
   const std::string text = topiary();
   const auto unit = [](std::uint64_t stream, std::uint64_t i) { return random_unit(3, stream, i); };
   std::size_t tips = 0, outside = 0, between = 0, reached = 0;
@@ -74,7 +74,7 @@ TEST_CASE("no lateral leaves its area, whatever the areas are and however they a
       Area area;
       area.kind = static_cast<Kind>(static_cast<std::uint32_t>(6 * unit(1, i)));
       area.size = 0.5f + 0.7f * glm::vec3(unit(2, i), unit(3, i), unit(4, i));
-      // Each overlaps the one before where the luck is low.
+      // Each overlaps the one before, where the random value is low.
       top += (0.2f + 0.6f * unit(5, i)) * area.size.y;
       area.centre = {0.6f * unit(6, i) - 0.3f, top, 0.6f * unit(7, i) - 0.3f};
       top += 0.3f * area.size.y;
@@ -120,7 +120,7 @@ TEST_CASE("no lateral leaves its area, whatever the areas are and however they a
   CHECK(reached > 60);
 }
 
-TEST_CASE("the main branch ends inside the last area, wherever the places lead that are left") {
+TEST_CASE("the main branch ends inside the last area, also where its path leads out of it") {
   for (const std::vector<float>& path : {std::vector<float>{0, 0.9f, 0, 0, 9, 0},
                                          {0, 0.9f, 0, 0.47f, 1.3f, 0},
                                          {0, 0.5f, 0, 0.45f, 0.9f, 0, 0.8f, 0.9f, 0}}) {
@@ -139,14 +139,14 @@ TEST_CASE("the main branch ends inside the last area, wherever the places lead t
       tip = plant.segments[i].end;
     }
     CHECK(cube.volume().contains(tip));
-    // It goes on as long as there is room for a segment of it, which are two leaves long.
+    // It grows while there is room for a segment, which is two leaves long.
     CHECK(segments >= 3);
     const glm::vec3 way = glm::normalize(glm::vec3(path[path.size() - 3], path[path.size() - 2], 0) - tip);
     CHECK(cube.volume().reach(tip, way, 1) < 0.2f + 0.2f);
   }
 }
 
-TEST_CASE("how far a way reaches does not depend on how long it is said to be") {
+TEST_CASE("reach() does not depend on the length of the direction") {
   const std::string text =
       "#input areas\n#input places\n#input path[]\naxiom: F(reach(0,100,0,0,7,0,1,900)) "
       "F(reach(0,100,0,0,0.01,0,1,900)) "
@@ -159,7 +159,7 @@ TEST_CASE("how far a way reaches does not depend on how long it is said to be") 
   CHECK(1000 * glm::distance(plant.segments[2].start, plant.segments[2].end) == doctest::Approx(1).epsilon(1e-4));
 }
 
-TEST_CASE("bound and reach are asked in the text's unit, of areas in metres") {
+TEST_CASE("bound() and reach() use the grammar's unit, for areas in metres") {
   const std::string text =
       "#input areas\n#input places\n#input path[]\naxiom: F(reach(0,0,0,0,1,0,1,900)) "
       "F(bound(0,200,0,1)+bound(0,400,0,1)) "
@@ -168,7 +168,7 @@ TEST_CASE("bound and reach are asked in the text's unit, of areas in metres") {
   const Plant plant = grow({.text = text, .parameters = {{"unit", 1}}, .more = Blocks({area}).views()});
   std::vector<double> lengths;
   for (const Segment& segment : plant.segments) lengths.push_back(1000 * glm::distance(segment.start, segment.end));
-  REQUIRE(lengths.size() == 5);  // the one of length 0 is none
+  REQUIRE(lengths.size() == 5);  // F of length 0 draws no segment
   CHECK(lengths[0] == doctest::Approx(300).epsilon(1e-4));
   CHECK(lengths[1] == doctest::Approx(1).epsilon(1e-4));
   CHECK(lengths[2] == doctest::Approx(1).epsilon(1e-4));
@@ -176,7 +176,7 @@ TEST_CASE("bound and reach are asked in the text's unit, of areas in metres") {
   CHECK(lengths[4] == doctest::Approx(100).epsilon(1e-4));
 }
 
-TEST_CASE("what belongs to which area is what the text says, to the end of a branch") {
+TEST_CASE("the role of an area holds to the end of its branch") {
   const Plant plant = grow({.text = "#role area Zone\naxiom: F [ Zone(2) F [ Zone(3,1) F ] F ] F Zone(1,1) F\n"});
   CHECK(column_in<std::uint8_t>(plant.columns, "segments.area") == std::vector<std::uint8_t>{0, 2, 3, 2, 0, 1});
   CHECK(column_in<std::uint8_t>(plant.columns, "segments.main") == std::vector<std::uint8_t>{0, 0, 1, 0, 0, 1});
@@ -184,7 +184,7 @@ TEST_CASE("what belongs to which area is what the text says, to the end of a bra
   for (std::size_t i = 0; i < plain.columns.size(); ++i) CHECK(plain.columns[i].name != "segments.area");
 }
 
-TEST_CASE("an area that the main branch does not come to is told, and so is a mesh with gaps") {
+TEST_CASE("notes list areas that the main branch does not reach, and meshes with gaps") {
   Surface open = corner();
   open.triangles.resize(open.triangles.size() - 3);
   const Blocks blocks(
@@ -199,7 +199,7 @@ TEST_CASE("an area that the main branch does not come to is told, and so is a me
   CHECK(plant.notes[1].find("Nothing grows in area 2: the main branch does not come there") == 0);
 }
 
-TEST_CASE("an area within one before it has no turn, and that is told") {
+TEST_CASE("a note lists an area within an earlier one, where nothing grows") {
   const Blocks blocks({{Kind::box, {0, 0.6f, 0}, {1, 1, 1}}, {Kind::sphere, {0.1f, 0.6f, 0}, {0.4f, 0.4f, 0.4f}}});
   GrammarRequest request = in(blocks, topiary());
   request.constants = {{"leaf", 0.2f}};
@@ -208,7 +208,7 @@ TEST_CASE("an area within one before it has no turn, and that is told") {
   CHECK(plant.notes[0].find("Nothing grows in area 2: its middle lies within area 1") == 0);
 }
 
-TEST_CASE("areas whose triangles are looked at too often are an error, as are too many triangles") {
+TEST_CASE("too many queries of triangles are an error, as are too many triangles") {
   const Blocks blocks({{Kind::mesh, {0, 1, 0}, {1, 2, 1}, {1, 0, 0, 0}, spanning_tetrahedra(100)},
                        {Kind::mesh, {0, 3, 0}, {1, 2, 1}, {1, 0, 0, 0}, spanning_tetrahedra(100)}});
   GrammarRequest request = in(blocks, topiary());
@@ -224,7 +224,7 @@ TEST_CASE("areas whose triangles are looked at too often are an error, as are to
   CHECK(refused.error().message == "The meshes have 800 triangles, more than 799; simplify them.");
 }
 
-TEST_CASE("areas of another form are refused, with the reason") {
+TEST_CASE("invalid areas are refused with the reason") {
   const auto refused = [](auto change) {
     Blocks blocks({{Kind::mesh, {0, 1, 0}, {1, 1, 1}, {1, 0, 0, 0}, corner()}});
     change(blocks);
@@ -241,7 +241,7 @@ TEST_CASE("areas of another form are refused, with the reason") {
   CHECK(refused([](Blocks& b) { b.path = {1, 2, 3, INFINITY, 0, 0}; }).find("not finite") != std::string::npos);
 }
 
-TEST_CASE("without areas a topiary is a bare stem, and ends") {
+TEST_CASE("a topiary without areas is a bare stem") {
   const Plant plant = grow({.text = topiary(), .parameters = {{"unit", 1000}}});
   CHECK(plant.segments.size() > 3);
   CHECK(plant.segments.size() < 20);

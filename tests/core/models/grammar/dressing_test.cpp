@@ -23,7 +23,7 @@ glm::vec3 turned(const glm::vec4& q, const glm::vec3& v) {
 
 const std::vector<glm::vec3> triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
 
-TEST_CASE("each polygon is an organ and a run of one mesh, in its colour; one that shows nothing is noted") {
+TEST_CASE("each polygon is an organ and a run of one mesh, in its colour; a note counts polygons without area") {
   Sketch sketch{Limits{}};
   lsystem::Turtle turtle = standing();
   sketch.polygon(turtle, triangle, {});
@@ -47,7 +47,7 @@ TEST_CASE("each polygon is an organ and a run of one mesh, in its colour; one th
   CHECK(plant.notes[0].find("A polygon shows nothing") == 0);
 }
 
-TEST_CASE("corners of polygons that no triangle has are left out") {
+TEST_CASE("corners of polygons without triangles are omitted") {
   Sketch sketch{Limits{}};
   const std::vector<glm::vec3> untidy{{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}};
   sketch.polygon(standing(), untidy, {});
@@ -108,7 +108,7 @@ TEST_CASE("half turns in every direction give unit quaternions") {
       }
 }
 
-TEST_CASE("a colour other than 1 is the palette's, what is beyond it the last") {
+TEST_CASE("a colour other than 1 is the palette's, and a greater one is the last") {
   Sketch sketch{Limits{}};
   lsystem::Turtle turtle = standing();
   for (const std::int32_t colour : {-3, 1, 4, 8, 12}) {
@@ -120,7 +120,7 @@ TEST_CASE("a colour other than 1 is the palette's, what is beyond it the last") 
   CHECK(column_in<std::uint8_t>(plant.columns, "organs.colour") == std::vector<std::uint8_t>{7, 7, 4, 8, 8});
 }
 
-TEST_CASE("in passing many lines are meshed coarsely, few as ever; what has grown is the same") {
+TEST_CASE("a preview meshes many lines coarsely and few as usual; segments and organs are the same") {
   const auto vertices = [](const std::string& length, const std::string& outputs) {
     const Plant plant =
         grow({.text = "derivation length: " + length + "\naxiom: A\nA --> F [ +(30) A ] [ -(30) /(90) A ] A",

@@ -8,7 +8,7 @@ namespace {
 
 const std::string koch = "derivation length: 3\naxiom: F -(90) F -(90) F -(90) F\nF --> F + F - F - F F + F + F - F\n";
 
-TEST_CASE("any text grows: a quadratic island has as many segments as its rule says") {
+TEST_CASE("a quadratic island has as many segments as its rule gives") {
   const Plant plant = grow({.text = koch});
   CHECK(count_of(plant, "segments") == 4 * 8 * 8 * 8);
   CHECK(count_of(plant, "steps") == 3);
@@ -20,7 +20,7 @@ TEST_CASE("any text grows: a quadratic island has as many segments as its rule s
   CHECK(plant.segments[0].end.y == doctest::Approx(0.01));
 }
 
-TEST_CASE("steps, constants and the unit are what is asked for") {
+TEST_CASE("steps, constants and the unit are those of the request") {
   const std::string text = "#define a 2\n#input b\nderivation length: 5\naxiom: A\nA --> F(a*b) A\n";
   const Plant plant = grow({.text = text, .parameters = {{"unit", 100}}, .constants = {{"b", 3}}, .steps = 2});
   REQUIRE(count_of(plant, "segments") == 2);
@@ -43,7 +43,7 @@ TEST_CASE("the derived string reads back as an axiom that draws the same") {
         column_in<std::uint32_t>(plant.columns, "segments.module"));
 }
 
-TEST_CASE("segments and organs know the module that drew them") {
+TEST_CASE("segments and organs have the index of the module that drew them") {
   const Plant plant = grow({.text = "axiom: F [ +(30) F(2) S(1) ] F(3)\n"});
   CHECK(column_in<std::uint32_t>(plant.columns, "segments.module") == std::vector<std::uint32_t>{0, 3, 6});
   CHECK(column_in<std::uint32_t>(plant.columns, "organs.module") == std::vector<std::uint32_t>{4});
@@ -59,7 +59,7 @@ TEST_CASE("lines without a width are a share of their mean length at the tips, t
   CHECK(even.segments[0].radius == doctest::Approx(0.1));
 }
 
-TEST_CASE("the lines of what is many lines large are thicker, up to a limit") {
+TEST_CASE("lines of a plant that is many lines large are thicker, up to a limit") {
   const auto thinnest = [](const char* steps) {
     const std::string text = std::string("derivation length: ") + steps + "\naxiom: F\nF --> F F\n";
     return grow({.text = text, .parameters = {{"unit", 1000}, {"thickness", 10}}}).segments[0].radius;
@@ -80,7 +80,7 @@ TEST_CASE("strokes that turn sharply are straight and meet at corners; stems tha
     float farthest = 0;
     for (std::size_t v = 0; v < at.size(); v += 3) {
       const glm::vec3 p(at[v], at[v + 1], at[v + 2]);
-      // It stands on a foot.
+      // It begins on the ground.
       if (glm::length(p) < 4 * plant.segments[0].radius) continue;
       float nearest = 1e9f;
       for (const Segment& segment : plant.segments) {
@@ -100,7 +100,7 @@ TEST_CASE("strokes that turn sharply are straight and meet at corners; stems tha
   CHECK(tubes("36") > tubes("34"));
 }
 
-TEST_CASE("a leaf at the outside of what is dense is light, though what bears it is dark") {
+TEST_CASE("a leaf at the outside of a dense crown is light, though its branch is dark") {
   const Plant plant = grow({.text = "derivation length: 3000\n#define n 3000\naxiom: A(0)\nA(i) : i<n --> [ /(137.5*i) "
                                     "&(acos(1-2*(i+0.5)/n)) f(1) ~leaf(0.25) ] A(i+1)\n",
                             .outputs = "meshes sky"});
@@ -112,7 +112,7 @@ TEST_CASE("a leaf at the outside of what is dense is light, though what bears it
   CHECK(mean > 90);
 }
 
-TEST_CASE("where there are very many of a surface, each is simpler") {
+TEST_CASE("very many organs of a surface have a simpler mesh") {
   const auto triangles = [](const char* steps) {
     const Plant plant =
         grow({.text = std::string("derivation length: ") + steps + "\naxiom: A\nA --> ~leaf(1) f(1) A\n",
@@ -122,13 +122,13 @@ TEST_CASE("where there are very many of a surface, each is simpler") {
   CHECK(4 * triangles("4001") <= triangles("4000"));
 }
 
-TEST_CASE("what the text says of widths stands, times the parameter") {
+TEST_CASE("widths of the grammar are used, times the parameter") {
   const Plant plant =
       grow({.text = "axiom: F !(0.5) F [ !(0) F ] F\n", .parameters = {{"unit", 1000}, {"widths", 50}}});
   CHECK(plant.segments[1].radius == doctest::Approx(0.125));
   CHECK(plant.segments[3].radius == doctest::Approx(0.125));
   CHECK(plant.segments[0].radius == doctest::Approx(0.5 * 0.08 * std::pow(2, 0.3)));
-  // A width of 0 is a hair's, and no lack of a width.
+  // A width of 0 is a hairline, not an unset width.
   CHECK(plant.segments[2].radius == doctest::Approx(0.1 * 0.5 * 0.08));
 }
 
@@ -141,7 +141,7 @@ TEST_CASE("a limit that is reached ends the drawing, and what grew so far is sho
   CHECK(plant.notes[0].find("What grew so far is shown. The plant has reached the limit of 100 segments") == 0);
 }
 
-TEST_CASE("requests that cannot be used are refused in words") {
+TEST_CASE("invalid requests are refused with a message") {
   CHECK(try_grow({.text = ""}).error().reason == Reason::bad_request);
   const auto broken = try_grow({.text = "axiom: F(\n"});
   CHECK(broken.error().reason == Reason::syntax);
@@ -162,8 +162,8 @@ TEST_CASE("meshes: tubes by their colours, balls; the sky of both") {
   CHECK(plant.organs[0].scale == doctest::Approx(0.003));
 }
 
-TEST_CASE("where a limit cuts the telling, nothing is marked by modules of the string that is not told") {
-  // Idle modules, which every step copies and one go writes once.
+TEST_CASE("where a limit cuts the trace short, segments and organs have no module index") {
+  // Idle modules, which every step copies in one block.
   const std::string text = "axiom: A(300)\nA(n) : n>0 --> A(n-1) F S(1) Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q\n";
   const std::uint32_t step = 9999;
   const std::vector<ColumnView> request{

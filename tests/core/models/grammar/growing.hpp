@@ -1,4 +1,4 @@
-// Growing any text, for tests.
+// Helpers that grow any grammar in tests.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -24,7 +24,7 @@ struct GrammarRequest {
   std::uint32_t seed = 1;
   std::string outputs = {};
   Limits limits = {};
-  std::vector<ColumnView> more = {};  // blocks besides
+  std::vector<ColumnView> more = {};  // additional blocks
 };
 
 inline Result<Plant> try_grow(const GrammarRequest& wanted) {

@@ -1,5 +1,5 @@
-// Texts that need more than the limits allow: each ends with a note and the plant that grew until then, and all its
-// work is counted in one budget.
+// Grammars beyond the limits: each ends with a note and the plant that has grown so far, and all its work is counted in
+// one budget.
 #include <algorithm>
 
 #include "models/grammar/growing.hpp"
@@ -36,7 +36,7 @@ Limits small(std::uint32_t work, std::uint32_t bytes = Limits{}.bytes) {
 
 constexpr std::string_view so_far = "What grew so far is shown. The grammar takes more than ";
 
-TEST_CASE("answers to ?E are counted, with one radius for all and with a radius of each") {
+TEST_CASE("responses to ?E count as work, with one radius for all and with a radius for each") {
   for (const char* const radius : {"1000", "i/100"}) {
     CAPTURE(radius);
     const std::string text =
@@ -48,7 +48,7 @@ TEST_CASE("answers to ?E are counted, with one radius for all and with a radius 
   }
 }
 
-TEST_CASE("an answer to ?E with a radius near the largest number takes the work of one cell, not all that is left") {
+TEST_CASE("a response to ?E with a radius near the largest number takes the work of one cell") {
   const Limited grown = limited({.text = "derivation length: 2\naxiom: F(1) ?E(3e38,0,0)\n?E(r,n,l) --> F(1)\n"});
   CHECK_FALSE(grown.notes(so_far));
   CHECK(grown.plant.segments.size() == 2);
@@ -132,7 +132,7 @@ TEST_CASE("surfaces that are unknown are named a few times, however many there a
                       [](const std::string& note) { return note.starts_with("There is no surface"); }) == 12);
 }
 
-// A clock that moves on by a hundredth of the time at each look.
+// A clock that advances by a hundredth of the time limit at each reading.
 double hundredths = 0;
 double next_hundredth() { return ++hundredths / 100; }
 
@@ -144,7 +144,7 @@ Limited limited_in_time(GrammarRequest request) {
   return {grow(request), budget.spent(), budget.held()};
 }
 
-TEST_CASE("a text that reaches its time limit shows what it grew in three quarters of the time") {
+TEST_CASE("a grammar that reaches its time limit shows the plant after three quarters of the time") {
   const std::string text = "derivation length: 4096\naxiom: A\nA --> F(1) {[+F(1).][-F(1).]} B A\nB --> B\n";
   const Limits limits = small(4'000'000'000);
   const Limited grown = limited_in_time({.text = text, .limits = limits});
@@ -156,7 +156,7 @@ TEST_CASE("a text that reaches its time limit shows what it grew in three quarte
   CHECK(grown.plant.segments.size() == count_of(grown.plant, "steps"));
 }
 
-TEST_CASE("a text that ends within its time limit grows as without one") {
+TEST_CASE("a grammar that ends within its time limit grows as without one") {
   const GrammarRequest request{.text = "derivation length: 40\naxiom: A\nA --> F(1) [+A] F\n"};
   const Limited timed = limited_in_time(request), untimed = limited(request);
   CHECK(timed.plant.cut_short == CutShort::none);
@@ -172,7 +172,7 @@ TEST_CASE("a plant that a limit of work, of segments or of its file ended is mar
   CHECK(limited({.text = "derivation length: 3\naxiom: A\nA --> F(1) A\n"}).plant.cut_short == CutShort::none);
 }
 
-TEST_CASE("a trace with its reasons takes nothing of the work that is left for the plant") {
+TEST_CASE("a trace with reasons takes no work from the plant's budget") {
   const std::string text = "derivation length: 6\naxiom: A(0)\nA(x) : x<0 --> F\nA(x) --> F(1) [+(30) A(x+1)] A(x+1)\n";
   const std::uint32_t step = 5;
   GrammarRequest request{.text = text};

@@ -21,7 +21,7 @@ Plant measured(std::string text, std::vector<std::pair<std::string_view, float>>
   return plant;
 }
 
-TEST_CASE("a Koch curve is as long as theory has it, and flat") {
+TEST_CASE("a Koch curve has the length of theory, and is flat") {
   const Plant plant =
       measured("derivation length: 3\naxiom: F(1)\nF(s) --> F(s/3) +(60) F(s/3) -(120) F(s/3) +(60) F(s/3)\n");
   CHECK(of(plant, Measure::segments) == 64);
@@ -43,7 +43,7 @@ TEST_CASE("a Koch curve is as long as theory has it, and flat") {
   CHECK(of(plant, Measure::leaf_area) == 0);
 }
 
-TEST_CASE("a binary tree has the tips, axes and orders that theory has") {
+TEST_CASE("a binary tree has the tips, axes and orders of theory") {
   const Plant plant =
       measured("axiom: A(5)\nA(n) : n>1 --> !(0.1) F [+(40) A(n-1)] [-(40) A(n-1)]\nA(n) --> !(0.1) F\n");
   CHECK(of(plant, Measure::segments) == 31);
@@ -59,14 +59,14 @@ TEST_CASE("a binary tree has the tips, axes and orders that theory has") {
   CHECK(of(plant, Measure::line_volume) == near(31 * 3.14159265 * 0.05 * 0.05, 1e-3));
 }
 
-TEST_CASE("an axis goes on behind its brackets, and counts where it has lines") {
+TEST_CASE("an axis continues after its brackets, and counts where it has lines") {
   const Plant plant = measured("axiom: F [ +F [ -F ] F ] [ f @O ] [ [ [ f +F ] ] ] F\n");
   CHECK(of(plant, Measure::axes) == 4);
   CHECK(of(plant, Measure::axis_order) == 3);
   CHECK(of(plant, Measure::organs) == 1);
 }
 
-TEST_CASE("what is borne has its area, and its room in the box") {
+TEST_CASE("attached organs count in the leaf area and in the box") {
   const std::string squares = "{ . f + f + f . } f(3) { . f + f + f . }";
   const Plant plant = measured("axiom: @M(0,0,0) " + squares + "\n", {{"unit", 100}});
   CHECK(of(plant, Measure::polygons) == 2);
@@ -106,7 +106,7 @@ struct OneArea {
   }
 };
 
-TEST_CASE("growth areas have the volume of their form, and are clothed as far as leaves reach") {
+TEST_CASE("growth areas have the volume of their form, and are clothed within the reach of leaves") {
   using Kind = Volume::Kind;
   constexpr double pi = 3.14159265358979;
   const auto grown = [](const OneArea& area, std::string text) {
@@ -133,7 +133,7 @@ TEST_CASE("growth areas have the volume of their form, and are clothed as far as
   CHECK(of(grown({Kind::sphere, size}, "axiom: f(0.5) ~petal(0.4)\n"), Measure::clothed) == 0);
 }
 
-TEST_CASE("a text is told each area's largest extent, in its own unit") {
+TEST_CASE("an input of the grammar is each area's largest extent, in its unit") {
   const std::string text = "#input size[]\naxiom: F(size[1])\n";
   const auto largest_extent = [&](std::vector<ColumnView> views) {
     return of(measured(text, {{"unit", 10}}, std::move(views)), Measure::line_length);
@@ -144,8 +144,8 @@ TEST_CASE("a text is told each area's largest extent, in its own unit") {
   CHECK(largest_extent({}) == near(1, 1e-5));
 }
 
-TEST_CASE("each leaf clothes as far as itself is long") {
-  // A square 2 across: a quarter of its surface is within 1 of a corner's leaf but for what is round.
+TEST_CASE("each leaf clothes the surface within its own length") {
+  // A square 2 across: a quarter of its surface is within 1 of a corner's leaf, but for the curve of the circle.
   Surface square{{{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}}, {0, 2, 1, 0, 3, 2}};
   const double quarter = 3.14159265 / 4;
   CHECK(Clothing({{{-1, 0, -1}, 1}}).share_of(square) == near(quarter / 4, 0.03));
@@ -154,7 +154,7 @@ TEST_CASE("each leaf clothes as far as itself is long") {
   CHECK(Clothing({{{0, 0, 0}, 9}}).share_of({}) == 0);
 }
 
-TEST_CASE("measures are there where they are asked for") {
+TEST_CASE("a plant has measures where they are requested") {
   CHECK(grow({.text = "axiom: F\n"}).measures.empty());
   const Plant nothing = measured("axiom: A\n");
   CHECK(of(nothing, Measure::height) == 0);

@@ -1,4 +1,4 @@
-// What ?E is answered in texts of the model grammar.
+// Responses to ?E in grammars.
 #include "models/grammar/neighbours.hpp"
 
 #include "models/grammar/growing.hpp"
@@ -12,13 +12,13 @@ std::string grown_string(const std::string& of) {
   return std::string(text.begin(), text.end());
 }
 
-TEST_CASE("?E counts the ends of lines near it, its own not") {
+TEST_CASE("?E counts the ends of lines near it, except its own") {
   CHECK(grown_string(
             "derivation length: 1\naxiom: ?E(1.5,9) F F ?E(1.5,9) F F F ?E(1.5,9) A\n?E(r,n) : n>99 --> B\nA --> A") ==
         "?E(1.5,1)F F?E(1.5,2)F F F?E(1.5,1)A");
 }
 
-TEST_CASE("any answer may be rewritten in the next step, with a derivation length or without") {
+TEST_CASE("a response may be rewritten in the next step, with or without a derivation length") {
   // A tip goes on while fewer than three ends are near it.
   const std::string tip =
       "axiom: A ?E(2.5,0)\nA > ?E(r,n) : n<2 --> F A\nA > ?E(r,n) : n>=2 --> C\n?E(r,n) : n>=2 --> D";
@@ -27,7 +27,7 @@ TEST_CASE("any answer may be rewritten in the next step, with a derivation lengt
   CHECK(grown_string("axiom: ?E(1,5,5)\n?E(r,n,l) : l>0.99 --> F A\nA --> B") == "F B");
 }
 
-TEST_CASE("it is darker below many lines than above them") {
+TEST_CASE("?E responds with less light below many lines than above them") {
   const std::string answered = grown_string(
       "derivation length: 1\naxiom: ?E(1,0,0) f(4) [ +(90) F F F ] [ -(90) F F F ] [ &(90) F F F ] f(4) ?E(1,0,0) A\nA "
       "--> B");

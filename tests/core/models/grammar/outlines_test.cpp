@@ -21,7 +21,7 @@ std::string leaf() {
   return text.str();
 }
 
-// What a blade covers, seen from above.
+// Extent and area of a blade, seen from above.
 struct Shape {
   float left = 0, right = 0, bottom = 0, top = 0, area = 0;
 };
@@ -44,7 +44,7 @@ Shape shape_of(const Mesh& mesh, float scale) {
 
 }  // namespace
 
-TEST_CASE("a surface that is named for an outline is the leaf which the text of Table 2 grows with its numbers") {
+TEST_CASE("a surface with an outline's name equals the leaf that the grammar of Table 2 grows") {
   const std::string text = leaf();
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     const Outline& outline = outlines[i];
@@ -68,7 +68,7 @@ TEST_CASE("a surface that is named for an outline is the leaf which the text of 
     const Plant grown = grow(request);
     const PlantMesh* blade = mesh_of(grown, "blades");
     REQUIRE(blade != nullptr);
-    // The text's midrib is as long as its functions say; the surface's is 1.
+    // The grammar's midrib has the length of its formula; the surface's is 1.
     const float length = shape_of(blade->mesh, 1).top;
     const Shape expected = shape_of(blade->mesh, 1 / length);
     const Shape shape = shape_of(make_surface(first_outline_surface + static_cast<std::uint32_t>(i)), 1);

@@ -35,7 +35,7 @@ double area_of(const Corners& corners, const std::vector<std::uint32_t>& triangl
   return area;
 }
 
-// What triangles enclose, above 0 where they face outwards.
+// The signed volume of triangles, positive where they face outwards.
 double volume_of(const Mesh& mesh) {
   double sum = 0;
   for (std::size_t k = 0; k < mesh.indices.size(); k += 3) {
@@ -45,8 +45,8 @@ double volume_of(const Mesh& mesh) {
   return sum / 6;
 }
 
-// How many edges are not run through as often one way as the other, and the most triangles that any has; points at one
-// place are one.
+// The number of edges that are not run through equally often in both directions, and the greatest number of triangles
+// at an edge; points at one place are one.
 struct Edges {
   std::size_t open = 0, most = 0;
 };
@@ -82,7 +82,7 @@ Mesh plate_of(const Corners& corners, float thickness) {
   return mesh;
 }
 
-TEST_CASE("a plate is a box where its sheet is a square, whichever way that goes round") {
+TEST_CASE("a plate of a square sheet is a box, for both orientations of the square") {
   Corners square{{0, 0, 0}, {2, 0, 0}, {2, 3, 0}, {0, 3, 0}};
   for (const bool back : {false, true}) {
     if (back) square = Corners(square.rbegin(), square.rend());
@@ -102,7 +102,7 @@ TEST_CASE("a plate is a box where its sheet is a square, whichever way that goes
   }
 }
 
-TEST_CASE("a plate is closed and as large as its area times its thickness, whatever its outline and its bends") {
+TEST_CASE("a plate is closed and its volume is area times thickness, for any outline and bends") {
   for (std::uint64_t trial = 0; trial < 300; ++trial) {
     const auto count = static_cast<std::size_t>(5 + 60 * unit(1, trial));
     const float bend = trial % 3 == 0 ? 0 : 0.5f * unit(2, trial), size = trial % 2 == 0 ? 1.0f : 1e-3f;
@@ -125,13 +125,13 @@ TEST_CASE("a plate is closed and as large as its area times its thickness, whate
   }
 }
 
-TEST_CASE("a plate is closed whatever a turtle has walked") {
+TEST_CASE("a plate is closed for any path of a turtle") {
   for (std::uint64_t trial = 0; trial < 300; ++trial) {
     Corners corners;
     glm::vec3 p(0);
     const auto count = static_cast<std::size_t>(3 + 30 * unit(4, trial));
     for (std::size_t i = 0; i < count; ++i) {
-      // Ways there and back, corners told twice, crossings.
+      // Paths there and back, repeated corners, crossings.
       if (i > 2 && unit(5, 100 * trial + i) < 0.3f)
         p = corners[i - 2];
       else
@@ -147,8 +147,9 @@ TEST_CASE("a plate is closed whatever a turtle has walked") {
   }
 }
 
-TEST_CASE("corners far apart are no more work where they lie in one plane, whichever that is") {
-  // The plane square to the way that corners are put in order by. All pairs would be thousands of millions.
+TEST_CASE("corners in one plane take no more work, for any plane") {
+  // The plane orthogonal to the direction that corners are sorted by. Comparing all pairs would take thousands of
+  // millions of steps.
   const glm::vec3 way = glm::normalize(glm::vec3(0.61f, 0.47f, 0.64f));
   const glm::vec3 right = glm::normalize(glm::cross(way, {1, 0, 0})), up = glm::cross(way, right);
   constexpr std::uint32_t count = 100'000;
@@ -165,20 +166,20 @@ TEST_CASE("corners far apart are no more work where they lie in one plane, which
   CHECK(volume_of(mesh) == near(0.1 * 3.14159265, 1e-2));
 }
 
-TEST_CASE("where a walk goes in and out again there is no wall") {
+TEST_CASE("a path in and out again has no wall") {
   for (const float beside : {0.0f, 1e-6f}) {
     CAPTURE(beside);
     const Corners slit{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 0.4f, 0}, {1 - beside, 1, 0}, {0, 1, 0}};
     const Mesh mesh = plate_of(slit, 0.1f);
     CHECK(volume_of(mesh) == near(0.2, 1e-4));
     CHECK(edges_of(mesh).open == 0);
-    // Two faces, each of the four sides and the corner within, and four walls. Where it does not come back to the very
-    // place, a face is cut otherwise, and has two triangles more.
+    // Two faces, each of the four sides and the corner within, and four walls. Where the path does not come back to
+    // exactly the same place, a face is cut differently and has two triangles more.
     CHECK(mesh.indices.size() == 3 * (2 * (beside > 0 ? 6 : 4) + 2 * 4));
   }
 }
 
-TEST_CASE("a text says how thick a polygon is, in its unit and its size; without, it is a sheet") {
+TEST_CASE("a grammar may set a polygon's thickness in its unit; without one it is a sheet") {
   const std::string square = " . f + f + f . }\n";
   const auto blades = [&](std::string before) {
     const Plant plant = grow(
@@ -202,7 +203,7 @@ TEST_CASE("a text says how thick a polygon is, in its unit and its size; without
   CHECK(wrong.error().line == 1);
 }
 
-TEST_CASE("a blade's run says which organ it is, also behind one that shows nothing") {
+TEST_CASE("a blade's run has the index of its organ, also after a polygon without area") {
   const Plant plant = grow({.text = "axiom: @O(1) { . . } { . f + f . } {(0.1) . f + f . }\n", .outputs = "meshes"});
   const PlantMesh* mesh = mesh_of(plant, "blades");
   REQUIRE(mesh);

@@ -18,7 +18,7 @@ glm::vec3 at(const std::vector<float>& values, std::uint32_t row) {
 
 }  // namespace
 
-TEST_CASE("every surface is a clean mesh of about unit size that its normals agree with") {
+TEST_CASE("every surface is a valid mesh of about unit size with matching normals") {
   for (std::uint32_t which = 0; which < surfaces.size(); ++which) {
     CAPTURE(surfaces[which].name);
     for (const bool plain : {false, true}) {

@@ -1,5 +1,5 @@
-// Table 1 of Kim, Kim and Cho (2013). One set of rules meets all its rows and steps: a calibration, for print has lost
-// the paper's own.
+// Table 1 of Kim, Kim and Cho (2013). One set of rules meets all its rows and steps: a calibration, since the paper's
+// own rule was lost in print.
 #include "models/growth/texts.hpp"
 
 using namespace panicle;
@@ -56,14 +56,14 @@ TEST_CASE("means over 50 seeds are within a factor of 1.3 of Table 1") {
   for (const Row& row : {all, odd, star, hat, power}) CHECK(row[2] < older / 2);
 }
 
-TEST_CASE("trees of one rule differ by a few in a hundred") {
+TEST_CASE("counts of one rule differ by a few per cent") {
   const Rules rules = rules_of(text_named("table-1-sigma1"));
   const double middle = mean(rules, 8);
   for (std::uint64_t seed = 1; seed <= 10; ++seed)
     CHECK(static_cast<double>(grown(rules, 8, seed).branches) == doctest::Approx(middle).epsilon(0.2));
 }
 
-TEST_CASE("the standard lines are those of the table's texts") {
+TEST_CASE("the standard lines equal the rules of the table's texts") {
   const Population spelled = grown(text_named("table-1-hat"), 9);
   const Population short_form = grown("tree -> DivFunc(\"hat1\"){branches}", 9);
   CHECK(spelled.branches == short_form.branches);

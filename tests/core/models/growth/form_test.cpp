@@ -1,4 +1,4 @@
-// Shapes of trees: laws that hold for every text, whatever it looks like.
+// Properties that the form of every tree has.
 #include <algorithm>
 #include <glm/geometric.hpp>
 
@@ -37,7 +37,7 @@ const std::string& sigma() {
 
 }  // namespace
 
-TEST_CASE("whatever is counted is there: a shoot for each, none of them at a point") {
+TEST_CASE("the form has every counted shoot, and none is a point") {
   for (const auto& path : files()) {
     CAPTURE(path.filename().string());
     const Tree tree = tree_of(content(path), 7);
@@ -64,7 +64,7 @@ TEST_CASE("whatever is counted is there: a shoot for each, none of them at a poi
   }
 }
 
-TEST_CASE("pipes: a stem to the power is the sum of what it bears") {
+TEST_CASE("a stem's thickness to the pipe exponent is the sum over its children") {
   const Tree tree = tree_of(sigma(), 6);
   const Moment moment = at(tree, 6);
   const float pipe = WoodHabit{}.pipe;
@@ -75,7 +75,7 @@ TEST_CASE("pipes: a stem to the power is the sum of what it bears") {
     if (sums[i] > 0) CHECK(power(moment.segments[i].radius, pipe) == doctest::Approx(sums[i]).epsilon(1e-3));
 }
 
-TEST_CASE("nothing jumps as a tree ages: no end of a shoot moves farther than the time that passes allows") {
+TEST_CASE("no end of a shoot jumps as a tree ages") {
   const Tree tree = tree_of(text_named("figure-7"), 8);
   const auto tips = [&](float time) {
     const Moment moment = at(tree, time);
@@ -88,7 +88,7 @@ TEST_CASE("nothing jumps as a tree ages: no end of a shoot moves farther than th
     }
     return std::pair(found, radii);
   };
-  // The longest that anything grows in a step, twice deformed: of whole steps.
+  // The greatest growth in a step, twice deformed, of whole steps.
   constexpr float fastest = 6, step = 0.01f;
   auto before = tips(0.5f);
   for (float time = 0.5f + step; time < 8; time += step) {
@@ -102,7 +102,7 @@ TEST_CASE("nothing jumps as a tree ages: no end of a shoot moves farther than th
   }
 }
 
-TEST_CASE("an earlier age is a part of a later one: what has been laid stays where it is") {
+TEST_CASE("an earlier age is a part of a later one: internodes never move") {
   const Tree tree = tree_of(sigma(), 8);
   const Moment young = at(tree, 5), old = at(tree, 8);
   CHECK(young.branches == grown(sigma(), 5).branches);
@@ -118,7 +118,7 @@ TEST_CASE("an earlier age is a part of a later one: what has been laid stays whe
   CHECK(at(tree, 0).segments.empty());
 }
 
-TEST_CASE("a growth volume says how high the tree is, how wide, and where it leans and stands") {
+TEST_CASE("a growth volume sets a tree's height, width, slope and place") {
   const auto reach = [](std::string_view volume) {
     std::string text = "footprint -> ";
     text.append(volume).append("\ntree -> DivFunc(\"sigma1\"){branches}\n");
@@ -138,7 +138,7 @@ TEST_CASE("a growth volume says how high the tree is, how wide, and where it lea
   CHECK(glm::length(glm::vec2(top.x, top.z)) < 0.8f);
   CHECK(reach("GrowVol(1, 1, 4, 20, 2.5, 0)").first.y == doctest::Approx(19.4f).epsilon(0.02));
   CHECK(reach("GrowVol(1, 1, 12, 10, 9, 0)").second > 1.3f * wide);
-  // Leaning by 30° towards +Z, from where it stands.
+  // Leaning by 30° towards +Z, from its base.
   const glm::vec3 leant = reach("GrowVol(1, 1, 4, 10, 2.5, 30, towards(90), at(5, -3))").first;
   CHECK(leant.x == doctest::Approx(5).epsilon(0.1));
   CHECK(leant.z == doctest::Approx(-3 + 4.85f).epsilon(0.15));
@@ -146,7 +146,7 @@ TEST_CASE("a growth volume says how high the tree is, how wide, and where it lea
 
 TEST_CASE("at eight steps three of four branches of the paper's presets end within their volumes") {
   for (const auto& path : files()) {
-    // One has branches with a will of their own, one has volumes that lean by up to 60 degrees.
+    // One has branches that its grammar lengthens, one has volumes that lean by up to 60 degrees.
     const std::string name = path.stem().string();
     if (!name.starts_with("table-1") && !name.starts_with("figure")) continue;
     if (name == "table-1-older" || name == "figure-7" || name == "figure-8") continue;
@@ -184,7 +184,7 @@ TEST_CASE(
   CHECK(grown(head + ", wm(7)" + tail, 1).volumes[0].middle == 7);
 }
 
-TEST_CASE("habits: a trunk as high as it is said to be, whorls, and branches that come to the volume's edge") {
+TEST_CASE("habits set the trunk's height, whorls, and branches that reach the volume's edge") {
   const std::string text = "footprint -> GrowVol(1, 1, 6, 10, 6, 0)\ntree -> DivFunc(\"sigma1\"){branches}\n";
   const auto with = [&](auto change) {
     FormHabit habit;
@@ -224,7 +224,7 @@ TEST_CASE("a trained trunk goes up to its wire and along it, and its canes stand
   }
 }
 
-TEST_CASE("gravity draws down, light up; a branch with a will of its own is longer") {
+TEST_CASE("gravitropism bends shoots down, phototropism up; the length factor makes branches longer") {
   const auto middle = [](std::string_view rules) {
     const Tree tree = tree_of(std::string(rules) + "tree -> DivFunc(\"hat1\"){branches}\n", 8);
     double sum = 0;
@@ -249,7 +249,7 @@ TEST_CASE("gravity draws down, light up; a branch with a will of its own is long
   CHECK(length("ndv < 0 -> length = length * 2\n") > 1.1 * length(""));
 }
 
-TEST_CASE("shoots keep apart where neighbours count, and do not where they do not") {
+TEST_CASE("shoots keep apart only where neighbours count") {
   const auto nearest = [](std::string_view rules) {
     const Tree tree = tree_of(
         std::string(rules) + "footprint -> GrowVol(1, 1, 4, 10, 2.5, 0)\ntree -> DivFunc(\"sigma1\"){branches}\n", 8);
@@ -268,7 +268,7 @@ TEST_CASE("shoots keep apart where neighbours count, and do not where they do no
 }
 
 TEST_CASE(
-    "leaves hang on what came with them; those about to fall are told, fall when shaken, and are gone a step later") {
+    "leaves hang on shoots of their step; falling ones have a tag, may be on the ground, and are gone a step later") {
   const std::string text = text_named("figure-5");
   const auto leaves = [&](float time, float fallen) {
     const Tree tree = tree_of(text, 8);
@@ -318,7 +318,7 @@ TEST_CASE(
   CHECK(leaves(8, 0)[falling_tag] == 0);
 }
 
-TEST_CASE("foliage that the text makes fall is about to fall in autumn, and comes again with the next summer") {
+TEST_CASE("falling foliage is about to fall in autumn and is renewed in the next summer") {
   const Tree tree = tree_of(
       "tree -> DivFunc(\"sigma1\"){branches}\nk >= 1 -> foliage(4, 3)\n"
       "k < N - 1 -> nlf = E(N - k) - E(N - k - 1)\nnlf < 0 -> fallingLeaf(-nlf)\n",
@@ -348,7 +348,7 @@ TEST_CASE("foliage that the text makes fall is about to fall in autumn, and come
   CHECK(counts(1, 0, false)[shed_tag] == summer[leaf_tag]);
 }
 
-TEST_CASE("the year: leaves unfold where they stand, fall once, and lie where they fell; evergreens keep theirs") {
+TEST_CASE("in a year leaves unfold, fall once, and stay where they fell; evergreens have theirs all year") {
   const Tree tree = tree_of("tree -> DivFunc(\"sigma1\"){branches}\nk >= 1 -> foliage(4)\n", 6);
   const Moment moment = at(tree, 6);
   const auto organs = [&](float season, bool evergreen) {
@@ -369,7 +369,7 @@ TEST_CASE("the year: leaves unfold where they stand, fall once, and lie where th
   CHECK(count(organs(0.2f, false), blossom_tag) > 0);
   CHECK(organs(1, false).size() == summer.size());
   CHECK(count(organs(1, false), shed_tag) == static_cast<std::ptrdiff_t>(summer.size()));
-  // In summer and after it every leaf that counts is there, in the same order.
+  // In summer and after it every counted leaf exists, in the same order.
   const auto before = organs(0.8f, false), after = organs(0.82f, false);
   REQUIRE(before.size() == summer.size());
   for (std::size_t i = 0; i < summer.size(); ++i) {
@@ -383,7 +383,7 @@ TEST_CASE("the year: leaves unfold where they stand, fall once, and lie where th
     CHECK(count(organs(season, true), leaf_tag) == static_cast<std::ptrdiff_t>(summer.size()));
 }
 
-TEST_CASE("what is too much is refused in words, before memory is asked for it") {
+TEST_CASE("a tree beyond the limits is refused with a message before memory is allocated") {
   const Tree tree = tree_of(sigma(), 9);
   Limits few;
   few.segments = 100;
@@ -397,8 +397,8 @@ TEST_CASE("what is too much is refused in words, before memory is asked for it")
   CHECK(add_leaves(plant, tree.population, tree.form, at(tree, 9), 9, habit, few).reason == Reason::limit);
 }
 
-TEST_CASE("leaves that are worked out together hang as each does alone") {
-  // One that is to fall long after now is no other leaf yet, and parts those about it.
+TEST_CASE("leaves that are computed together equal those computed alone") {
+  // A leaf that falls long after now is equal to the others now, but splits their group.
   Tree tree = tree_of("tree -> DivFunc(\"sigma1\"){branches}\nk >= 1 -> foliage(7)\n", 5);
   const Moment moment = at(tree, 5);
   const auto organs = [&] {

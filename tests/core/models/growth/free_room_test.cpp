@@ -1,4 +1,4 @@
-// The quick search for free room against the plain one, which asks of each place how far every node is from it.
+// The fast search for free room against a plain one, which computes the distance of every place to every node.
 #include "models/growth/free_room.hpp"
 
 #include <doctest/doctest.h>
@@ -25,8 +25,8 @@ glm::vec3 direction(int i) {
   return {out * way.cosine, y, out * way.sine};
 }
 
-// As the page of the model has it: 0.55 r about a place no node, a twentieth outside, up to one and a half in the
-// light. `doubt`: what the places would count for that lie as good as on one of the borders, which rounding decides.
+// As documented: no node within 0.55 r of a free place, a weight of a twentieth outside the volume, up to one and a
+// half in the light. `doubt`: weight of places so near to a border that rounding decides.
 FreeRoom::Found plainly(const FreeRoom::Query& query, const std::vector<glm::vec3>& nodes, const VolumeShape& volume,
                         const Surroundings& about, float& doubt) {
   FreeRoom::Found found;
@@ -59,7 +59,7 @@ float between(float low, float high, std::uint64_t stream, std::uint64_t address
 
 }  // namespace
 
-TEST_CASE("the quick search finds the places that the plain one finds") {
+TEST_CASE("the fast search finds the same places as the plain one") {
   std::array<float, 16> walls{};
   std::fill(walls.begin() + 8, walls.end(), 2.5f);
   const Surroundings alone, walled = Surroundings::of(walls).value();
@@ -79,7 +79,7 @@ TEST_CASE("the quick search finds the places that the plain one finds") {
       nodes.push_back(between(0, 4, 7, hash_combine(k, i)) * random_direction(7, 8, hash_combine(k, i)) +
                       glm::vec3(0, 4, 0));
     FreeRoom::Query query;
-    // A tip is a node itself.
+    // The tip itself is a node.
     query.tip = nodes.empty() ? glm::vec3(0, 1, 0) : nodes[k % nodes.size()];
     query.forward = random_direction(7, 9, k);
     query.light = random_direction(7, 10, k);
@@ -102,7 +102,7 @@ TEST_CASE("the quick search finds the places that the plain one finds") {
   CHECK(doubtful < 40);
 }
 
-TEST_CASE("a place that is no number is not free, and a node that is none takes no room") {
+TEST_CASE("a place that is not a number is not free, and a node that is not a number takes no room") {
   const float none = std::nanf("");
   const FreeRoom::Query query{{0, 1, 0}, {0, 1, 0}, {0, 1, 0}, 1, 0.5f, 1};
   const auto free = [](const FreeRoom::Query& at, const std::vector<glm::vec3>& nodes) {
@@ -125,7 +125,7 @@ TEST_CASE("a place that is no number is not free, and a node that is none takes 
   CHECK(free(query, {nodes[0], nodes[1], {none, 1, 0}, {0, none, none}}).sum == usual);
 }
 
-TEST_CASE("where all places about one are said to be within the room, they are") {
+TEST_CASE("holds_about implies that all places within the radius are within the room") {
   int sure = 0;
   for (std::uint64_t k = 0; k < 300; ++k) {
     std::array<float, 16> numbers{};

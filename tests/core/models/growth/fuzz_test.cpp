@@ -1,5 +1,5 @@
-// Texts put together from tokens at random, and good texts with tokens changed: each ends in a tree or a diagnostic,
-// whatever it is. PANICLE_SEED repeats a run (fuzz_dice.hpp).
+// Texts of random tokens, and valid texts with tokens changed: each gives a tree or a diagnostic. PANICLE_SEED repeats
+// a run (fuzz_dice.hpp).
 #include <array>
 #include <cmath>
 
@@ -112,7 +112,7 @@ Limits small_limits() {
   return limits;
 }
 
-// Whether it is a tree; a diagnostic says something, at a place of the text or at none.
+// Whether it is a tree; a diagnostic has a message, and a place in the text or none.
 bool grows(const std::string& text) {
   const Diagnostic diagnostic = trouble(text, 7, small_limits());
   if (diagnostic.reason == Reason::none) return true;
@@ -121,7 +121,7 @@ bool grows(const std::string& text) {
   return false;
 }
 
-// The shape of a tree that a text grows, and its levels: numbers all of them, however odd its volumes and rules are.
+// The form and the levels of a tree have finite numbers, also with unusual volumes and rules.
 void is_sound(const std::string& text, std::uint64_t seed) {
   const Population population = grown(text, 5, seed);
   if (population.shoots.size() > small_limits().segments) return;

@@ -1,4 +1,5 @@
-// Leaves four at a time stand as each would alone, by the plain sine, the plain root and the plain turn.
+// Poses of four leaves at a time equal those of each leaf alone, computed with the standard library's sine, root and
+// rotation.
 #include "models/growth/leaf_poses.hpp"
 
 #include <doctest/doctest.h>
@@ -28,12 +29,12 @@ glm::vec4 plainly(const Twig& twig, float about, float height, float around, boo
   return turn_to(glm::normalize(out - glm::dot(out, face) * face), face);
 }
 
-// Of the two ways to write a rotation the same one, but where the real part is none.
+// Of the two signs of a quaternion the same one, except where the real part is 0.
 float apart(const glm::vec4& a, const glm::vec4& b) { return std::min(glm::distance(a, b), glm::distance(a, -b)); }
 
 }  // namespace
 
-TEST_CASE("four leaves at once stand as each of them alone") {
+TEST_CASE("poses of four leaves at once equal those of each alone") {
   for (std::uint64_t k = 0; k < 300; ++k) {
     const glm::vec3 along = random_direction(1, 1, k), one = any_perpendicular(along);
     const Twig twig{along, one, glm::cross(along, one)};
@@ -56,8 +57,8 @@ TEST_CASE("four leaves at once stand as each of them alone") {
   }
 }
 
-TEST_CASE("where nothing says which way a leaf looks, it still stands") {
-  // Out and face fall together, or there is no face: along is straight down and luck the other way.
+TEST_CASE("a leaf without a defined direction still has a unit rotation") {
+  // Where `out` and `face` are parallel, or `face` is 0: the twig points straight down and the noise is opposite.
   for (const float height : {-1.0f, 0.0f, 1.0f})
     for (const glm::vec3& along : {glm::vec3(0, 1, 0), glm::vec3(0, -1, 0), glm::vec3(1, 0, 0)}) {
       const glm::vec3 one = any_perpendicular(along);
@@ -70,7 +71,7 @@ TEST_CASE("where nothing says which way a leaf looks, it still stands") {
     }
 }
 
-TEST_CASE("sines and cosines of turns, four at a time") {
+TEST_CASE("sines and cosines of four turns equal the exact ones") {
   for (int i = -4000; i < 4000; ++i) {
     const float turns = 0.0025f * static_cast<float>(i) + 0.0007f;
     const FourSinCos four = sincos_turns(Four{turns, -turns, 0.25f, 1.5f});

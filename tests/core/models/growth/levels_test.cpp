@@ -1,4 +1,4 @@
-// Laws of a tree's levels: whatever the text, the same tree is seen at every distance, by fewer and fewer triangles.
+// Properties of the levels of every tree: the same tree at every distance, with fewer and fewer triangles.
 #include "models/growth/levels.hpp"
 
 #include <algorithm>
@@ -126,7 +126,7 @@ TEST_CASE("each level reaches as far as the first, bare or in leaf") {
     }
 }
 
-TEST_CASE("a tree in flower is seen to be one at every distance") {
+TEST_CASE("a tree in flower has blossoms at every distance") {
   Tree tree = tree_of(text_named("table-1-sigma1"), 7, 3);
   std::vector<Organ> organs = tree.plant.organs;
   const std::size_t leaves = organs.size();
@@ -146,12 +146,12 @@ TEST_CASE("a tree in flower is seen to be one at every distance") {
   CHECK(triangles(levels.meshes[3]) <= 150);
 }
 
-TEST_CASE("thick wood is left out last, and what is left out is told") {
+TEST_CASE("thick wood is omitted last, and the tolerance states the omitted thickness") {
   const Tree tree = tree_of(text_named("table-1-sigma1"), 7, 3);
   const auto& tolerance = tree.levels.tolerance;
   CHECK(tolerance[0] == 0);
   for (std::size_t k = 1; k < level_count; ++k) CHECK(tolerance[k] > tolerance[k - 1]);
-  // The trunk stays: something of the last level's wood is as thick as its foot, at the foot.
+  // The trunk remains: some wood of the last level is as thick as the trunk's base, at the base.
   const PlantMesh& last = tree.levels.meshes[3];
   float wide = 0;
   for (std::uint32_t v = 0; v < last.runs[0].vertex_count; ++v)
@@ -159,7 +159,7 @@ TEST_CASE("thick wood is left out last, and what is left out is told") {
   CHECK(wide == doctest::Approx(tree.moment.segments[0].radius).epsilon(0.01));
 }
 
-TEST_CASE("meshes are sound: runs cover them, normals are unit and look out, each vertex sees some sky") {
+TEST_CASE("meshes are valid: runs cover them, normals are unit and point out, each vertex sees some sky") {
   for (const bool leafy : {true, false}) {
     const Tree tree = tree_of(text_named("figure-4"), 7, 5, leafy);
     for (const PlantMesh& level : tree.levels.meshes) {
@@ -195,7 +195,7 @@ TEST_CASE("meshes are sound: runs cover them, normals are unit and look out, eac
   }
 }
 
-TEST_CASE("what is deep in the crown sees less of the sky than what is at its outside") {
+TEST_CASE("the inside of a crown sees less of the sky than its outside") {
   const Tree tree = tree_of(text_named("table-1-sigma1"), 10, 3);
   const PlantMesh& level = tree.levels.meshes[0];
   const auto [low, high] = box_of(level.mesh);
@@ -213,7 +213,7 @@ TEST_CASE("what is deep in the crown sees less of the sky than what is at its ou
   CHECK(inner / static_cast<double>(inners) < 0.9 * outer / static_cast<double>(outers));
 }
 
-TEST_CASE("a tree that has not come yet has levels without triangles, and the same tree the same levels") {
+TEST_CASE("a tree of age 0 has levels without triangles, and the same tree has the same levels") {
   const Population population = grown(text_named("table-1-sigma1"), 6);
   const Form form = form_of(population, {});
   const Moment none = sound(moment_of(population, form, 0, WoodHabit{}, Limits{}));

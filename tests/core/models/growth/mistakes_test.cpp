@@ -1,5 +1,4 @@
-// What people write wrong in a growth grammar: each mistake is told at its place, in a sentence that says what to
-// write.
+// Common mistakes in growth grammars: each has a diagnostic at its place, with advice.
 #include "mistakes.hpp"
 
 #include "models/growth/texts.hpp"
@@ -73,7 +72,7 @@ const Mistake mistakes[] = {
     {tree + "bud(1) «k < 3 -> branch", "behind a colon"},
     {tree + "bud(1) -> branch : «2", "probability is from 0 to 1"},
     {tree + "bud(1) -> branch :«", "probability is missing"},
-    // Conditions and what follows from them.
+    // Conditions and consequences.
     {tree + "«trunk : k > 1 -> nbr = 1", "none of these"},
     {tree + "k > 1 «: k < 3 -> nbr = 1", "colon"},
     {tree + "«age > 1 -> nbr = 1", "there are k, N, gs"},
@@ -106,7 +105,7 @@ const Mistake mistakes[] = {
 
 }  // namespace
 
-TEST_CASE("mistakes in a growth grammar are told at their place, with advice") {
+TEST_CASE("mistakes in a growth grammar have diagnostics at their place, with advice") {
   panicle::tests::check_mistakes(mistakes, [](const std::string& text) {
     const Diagnostic diagnostic = trouble(text);
     CHECK(diagnostic.message.find('%') == std::string::npos);
@@ -114,7 +113,7 @@ TEST_CASE("mistakes in a growth grammar are told at their place, with advice") {
   });
 }
 
-TEST_CASE("what a text gives in vain is noted") {
+TEST_CASE("notes list definitions without effect") {
   const auto notes_of = [](std::string_view text) {
     std::string all;
     for (const std::string& note : rules_of(text).notes) all += note;
@@ -132,7 +131,7 @@ TEST_CASE("what a text gives in vain is noted") {
         std::string::npos);
 }
 
-TEST_CASE("a growth grammar may be written as papers are") {
+TEST_CASE("a growth grammar may use the notation of the paper") {
   const Population plain = grown("tree -> DivFunc(\"sigma1\"){branches}\nndv < 0 -> length = 2", 8);
   for (const char* text : {"tree → DivFunc(\"sigma1\"){branches}\nndv<0→length=2",
                            "tree --> DivFunc (\"sigma\", 1) {\n  branches\n}\nndv < 0\n  -> length = 2",

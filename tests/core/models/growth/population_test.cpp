@@ -20,7 +20,7 @@ bool same(const Shoot& a, const Shoot& b) {
 
 }  // namespace
 
-TEST_CASE("every text of the folder grows, at its own steps, without a note") {
+TEST_CASE("every preset grows at its own steps without a note") {
   CHECK(files().size() >= 13);
   for (const auto& path : files()) {
     CAPTURE(path.filename().string());
@@ -36,7 +36,7 @@ TEST_CASE("every text of the folder grows, at its own steps, without a note") {
   }
 }
 
-TEST_CASE("shoots stand behind what bears them, on an internode that it has") {
+TEST_CASE("shoots come after their parents and are attached to an existing internode") {
   for (const auto& path : files()) {
     CAPTURE(path.filename().string());
     const Population plant = grown(content(path), 9, 3);
@@ -68,7 +68,7 @@ TEST_CASE("shoots stand behind what bears them, on an internode that it has") {
   }
 }
 
-TEST_CASE("an internode bears no more branches than buds") {
+TEST_CASE("an internode has no more branches than buds") {
   const Population plant = grown(sigma, 11, 2);
   std::vector<std::uint32_t> attached(plant.shoots.size() * 12);
   for (const Shoot& shoot : plant.shoots)
@@ -124,7 +124,7 @@ TEST_CASE("the same text and seed give the same, and another seed another tree")
   CHECK(one.volumes[0].height != other.volumes[0].height);
 }
 
-TEST_CASE("the trunk bears as many branches as its divisor function says") {
+TEST_CASE("the trunk has as many branches as its divisor function gives") {
   const Population plant = grown(sigma, 9);
   const std::uint32_t sums[] = {0, 1, 3, 4, 7, 6, 12, 8, 15, 13};
   for (std::uint16_t step = 1; step <= 9; ++step)
@@ -137,7 +137,7 @@ TEST_CASE("the trunk bears as many branches as its divisor function says") {
 }
 
 TEST_CASE("negative leaf counts mark leaves of the step before") {
-  // Four leaves on each of what comes at step 2; at step 3 three of them are about to fall.
+  // Four leaves on each shoot of step 2; at step 3 three of them are about to fall.
   const Population plant = grown(std::string(plain) +
                                      "k == 2 -> nbr = 1\nk == 2 -> leaf(4)\nk == 3 -> nlf = -3\n"
                                      "nlf < 0 -> fallingLeaf(-nlf)\nbud(9) -> branch",
@@ -153,7 +153,7 @@ TEST_CASE("negative leaf counts mark leaves of the step before") {
 }
 
 TEST_CASE("a shoot whose count of leaves is negative sheds its own leaves of the step before") {
-  // While a shoot ages N − k stays what it is, so the count is that of the step at which it came, b: σ(b + 1) − σ(b).
+  // N − k is constant while a shoot ages, so the count is that of its first step b: σ(b + 1) − σ(b).
   const std::array<int, 13> sums = {0, 1, 3, 4, 7, 6, 12, 8, 15, 13, 18, 12, 28};
   const Population plant = grown(text_named("figure-5"), 11);
   std::vector<std::uint32_t> had(plant.shoots.size(), 0), fell(plant.shoots.size(), 0);
@@ -175,7 +175,7 @@ TEST_CASE("a shoot whose count of leaves is negative sheds its own leaves of the
     CHECK((falling[step] > 0) == (step == 5 || step == 7 || step == 9 || step == 11));
 }
 
-TEST_CASE("of foliage as many leaves of an internode fall as the text says, in the step that made it") {
+TEST_CASE("as many leaves of an internode's foliage fall as the grammar sets, in their own step") {
   const Population plant = grown(std::string(plain) + "nbr = 0\nk >= 1 -> foliage(3)\nk == 3 -> fallingLeaf(2)\n", 4);
   std::size_t falling = 0;
   for (const Leaf& leaf : plant.leaves) {
@@ -187,7 +187,7 @@ TEST_CASE("of foliage as many leaves of an internode fall as the text says, in t
   CHECK(falling == 2);
 }
 
-TEST_CASE("child trunks come where nothing else does, and are from 1 to half as large") {
+TEST_CASE("child trunks come at their condition, with sizes from 1 to half of the parent's") {
   const Rules rules = rules_of(
       "footprint -> GrowVol(1, 1, 5, 10, 3, 0)\ntree -> DivFunc(\"sigma1b\", 0, 2){branches}\n"
       "ndv == 0 -> childTrunk : 0.1");
@@ -211,18 +211,19 @@ TEST_CASE("child trunks come where nothing else does, and are from 1 to half as 
     CHECK(volume.size == doctest::Approx(volume.height / 10));
   }
   CHECK(static_cast<double>(trunks) / static_cast<double>(chances) == doctest::Approx(0.1).epsilon(0.4));
-  // A child trunk's clock begins when it comes: what it bears at its age of 2 is what the first trunk bore at 2.
+  // A child trunk's age counts from its own first step: at its age of 2 it has as many branches as the first trunk had
+  // at 2.
   const Population certain = grown("tree -> DivFunc(\"sigma1\"){branches}\ngs == 1 -> childTrunk", 3);
   CHECK(std::count_if(certain.shoots.begin(), certain.shoots.end(),
                       [](const Shoot& shoot) { return shoot.volume == 1 && shoot.order == 1; }) == 1 + 3);
 }
 
-TEST_CASE("child trunks come of trunks alone") {
+TEST_CASE("only trunks have child trunks") {
   const Population plant = grown("tree -> DivFunc(\"sigma1\"){branches}\ngs == 3 -> childTrunk", 4);
   CHECK(plant.volumes.size() == 2);
 }
 
-TEST_CASE("every bud, shoot and step has luck of its own") {
+TEST_CASE("every bud, shoot and step has random values of its own") {
   const std::string trunk = std::string(plain) + "k == N - 1 && gs == 1 -> nbr = 64\n";
   for (const char* text : {"k < N - 1 -> nbr = 1\nbud(1) : k < N - 1 -> branch : 0.5",
                            "k < N - 1 -> nbr = RND(0, 1)\nbud(9) : k < N - 1 -> branch",
@@ -238,7 +239,7 @@ TEST_CASE("every bud, shoot and step has luck of its own") {
     CHECK(came[3] > 18);
     CHECK(came[3] < 80);
   }
-  // What depends on a shoot's order is decided for each.
+  // Rules that use a shoot's order are evaluated for each shoot.
   const Population plant = grown(trunk +
                                      "order == 1 && gs == 2 -> nbr = 1\norder == 2 && gs == 3 -> nbr = 2\n"
                                      "k < 0 -> leaf(1)\nbud(9) : k < N - 1 -> branch",
@@ -268,7 +269,7 @@ TEST_CASE("a branch of negative count is deformed for that step") {
   CHECK(restored);
 }
 
-TEST_CASE("conditions on a growth volume make its environment") {
+TEST_CASE("conditions on a growth volume set its environment") {
   const Rules rules = rules_of(
       "footprint -> GrowVol(1, 1, 2, 4, 1, 0), GrowVol(2, 5, 2, 6, 1, 30)\n"
       "tree -> DivFunc(\"sigma1\"){branches}\nphototropism = 0.3\nGrowVol.h < 5 -> gravitropism = 0.2\n"
@@ -288,7 +289,7 @@ TEST_CASE("conditions on a growth volume make its environment") {
   CHECK(plant.volumes[1].at != plant.volumes[2].at);
 }
 
-TEST_CASE("growth volumes are drawn from 1 to what is given") {
+TEST_CASE("growth volumes are drawn from 1 to the given size") {
   const Rules rules = rules_of(
       "gs.rand(7, 8)\nfootprint -> GrowVol(cnt.rand(3), size.rand(10, 8, 12, 60°), wt.rand(2, 3))\n"
       "tree -> DivFunc(\"sigma1\"){branches}");
@@ -330,7 +331,7 @@ TEST_CASE("divisor functions are drawn by their probabilities") {
   CHECK(even < 340);
 }
 
-TEST_CASE("limits end a growth with a sentence") {
+TEST_CASE("limits end a growth with a message") {
   Limits limits;
   limits.segments = 100;
   CHECK(trouble(sigma, 11, limits).reason == Reason::limit);
@@ -353,7 +354,7 @@ TEST_CASE("limits end a growth with a sentence") {
   CHECK(trouble("tree -> DivFunc(\"sigma1\"){branches} DivFunc(\"exp\", 10, 9){branches}", 6).reason == Reason::limit);
 }
 
-TEST_CASE("a tree whose drawn volumes are written out in numbers stays the same") {
+TEST_CASE("a tree is the same when its drawn volumes are given as numbers") {
   for (const std::string name : {"figure-8", "figure-9", "table-1-older"}) {
     std::string text = text_named(name);
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -389,7 +390,7 @@ TEST_CASE("a tree whose drawn volumes are written out in numbers stays the same"
   }
 }
 
-TEST_CASE("the examples of the language's page grow") {
+TEST_CASE("the examples of the language's documentation grow") {
   const std::string page = content(panicle::tests::repository_folder() + "/docs/models/growth/language.md");
   std::size_t examples = 0;
   for (std::size_t at = 0; (at = page.find("```growth\n", at)) != std::string::npos; ++examples) {
@@ -401,7 +402,7 @@ TEST_CASE("the examples of the language's page grow") {
   CHECK(examples >= 4);
 }
 
-TEST_CASE("foliage: each internode of the last steps has its leaves, those of branches that have just come too") {
+TEST_CASE("each internode of the last steps has foliage, also on new branches") {
   const auto leaves = [](const char* rule, std::uint16_t step) {
     const Population population = grown(std::string("tree -> DivFunc(\"sigma1\"){branches}\n") + rule, 6);
     std::size_t count = 0;

@@ -1,4 +1,4 @@
-// What hides the sky from a tree's own wood and leaves: each thing as much as it is large.
+// Sky visibility of a tree's own wood and leaves: each organ hides sky in proportion to its area.
 #include <limits>
 #include <map>
 #include <numeric>
@@ -62,7 +62,7 @@ TEST_CASE("places for bunches hide no sky") {
   CHECK(leaves == sky_of(without.columns, "organs.sky"));
 }
 
-TEST_CASE("blossoms hide as much of the sky as they are large, whatever the leaves are") {
+TEST_CASE("blossoms hide sky in proportion to their own area") {
   Chosen bare{{Parameter::leaf_kind, 0}, {Parameter::season, 0.2f}};
   Chosen small = bare, large = bare;
   small[Parameter::blossoms] = large[Parameter::blossoms] = 8;

@@ -1,4 +1,4 @@
-// What stands about a tree: light comes from where the sky is open, and what lies beyond its room is taken.
+// Surroundings of a tree: light comes from the open sky, and places beyond its room are taken.
 #include "models/growth/surroundings.hpp"
 
 #include <array>
@@ -20,7 +20,7 @@ constexpr float open = 1e9f;
 using Numbers = std::array<float, 16>;
 
 constexpr Numbers nothing{0, 0, 0, 0, 0, 0, 0, 0, open, open, open, open, open, open, open, open};
-// One metre to the east, and half as high as the tree seen from there.
+// A wall one metre to the east, half as high as the tree seen from there.
 constexpr Numbers wall{75, 60, 0, 0, 0, 0, 0, 60, 1, 1.4f, open, open, open, open, open, 1.4f};
 constexpr Numbers high_south{0, 60, 60, 60, 0, 0, 0, 0, open, open, open, open, open, open, open, open};
 
@@ -40,7 +40,7 @@ const std::string& sigma() {
   return text;
 }
 
-// Over some seeds.
+// The mean over some seeds.
 glm::vec3 mean_tip(std::string_view text, const Numbers& numbers) {
   glm::vec3 sum(0);
   float count = 0;
@@ -88,7 +88,7 @@ TEST_CASE("neighbours that do not count take no room") {
   CHECK(beyond > all / 10);
 }
 
-TEST_CASE("a tree that has no room at all is counted all the same") {
+TEST_CASE("a tree without any room has the same counts") {
   Numbers none{};
   for (std::size_t i = 0; i < 8; ++i) none[i] = 90;
   const Surroundings about = sound(Surroundings::of(none));
@@ -100,7 +100,7 @@ TEST_CASE("a tree that has no room at all is counted all the same") {
   }
 }
 
-TEST_CASE("surroundings are sixteen numbers; where there is nothing about it a tree is as it is alone") {
+TEST_CASE("surroundings are sixteen numbers; open ones give the same tree as none") {
   CHECK_FALSE(Surroundings::of(std::array<float, 15>{}));
   Numbers broken = nothing;
   broken[3] = std::numeric_limits<float>::quiet_NaN();
@@ -130,7 +130,7 @@ TEST_CASE("room ends at the lines between its eight directions") {
   CHECK(Surroundings().holds({1e8f, 0, 0}));
 }
 
-TEST_CASE("light comes from where the crown is thin") {
+TEST_CASE("light comes from the thin side of a crown") {
   const Population population = grown(sigma(), 8);
   CrownLight light(population, {});
   CHECK(light.from({0, 5, 0}) == glm::vec3(0, 1, 0));
@@ -144,7 +144,7 @@ TEST_CASE("light comes from where the crown is thin") {
   CHECK(glm::length(light.from({3, 5, 0})) == doctest::Approx(1).epsilon(1e-4));
 }
 
-TEST_CASE("where none of the sky is open, what light there is comes from above") {
+TEST_CASE("under a closed sky light comes from above") {
   Numbers none = nothing;
   for (std::size_t i = 0; i < 8; ++i) none[i] = 90;
   CHECK(CrownLight(grown(sigma(), 5), sound(Surroundings::of(none))).from({0, 5, 0}) == glm::vec3(0, 1, 0));

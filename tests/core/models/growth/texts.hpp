@@ -1,4 +1,4 @@
-// What the tests of growth grammars share: texts read and populated in one line.
+// Helpers for tests of growth grammars: read and populate a text in one line.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -27,7 +27,7 @@ inline Population grown(std::string_view text, std::uint16_t steps, std::uint64_
   return grown(rules_of(text), steps, seed);
 }
 
-// What is wrong with a text that is read and grown; nothing where it is sound.
+// The error of reading and growing a text; none where it is valid.
 inline Diagnostic trouble(std::string_view text, std::uint16_t steps = 6, const Limits& limits = {}) {
   const auto rules = read_rules(text, limits);
   if (!rules) return rules.error();

@@ -1,4 +1,4 @@
-// Whatever a text is, reading and laying it ends: with a plan, or with a sentence.
+// Reading and placing any text ends with a plan or a diagnostic.
 #include "foundation/random.hpp"
 #include "models/stand/plans.hpp"
 
@@ -6,7 +6,7 @@ using namespace panicle;
 using namespace panicle::stand;
 using namespace panicle::stand::tests;
 
-TEST_CASE("stand: any text is read or refused") {
+TEST_CASE("stand: any text gives a plan or a diagnostic") {
   static const std::vector<std::string> words = {
       "ground", "plants", "blue",  "rows",  "random", "stratified", "towards", "jitter", "depth",  "relief",
       "hills",  "a/b",    "c/d-1", "share", "crown",  "scale",      "seeds",   "each",   "height", "reach",
@@ -19,7 +19,7 @@ TEST_CASE("stand: any text is read or refused") {
       "rows",   "1",  "x",   "0.5", ",",     "jitter", "20", "\n",    "a/b",    ",",  "seeds",  "20"};
   std::uint32_t read = 0;
   for (std::uint64_t i = 0; i < 20'000; ++i) {
-    // Nonsense, or a sound plan in which a word or two are others.
+    // Random words, or a valid plan with a word or two replaced.
     std::vector<std::string> all = sound;
     if (i % 2 == 0) {
       all.resize(1 + random_bits(1, i, 0) % 20);

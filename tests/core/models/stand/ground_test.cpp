@@ -1,4 +1,4 @@
-// The ground: never further from level than it may be, the same seen from anywhere, and darker under crowns.
+// The ground: its heights are within the relief and equal those of its mesh; it is darker under crowns.
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +8,7 @@ using namespace panicle;
 using namespace panicle::stand;
 using namespace panicle::stand::tests;
 
-TEST_CASE("stand: the ground keeps to its relief, its normals to its slope") {
+TEST_CASE("stand: the ground is within its relief, and its normals match its slope") {
   Ground ground;
   ground.relief = 3;
   const Relief relief(ground, 5);
@@ -27,7 +27,7 @@ TEST_CASE("stand: the ground keeps to its relief, its normals to its slope") {
   for (const std::uint32_t index : mesh.indices) CHECK(3 * index + 2 < mesh.positions.size());
 }
 
-TEST_CASE("stand: it is dark below a crown, and open away from it") {
+TEST_CASE("stand: the ground is dark below a crown and light away from it") {
   const Plan plan = sound(read_plan("plants 1, random\na/b, crown 4 x 8"));
   const auto sky = sky_below(plan, std::vector<Placement>(1), {0, 0, 0, 3, 0, 0, 12, 0, 0});
   CHECK(sky[0] < 130);

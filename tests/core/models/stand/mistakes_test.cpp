@@ -1,4 +1,4 @@
-// What people write wrong in a plan: each mistake is told at its place, in a sentence that says what to write.
+// Common mistakes in plans: each has a diagnostic at its place, with advice.
 #include "mistakes.hpp"
 
 #include "models/stand/plans.hpp"
@@ -56,14 +56,14 @@ const Mistake mistakes[] = {
 
 }  // namespace
 
-TEST_CASE("stand: mistakes are told where they are, with what to write") {
+TEST_CASE("stand: mistakes have diagnostics at their place, with advice") {
   panicle::tests::check_mistakes(mistakes, [](const std::string& text) {
     const auto plan = read_plan(text);
     return plan ? Diagnostic{} : plan.error();
   });
 }
 
-TEST_CASE("stand: a plan goes on behind commas and colons, and works out its numbers") {
+TEST_CASE("stand: a plan continues after commas and colons, and evaluates its numbers") {
   const Plan plan =
       sound(read_plan("ground 2 * 30 x 40,\n  relief (1 + 2)\nplants 10,\n  rows sqrt(4) x 1\n"
                       "growth/table-1-sigma1, share 3,\n crown 5 x 9: steps 5 to 7, leaf \"oak\""));
@@ -78,7 +78,7 @@ TEST_CASE("stand: a plan goes on behind commas and colons, and works out its num
   CHECK(kind.settings[1].word == "oak");
 }
 
-TEST_CASE("stand: every plan of the presets is read and laid") {
+TEST_CASE("stand: every plan of the presets can be read and placed") {
   REQUIRE(texts().size() >= 1);
   for (const std::string& text : texts()) {
     const PlacedStand all = placed(text);

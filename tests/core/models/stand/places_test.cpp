@@ -1,4 +1,4 @@
-// Where plants stand: how many, how far apart, which of the mix, and that each has its own luck.
+// Placement of plants: their number, their distances, their kinds, and random values of their own.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -21,7 +21,7 @@ float nearest(const std::vector<Placement>& plants) {
 
 }  // namespace
 
-TEST_CASE("stand: every spacing places as many as asked, on the ground") {
+TEST_CASE("stand: every spacing places the requested number on the ground") {
   for (const char* const spacing : {"random", "stratified", "blue", "blue 1.5", "rows 3 x 2"}) {
     CAPTURE(spacing);
     const auto plants = placed(std::string("ground 60 x 40, relief 3\nplants 300, ") + spacing + "\na/b").plants;
@@ -34,7 +34,7 @@ TEST_CASE("stand: every spacing places as many as asked, on the ground") {
   }
 }
 
-TEST_CASE("stand: the thinnest strip there may be holds its layer too") {
+TEST_CASE("stand: the thinnest allowed strip contains its layer") {
   for (const char* const ground : {"ground 1000 x 0.1", "ground 0.1 x 1000"})
     for (const char* const plants :
          {"plants 5000, stratified", "plants 200, blue", "plants 1, blue", "plants 9, random"})
@@ -50,14 +50,14 @@ TEST_CASE("stand: the thinnest strip there may be holds its layer too") {
       }
 }
 
-TEST_CASE("stand: asked for another number, layers keep their proportion") {
+TEST_CASE("stand: layers keep their proportion at another requested number") {
   const char* const text = "plants 30, blue 0.2\na/b\nplants 10, random\nc/d";
   const auto plants = placed(text, 1, 200).plants;
   CHECK(plants.size() == 200);
   CHECK(std::count_if(plants.begin(), plants.end(), [](const Placement& each) { return each.kind == 1; }) == 50);
 }
 
-TEST_CASE("stand: as many stand as asked for, however few, and a layer that gets none is told") {
+TEST_CASE("stand: the requested number is exact, however small, and a note lists layers without plants") {
   const char* const text = "plants 60, random\na/b\nplants 30, random\nc/d\nplants 50, random\ne/f";
   for (const std::uint32_t requested : {1u, 2u, 3u, 7u, 24u, 139u, 140u, 141u, 3000u}) {
     CAPTURE(requested);
@@ -76,7 +76,7 @@ TEST_CASE("stand: as many stand as asked for, however few, and a layer that gets
   CHECK(one.notes[1].find("line 3") != std::string::npos);
 }
 
-TEST_CASE("stand: no two darts of blue noise come nearer than said, and a full ground says so") {
+TEST_CASE("stand: blue noise keeps the given distance, and a full ground has a note") {
   const PlacedStand some = placed("ground 30 x 30\nplants 400, blue 1\na/b");
   CHECK(some.notes.empty());
   CHECK(nearest(some.plants) >= 1);
@@ -93,7 +93,7 @@ TEST_CASE("stand: blue noise without a distance finds room for all and is far mo
   CHECK(blue > 5 * nearest(placed("ground 50 x 50\nplants 500, random\na/b").plants));
 }
 
-TEST_CASE("stand: each stratum holds one plant") {
+TEST_CASE("stand: each stratum has one plant") {
   const auto plants = placed("ground 20 x 10\nplants 200, stratified\na/b").plants;
   std::vector<int> cells(200, 0);
   for (const Placement& plant : plants)
@@ -101,7 +101,7 @@ TEST_CASE("stand: each stratum holds one plant") {
   CHECK(std::count(cells.begin(), cells.end(), 1) == 200);
 }
 
-TEST_CASE("stand: rows run where they are told, as far apart as said, and fill the ground") {
+TEST_CASE("stand: rows have the given direction and distance, and fill the ground") {
   const auto plants = placed("ground 20 x 20\nplants, rows 4 x 2\na/b").plants;
   CHECK(plants.size() == 5 * 11);
   for (const Placement& plant : plants) {
@@ -118,7 +118,7 @@ TEST_CASE("stand: rows run where they are told, as far apart as said, and fill t
   CHECK(off <= 0.5f);
 }
 
-TEST_CASE("stand: asked for fewer, rows about the middle are whole, and the last of them is begun at its middle") {
+TEST_CASE("stand: fewer plants fill whole rows about the middle, and the last row from its middle") {
   // Five rows of eleven.
   for (const char* const count : {"plants", "plants 55"}) {
     const std::string text = "ground 20 x 20\n" + std::string(count) + ", rows 4 x 2\na/b";
@@ -134,7 +134,7 @@ TEST_CASE("stand: asked for fewer, rows about the middle are whole, and the last
     for (const Placement& plant : plants)
       if (plant.at.z == 4) CHECK(std::abs(plant.at.x) <= 2);
   }
-  // Of more than may stand at all, too, in rows and within a row.
+  // Also of more plants than the limit, in rows and within a row.
   for (const char* const rows : {"1 x 1", "1 x 0.02"})
     for (const Placement& plant :
          placed("ground 200 x 200\nplants 5000, rows " + std::string(rows) + "\na/b", 1, 50).plants) {
@@ -143,7 +143,7 @@ TEST_CASE("stand: asked for fewer, rows about the middle are whole, and the last
     }
 }
 
-TEST_CASE("stand: however rows run, all of their places that lie in the strip are taken") {
+TEST_CASE("stand: rows of any direction use all of their places in the strip") {
   for (const int towards : {0, 1, 30, 45, 90, 137, 180, -89, -270}) {
     CAPTURE(towards);
     const PlacedStand all =
@@ -163,8 +163,8 @@ TEST_CASE("stand: however rows run, all of their places that lie in the strip ar
   }
 }
 
-// Ten thousand million places are passed by where each is asked whether it lies in the strip.
-TEST_CASE("stand: rows far finer than the ground are laid in a strip of it") {
+// Ten thousand million places would be visited if each were tested against the strip.
+TEST_CASE("stand: rows far finer than the ground are placed in a strip of it") {
   for (const char* const towards : {"0", "30", "90"}) {
     CAPTURE(towards);
     const std::string text = std::string("rows 0.01 x 0.01, depth 0 to 0.001, towards ") + towards + "\na/b";
@@ -175,7 +175,7 @@ TEST_CASE("stand: rows far finer than the ground are laid in a strip of it") {
   }
 }
 
-TEST_CASE("stand: a strip holds its layer") {
+TEST_CASE("stand: a strip contains its layer") {
   for (const Placement& plant : placed("ground 20 x 20\nplants 50, random, depth 0.75 to 1\na/b").plants)
     CHECK(plant.at.z >= 5);
 }
@@ -188,7 +188,7 @@ TEST_CASE("stand: shares are met within chance") {
   CHECK(of[0] + of[1] == 4000);
 }
 
-TEST_CASE("stand: values are drawn from end to end, each plant its own; words are none") {
+TEST_CASE("stand: values are drawn over the whole range for each plant; words are NaN") {
   const auto plants = placed("plants 2000, random\na/b, scale 0.5 to 2: age 10 to 20, leaf oak, steps 3").plants;
   float least = 1e9f, most = 0;
   for (const Placement& plant : plants) {
@@ -204,7 +204,7 @@ TEST_CASE("stand: values are drawn from end to end, each plant its own; words ar
   CHECK(most <= 20);
 }
 
-TEST_CASE("stand: of so many seeds there are so many plants, alike in their values") {
+TEST_CASE("stand: `seeds` sets the number of different plants, and plants of one seed have equal values") {
   const auto plants = placed("plants 500, random\na/b, seeds 4, scale 1 to 2: age 10 to 20").plants;
   std::vector<std::pair<std::uint32_t, float>> found;
   for (const Placement& plant : plants) found.emplace_back(plant.seed, plant.settings[0]);
@@ -214,7 +214,7 @@ TEST_CASE("stand: of so many seeds there are so many plants, alike in their valu
   CHECK(plants[0].scale != plants[1].scale);
 }
 
-TEST_CASE("stand: what is borne hangs on each bearer, along its row") {
+TEST_CASE("stand: attached plants hang on each parent, along its row") {
   const auto plants = placed("plants 20, rows 4 x 4\na/b, scale 2\nc/d, each 3 to 5, height 0.8 to 1, reach 0.5").plants;
   std::vector<int> of(20, 0);
   for (const Placement& plant : plants) {
@@ -230,7 +230,7 @@ TEST_CASE("stand: what is borne hangs on each bearer, along its row") {
   CHECK(*std::max_element(of.begin(), of.end()) == 5);
 }
 
-TEST_CASE("stand: the same seed lays the same, another another; what a plant is does not hang on how many there are") {
+TEST_CASE("stand: the same seed gives the same plants, another seed others; a plant does not depend on their number") {
   const char* const text = "ground 40 x 40, relief 2\nplants 100, blue 1\na/b: age 1 to 9";
   const auto once = placed(text, 7).plants, again = placed(text, 7).plants, other = placed(text, 8).plants;
   const auto fewer = placed(text, 7, 40).plants;

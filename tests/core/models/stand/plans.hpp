@@ -1,4 +1,4 @@
-// What the tests of stands share: plans read and laid in one line.
+// Helpers for tests of stands: read and place a plan in one line.
 #pragma once
 
 #include <doctest/doctest.h>

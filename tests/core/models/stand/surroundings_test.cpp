@@ -1,4 +1,4 @@
-// What neighbours take of light and room.
+// Light and room that neighbours take.
 #include <algorithm>
 #include <cmath>
 
@@ -24,7 +24,7 @@ std::vector<float> around(const std::vector<glm::vec3>& feet, float scale = 1) {
 
 }  // namespace
 
-TEST_CASE("stand: a plant alone has the whole sky and all room") {
+TEST_CASE("stand: a single plant has the whole sky and unlimited room") {
   const auto alone = around({{0, 0, 0}});
   for (std::size_t k = 0; k < 8; ++k) {
     CHECK(alone[k] == 0);
@@ -32,7 +32,7 @@ TEST_CASE("stand: a plant alone has the whole sky and all room") {
   }
 }
 
-TEST_CASE("stand: a neighbour covers the sky where it stands, and the room ends half-way") {
+TEST_CASE("stand: a neighbour covers the sky in its direction, and the room ends half-way") {
   const auto both = around({{0, 0, 0}, {6, 0, 0}});
   // From 4 m up to a top of 8 m, 5 m away.
   CHECK(both[0] == 39);
@@ -48,8 +48,7 @@ TEST_CASE("stand: a neighbour covers the sky where it stands, and the room ends 
   CHECK(both[16 + 8 + 4] == doctest::Approx(3));
 }
 
-TEST_CASE(
-    "stand: directions turn with the plant, room is at its own scale, and those far off are nobody's neighbours") {
+TEST_CASE("stand: directions turn with the plant, room is at its own scale, and plants far away are not neighbours") {
   const Plan plan = sound(read_plan("plants 1, random\na/b, crown 4 x 8"));
   std::vector<Placement> plants(2);
   plants[1].at = {0, 0, 6};
@@ -59,7 +58,7 @@ TEST_CASE(
   CHECK(around({{0, 0, 0}, {30, 0, 0}})[0] == 0);
 }
 
-TEST_CASE("stand: what is told of neighbours are whole degrees and centimetres, and never no room at all") {
+TEST_CASE("stand: surroundings are whole degrees and centimetres, with some room at least") {
   const PlacedStand all = placed("ground 9 x 9, relief 1\nplants 40, random\na/b, crown 3 x 4, scale 0.5 to 1.5");
   const auto surroundings = surroundings_of(all.plan, all.plants);
   for (std::size_t i = 0; i < surroundings.size(); ++i) {
@@ -70,7 +69,7 @@ TEST_CASE("stand: what is told of neighbours are whole degrees and centimetres, 
   CHECK(around({{0, 0, 0}, {0.001f, 0, 0}})[8] == least_room);
 }
 
-TEST_CASE("stand: what is borne is nobody's neighbour and has none") {
+TEST_CASE("stand: an attached plant is not a neighbour and has none") {
   const PlacedStand all = placed("ground 20 x 20\nplants 4, rows 5 x 5\na/b\nc/d, each 2");
   const auto with = surroundings_of(all.plan, all.plants);
   std::vector<Placement> standing(all.plants.begin(), all.plants.begin() + 4);
@@ -80,7 +79,7 @@ TEST_CASE("stand: what is borne is nobody's neighbour and has none") {
   CHECK(with[16 * 4 + 8] == no_neighbour);
 }
 
-TEST_CASE("stand: what many neighbours leave is the least that any of them leaves, to the last bit") {
+TEST_CASE("stand: surroundings by many neighbours are the least that any of them leaves, exactly") {
   const PlacedStand all =
       placed("ground 8 x 8, relief 1\nplants 60, random\na/b, crown 3 x 4, scale 1 to 1.5\nc/d, crown 1 x 15, share 0.2");
   const auto together = surroundings_of(all.plan, all.plants);

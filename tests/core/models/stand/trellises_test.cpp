@@ -1,4 +1,4 @@
-// Posts stand between plants, wires run from end to end over the ground, and what is tied goes one way.
+// Posts are between plants, wires run from end to end over the ground, and tied plants have one direction.
 #include "models/stand/trellises.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ std::vector<glm::vec3> corners(const Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("stand: a trellis has posts between its rows' plants, no further apart than said, and at both ends") {
+TEST_CASE("stand: a trellis has posts between plants, within the given distance, and at both ends") {
   const PlacedStand all = placed("ground 20 x 8\nplants, rows 4 x 2\ntrellis 2, posts 6\na/b");
   // Two rows more than the middle one; of eleven plants each, in panels of three.
   const Trellises trellises = built(all);
@@ -56,7 +56,7 @@ TEST_CASE("stand: wires follow the ground at their heights, a pair to both sides
   }
 }
 
-TEST_CASE("stand: faces of posts and wires look outwards") {
+TEST_CASE("stand: faces of posts and wires point outwards") {
   const Trellises trellises =
       built(placed("ground 20 x 4\nplants, rows 4 x 2, towards 30\ntrellis 2, wire 0.9, pair 1.5\na/b"));
   for (const Mesh* const mesh : {&trellises.wood, &trellises.metal}) {
@@ -70,7 +70,7 @@ TEST_CASE("stand: faces of posts and wires look outwards") {
   }
 }
 
-TEST_CASE("stand: what is tied to a trellis goes along it one way, others to both") {
+TEST_CASE("stand: plants on a trellis have one direction, others two") {
   for (const bool tied : {true, false}) {
     const PlacedStand all = placed(std::string("ground 20 x 20\nplants, rows 4 x 2\n") + (tied ? "trellis 2\n" : "") + "a/b");
     const auto back =
