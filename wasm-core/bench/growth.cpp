@@ -38,7 +38,7 @@ double run_growth(Stage stage, std::uint32_t steps, std::uint32_t seed) {
   if (add_leaves(plant, population.value(), form, moment.value(), time, leaves, limits).reason != Reason::none)
     return -1;
   if (stage == Stage::leaves) return static_cast<double>(plant.organs.size());
-  const Levels levels = levels_of(moment.value(), plant.organs, blade_area, 0);
+  const TreeLevels levels = levels_of(moment.value(), plant.organs, blade_area, 0);
   const std::size_t triangles = levels.meshes[0].mesh.indices.size() / 3;
   return static_cast<double>(triangles);
 }

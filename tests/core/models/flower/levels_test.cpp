@@ -210,7 +210,7 @@ TEST_CASE("an organ of more triangles than are compared is simplified on grids, 
   generalized_map::Embedding embedding;
   embedding.build(derived.map);
   const std::uint64_t before = budget.spent();
-  Levels levels(program, {}, limits, derived, embedding);
+  FlowerLevels levels(program, {}, limits, derived, embedding);
   CHECK(budget.spent() == before);
   Plant plant;
   std::vector<std::uint32_t> numbers;
