@@ -13,7 +13,7 @@ import { type LeafFile, readLeaf } from "../../../../web/src/plant/leaf";
 const text = (preset: string) => readFile(`web/src/plant/leaves/${preset}.json`, "utf8");
 const committed = async (preset: string): Promise<LeafFile> => JSON.parse(await text(preset));
 
-/** Whether two arrays hold the same: quicker than looking for what differs. */
+/** Whether two arrays are equal: faster than computing a difference. */
 const same = (a: ArrayBufferView = new Uint8Array(), b: ArrayBufferView = new Uint8Array()) =>
 	Buffer.from(a.buffer, a.byteOffset, a.byteLength).equals(Buffer.from(b.buffer, b.byteOffset, b.byteLength));
 
@@ -22,8 +22,8 @@ beforeAll(async () => {
 	core = await loadCoreFromBytes(await readFile("build/core/particles.wasm"));
 });
 
-describe.each(BAKED_LEAVES)("the leaf of %s that other plants bear", (preset) => {
-	it("is what its preset grows and the script bakes", async () => {
+describe.each(BAKED_LEAVES)("the leaf of %s for attachment", (preset) => {
+	it("matches the preset's growth and the script's output", async () => {
 		const [file, anew] = [await committed(preset), bakeLeaf(core, preset)];
 		expect(file.from).toBe(anew.from);
 		const [one, other] = [await readLeaf(file), await readLeaf(anew)];
@@ -61,7 +61,7 @@ describe.each(BAKED_LEAVES)("the leaf of %s that other plants bear", (preset) =>
 
 describe("the sketch of the leaf on a cane", () => {
 	it("is small, and as long and wide as the leaf, so that the view of both is one", async () => {
-		// What the sketch is for: it comes with the first load, the leaf later.
+		// The sketch comes with the first load, the detailed leaf later.
 		const [small, large] = await Promise.all(["grapevine_sketch", "grapevine"].map(text));
 		expect(gzipSync(small).length).toBeLessThan(gzipSync(large).length / 10);
 		const [sketch, leaf] = await Promise.all(
@@ -81,7 +81,7 @@ describe("the sketch of the leaf on a cane", () => {
 
 const onTrees = BAKED_LEAVES.filter((name) => !name.startsWith("grapevine"));
 
-describe("the leaves that trees bear", () => {
+describe("the leaves of trees", () => {
 	it("are those of every kind that a tree can have, but needles", () => {
 		const kindsOf = (table: typeof TREE_TABLE | typeof GROWTH_TABLE) => {
 			const kinds = table.entry("leaf_kind");
@@ -113,7 +113,7 @@ describe("the leaves that trees bear", () => {
 			const [right, left] = [used(1), used(-1)];
 			expect([...right].filter((vertex) => left.has(vertex))).toEqual([]);
 			expect(right.size + left.size).toBe(points.length / 2);
-			// About as much of a leaf as there is.
+			// The area is about that of the leaf.
 			const { margin } = readGrownLeaf(core.grow(encodeLeaf(bakedSpecimen(preset), { meshes: false })));
 			let own = 0;
 			for (let i = 0, j = margin.length - 2; i < margin.length; j = i, i += 2) {
@@ -140,7 +140,7 @@ describe("the grapevine's leaf", () => {
 		const shown = (vertex: number) =>
 			shares[Math.min(side - 1, Math.floor(uvs[2 * vertex + 1] * side)) * side + Math.floor(uvs[2 * vertex] * side)];
 		expect(shown(0)).toBe(255);
-		// Once round the petiole near to it: what is bright is a main vein, or one that leaves it there.
+		// A circle around the petiole: bright pixels are main veins or their branches.
 		const [px, py] = [uvs[0] * side, uvs[1] * side];
 		const scale = (side * (uvs[2] - uvs[0])) / (points[2] - points[0]);
 		const round = Array.from({ length: 720 }, (_, k) => {

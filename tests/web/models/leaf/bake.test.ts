@@ -65,8 +65,8 @@ const unit = (a: Vector): Vector => times(a, 1 / Math.hypot(...a));
 const vector = (values: Float32Array, at: number) => [...values.subarray(3 * at, 3 * at + 3)] as Vector;
 
 /**
- * By triangle, where u increases on the surface, told as glTF's readers do from its corners (MikkTSpace, the same as three's
- * derivatives); whether u × v turns about the normal as it must.
+ * By triangle, the direction of increasing u as glTF readers compute it from the corners (MikkTSpace, equal to three's
+ * derivatives), and whether u × v agrees with the normal.
  */
 function frameOf({ positions, uvs }: PartMesh, [a, b, c]: Uint32Array) {
 	const [p, q] = [minus(vector(positions, b), vector(positions, a)), minus(vector(positions, c), vector(positions, a))];
@@ -76,7 +76,7 @@ function frameOf({ positions, uvs }: PartMesh, [a, b, c]: Uint32Array) {
 	return { tangent: times(minus(times(p, dv2), times(q, dv1)), 1 / turn), turn };
 }
 
-/** By vertex, of the triangles about it, by their areas: how the mesh really lies. */
+/** By vertex, the area-weighted normal of the adjacent triangles. */
 function trueNormals({ positions, indices }: Pick<PlantMesh, "positions" | "indices">): Float32Array {
 	const normals = new Float32Array(positions.length);
 	for (let at = 0; at < indices.length; at += 3) {
@@ -95,7 +95,7 @@ function sampled({ width, height, pixels }: Picture, u: number, v: number): Vect
 }
 
 describe.each(["upper", "lower"] as const)("normals baked for the %s face", (side) => {
-	/** A leaf with a flat blade whose veins stand out of the mesh: a dense one, so that it shows them truly. */
+	/** A leaf with a flat blade and veins in relief: dense, so that the mesh shows them accurately. */
 	function compared() {
 		const bold = { thickness: 2.5, vein: 8, relief: 1, curl: 25, fold: 12, undulation: 0, particles: 60, length: 110 };
 		const from = { ...specimen, parameters: { ...specimen.parameters, ...bold } };
@@ -154,7 +154,7 @@ function holds(uvs: Float32Array, [a, b, c]: Uint32Array, u: number, v: number):
 	return sides.every((each) => each <= 0) || sides.every((each) => each >= 0);
 }
 
-it("a baked leaf is a glTF with three textures a face, to which Khronos' validator has nothing to say", async () => {
+it("a baked leaf is a valid glTF (Khronos validator) with three textures per face", async () => {
 	const glb = await bakedGlb(leaf, specimen, "?model=leaf", { pixels: 128 });
 	const found = await complaints(glb);
 	expect(found).toEqual([]);

@@ -47,7 +47,7 @@ describe("the flat leaf in cells", () => {
 		const covered = raster.cover.reduce((sum, share) => sum + share, 0) * raster.cell ** 2;
 		expect(covered / veins).toBeGreaterThan(0.6);
 		expect(covered / veins).toBeLessThan(1.4);
-		// The widest vein is half as high as it is wide, where cells are small enough to tell.
+		// The widest vein is half as high as it is wide, where cells are small enough.
 		const highest = most(veinRaster(leaf, length, 4 * SIDE).height) / (1000 * most(segments.radii));
 		expect(highest).toBeGreaterThan(0.9);
 		expect(highest).toBeLessThanOrEqual(1.0001);
@@ -55,7 +55,7 @@ describe("the flat leaf in cells", () => {
 
 	it("has veins of the more of their colour the more energy passes, however wide they are", () => {
 		const side = 90;
-		// Three upright veins, as wide as each other, in the middle of a third of the square each.
+		// Three vertical veins of equal width, each in the centre of a third of the square.
 		const chart = Float32Array.from([1, 3, 5].flatMap((sixth) => [sixth / 6, 0.1, sixth / 6, 0.9]));
 		const square = { left: 0, bottom: 0, size: 1 };
 		const inks = (energies: number[]) => {
@@ -68,18 +68,18 @@ describe("the flat leaf in cells", () => {
 		expect(middle).toBeCloseTo((1 + FAINTEST) / 2, 5);
 		expect(least).toBeCloseTo(FAINTEST, 5);
 		expect(inks([4, 4, 4])).toEqual([1, 1, 1]);
-		// While particles run there are ways that none has come yet.
+		// While particles move, some trails have no energy yet.
 		expect(inks([0, 4, 4])[0]).toBeCloseTo(FAINTEST, 5);
 		expect(inks([0, 4, 4])[2]).toBeCloseTo(1, 5);
 	});
 
 	it("is fed the farther about a vein the wider it is, fading outward", () => {
 		const side = 200;
-		/** The field along a row that crosses one upright vein in the middle. */
+		/** The field along a row across one vertical vein in the centre. */
 		const across = (radius: number) => {
 			const margin = Float32Array.of(-0.5, 0, 0.5, 0, 0.5, 1, -0.5, 1);
 			const segments = { radii: Float32Array.of(radius, radius, 0.001, 0.001) };
-			// Another one far below, the widest of all.
+			// A second vein far below, the widest one.
 			const chart = Float32Array.of(0, 0.3, 0, 1, -0.5, -9, 0.5, -9);
 			const one = {
 				chart,
@@ -114,7 +114,7 @@ describe("the pictures of a face", () => {
 				at > SIDE && [at, at - 1, at + 1, at - SIDE, at + SIDE].every((each) => height[each] === 0) && at % SIDE > 1,
 		);
 		expect(pixel(above, flat % SIDE, SIDE - 1 - Math.floor(flat / SIDE))).toEqual([128, 128, 255]);
-		// The steepest flank of a vein leans the other way above and below, to the right and up.
+		// The steepest slope of a vein has opposite directions above and below.
 		for (const channel of [0, 1]) {
 			let steepest = { x: 0, y: 0, lean: 0 };
 			for (let y = 1; y < SIDE - 1; y++) {
@@ -125,7 +125,7 @@ describe("the pictures of a face", () => {
 			}
 			expect(steepest.lean).toBeGreaterThan(20);
 			const there = pixel(above, SIDE - 1 - steepest.x, steepest.y)[channel];
-			// Mirrored, what leans right below and is turned over leans right above.
+			// The lower face is mirrored, so its slope to the right is one on the upper face.
 			if (channel === 0) expect(there).toBeGreaterThan(128);
 			else expect(there).toBeLessThan(127);
 		}
@@ -163,7 +163,7 @@ describe("the pictures of a face", () => {
 describe("autumn", () => {
 	const meanIn = (autumn: number, extra = {}) =>
 		pictures().colour(withLook({ autumn, autumn_colour: "d8a020", ...extra }), "upper");
-	/** How green a place is: 0 … 1 from the colour of late autumn to that of summer, by its red. */
+	/** Greenness of a position from its red: 0 for late autumn … 1 for summer. */
 	const greenness = (autumn: number) => {
 		const [summer, now, late] = [meanIn(0), meanIn(autumn), meanIn(1)].map(({ picture }) => picture);
 		return (x: number, y: number) => {
@@ -197,7 +197,7 @@ describe("autumn", () => {
 		const mean = (values: number[]) => values.reduce((sum, value) => sum + value, 0) / values.length;
 		expect(mean(groups.rim)).toBeLessThan(0.15);
 		expect(mean(groups.near)).toBeGreaterThan(mean(groups.far) + 0.4);
-		// From class to class of how well a place is fed there is no step.
+		// The colour changes smoothly with the supply by veins.
 		const steps = by.filter(({ length: count }) => count > 20).map(mean);
 		for (let i = 1; i < steps.length; i++) {
 			expect(steps[i]).toBeGreaterThan(steps[i - 1] - 0.02);
@@ -205,7 +205,7 @@ describe("autumn", () => {
 		}
 	});
 
-	it("browns as much as is asked for, margins before the middle", () => {
+	it("turns brown as much as requested, margins before the centre", () => {
 		const luminance = ({ mean: [red, green, blue] }: { mean: number[] }) => red + green + blue;
 		const [none, some, most] = [0, 0.4, 0.9].map((scorch) => meanIn(1, { scorch }));
 		expect(luminance(some)).toBeLessThan(0.95 * luminance(none));

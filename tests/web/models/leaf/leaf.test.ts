@@ -27,7 +27,7 @@ beforeAll(async () => {
 	core = await loadCoreFromBytes(await readFile("build/core/particles.wasm"));
 });
 
-/** The presets of the gate: leaves with lobes, with teeth and with neither. */
+/** Presets of the quick check: leaves with lobes, with teeth and with neither. */
 const GATE_PRESETS = ["grapevine", "oak", "maple", "willow"];
 const names = namesInRun(
 	model.presets.list.map(({ name }) => name),
@@ -101,7 +101,7 @@ describe("a grown leaf", () => {
 		},
 	);
 
-	it("is a draft in passing: fewer triangles, no measures", () => {
+	it("is a draft in previews: fewer triangles, no measures", () => {
 		const [whole, draft] = [grow(leafFromPreset("oak")), grow(leafFromPreset("oak"), { preview: true })];
 		expect(draft.meshes[0].indices.length).toBeLessThan(whole.meshes[0].indices.length / 2);
 		expect(whole.measures).toHaveLength(model.table.measures.length);
@@ -118,7 +118,7 @@ describe("a grown leaf", () => {
 		expect(preview.meshes[0].indices.length).toBeLessThan(whole.meshes[0].indices.length / 2);
 	});
 
-	it("is told in words", () => {
+	it("is described in words", () => {
 		const oak = leafFromPreset("oak");
 		expect(model.words(grow(oak), oak)).toMatch(/^Oak leaf, 4\d cm², 11 cm long, 4\.\d m of veins$/);
 		const leaflet = leafFromPreset("strawberry");
@@ -127,7 +127,7 @@ describe("a grown leaf", () => {
 		expect(model.words(grow(young), young)).toMatch(/^Oak leaf, \d+ particles, /);
 	});
 
-	it("lays its texture coordinates over the square that the core names", () => {
+	it("has texture coordinates over the square that the core reports", () => {
 		const flat = { curl: 0, fold: 0, undulation: 0 };
 		for (const specimen of [withValues("grapevine", flat), withValues("willow", flat)]) {
 			const { square, meshes } = grow(specimen);
@@ -140,7 +140,7 @@ describe("a grown leaf", () => {
 		}
 	});
 
-	it("agrees with what the core measures", () => {
+	it("agrees with the core's measures", () => {
 		const lime = leafFromPreset("lime");
 		const { measures, margin } = grow(lime);
 		const area = measures?.[model.table.measures.findIndex(({ key }) => key === "area")];
@@ -148,7 +148,7 @@ describe("a grown leaf", () => {
 	});
 });
 
-/** Of all runs of a path. */
+/** Total length of a path's subpaths. */
 function lengthOf(d: string): number {
 	const runs = d.split("M").slice(1);
 	return runs.reduce((sum, run) => {
@@ -158,7 +158,7 @@ function lengthOf(d: string): number {
 	}, 0);
 }
 
-/** Square millimetres of length times mean width. */
+/** Total length times mean width, square millimetres. */
 function veinArea({ chart, segments }: Leaf, millimetres: number): number {
 	let sum = 0;
 	for (let i = 0; i < segments.count; i++) {
@@ -198,7 +198,7 @@ describe("files of a leaf", () => {
 		expect(widths).toEqual([...widths].sort((a, b) => a - b));
 		expect(widths.at(-1)).toBeLessThanOrEqual(specimen.parameters.vein + 0.01);
 		expect(svg.match(/L/g)?.length).toBeGreaterThanOrEqual(leaf.segments.count);
-		// What is drawn covers as much as the veins do, and no step along a vein is seen.
+		// The drawing covers as much area as the veins, and steps along veins are invisible.
 		const drawn = classes.reduce((sum, [, width, d]) => sum + Number(width) * lengthOf(d), 0);
 		expect(drawn / veinArea(leaf, specimen.parameters.length)).toBeCloseTo(1, 1);
 		const main = widths.filter((width) => width > 0.2);
@@ -211,7 +211,7 @@ describe("files of a leaf", () => {
 		expect(svg).not.toContain("NaN");
 	});
 
-	it("lays the same pictures on its faces in GLB and OBJ as in the view, larger ones once it stands", async () => {
+	it("has the same textures in GLB and OBJ as in the view, larger ones when it is grown", async () => {
 		const sizes = [{ measures: false }, { preview: true }].map((options) =>
 			[...model.parts(grow(specimen, options), specimen)].map(({ shape }) => shape?.material.textures?.colour?.width),
 		);
@@ -244,7 +244,7 @@ describe("files of a leaf", () => {
 		expect(bytes).toEqual(wanted);
 	});
 
-	it("is laid with pictures as each face is seen, nothing mirrored", () => {
+	it("has textures in each face's own orientation, not mirrored", () => {
 		const [upper, lower] = [...model.parts(grow(specimen), specimen)].map(({ shape }) => shape?.mesh as PartMesh);
 		for (const { positions, normals, uvs, indices } of [upper, lower]) {
 			let right = 0;

@@ -32,7 +32,7 @@ beforeAll(async () => {
 	running = model.read(core.grow(model.encode(young, { preview: true })));
 });
 
-/** A worker that does what it is told when it is told to. */
+/** A worker that answers each order when the test calls `work`. */
 class Bench implements PaintWorker {
 	onmessage: PaintWorker["onmessage"] = null;
 	onerror: PaintWorker["onerror"] = null;
@@ -61,10 +61,10 @@ interface Shown {
 	data: Uint8Array;
 }
 
-/** To compare such arrays number by number takes minutes. */
+/** Comparing such arrays number by number takes minutes. */
 const same = (one: Uint8Array, other: Uint8Array) => Buffer.from(one).equals(other);
 
-/** What the files show of a face. */
+/** The textures of a face in files. */
 function written(of: Leaf, side: "upper" | "lower", as = specimen) {
 	const part = [...leafParts(of, as)].find(({ name }) => name === `Blade, ${side} face`);
 	const { colour, normal } = part?.shape?.material.textures ?? {};
@@ -127,7 +127,7 @@ describe("a leaf on the stage", () => {
 		expect(same(drawn("upper").colour.data, written(leaf, "upper").colour)).toBe(false);
 	});
 
-	it("in passing wears what was painted last until its own is, with fewer pixels and flat", async () => {
+	it("shows the last textures in previews until its own are painted, with fewer pixels and no relief", async () => {
 		const { bench, changed, figure, drawn } = staged();
 		figure.show(leaf, specimen);
 		bench.work();
@@ -152,7 +152,7 @@ describe("a leaf on the stage", () => {
 		expect(drawn("upper").colour === last).toBe(true);
 	});
 
-	it("is painted here and now where nothing like it was, in passing too", () => {
+	it("is painted at once where no similar textures exist, also in previews", () => {
 		const { figure, drawn } = staged();
 		figure.show(running, specimen);
 		const passed = drawn("upper").colour;
@@ -161,7 +161,7 @@ describe("a leaf on the stage", () => {
 		expect(drawn("upper").colour === passed).toBe(false);
 	});
 
-	it("lays no picture of a leaf in passing on one that stays, nor the other way round", () => {
+	it("does not mix the textures of previews and final leaves", () => {
 		const { bench, changed, figure, drawn } = staged();
 		figure.show(leaf, specimen);
 		figure.show(running, specimen);
@@ -176,7 +176,7 @@ describe("a leaf on the stage", () => {
 	});
 });
 
-describe("who paints leaves", () => {
+describe("the paint queue", () => {
 	it("has one order under way, and of those that wait the newest", () => {
 		const bench = new Bench();
 		const delivered: BladeTextures[] = [];
@@ -194,7 +194,7 @@ describe("who paints leaves", () => {
 		expect(delivered).toHaveLength(1);
 	});
 
-	it("delivers in passing whatever is painted, or nothing would come while leaves are faster than painters", () => {
+	it("delivers outdated textures during previews, since none would arrive while leaves change faster than they are painted", () => {
 		const bench = new Bench();
 		const delivered: boolean[] = [];
 		const commission = new PaintQueue(
@@ -208,7 +208,7 @@ describe("who paints leaves", () => {
 		expect(delivered).toEqual([true, true]);
 	});
 
-	it("paints in the page what cannot be copied to the worker", async () => {
+	it("paints on the page's thread when an order cannot be cloned", async () => {
 		const bench = new Bench();
 		vi.spyOn(bench, "postMessage").mockImplementation(() => void structuredClone({ uncloneable: () => {} }));
 		const delivered: BladeTextures[] = [];

@@ -1,6 +1,6 @@
 /**
- * docs/models/leaf/likeness.md: its measures and its drawing are those of the leaves that grow, and the measures are within the ranges of
- * real leaves. `npm run pictures -- drawings` writes both anew.
+ * The measures and the drawing in docs/models/leaf/likeness.md match the grown leaves, and the measures are within the
+ * ranges of real leaves. `npm run pictures -- drawings` writes both.
  */
 import { readFileSync } from "node:fs";
 import { join } from "node:path";

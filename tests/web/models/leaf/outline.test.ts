@@ -40,7 +40,7 @@ describe("the outline in the document", () => {
 		expect(restore(LEAF, written)).toEqual({ specimen: altered, notes: [] });
 	});
 
-	it("tells leaves of other outlines apart", () => {
+	it("distinguishes leaves with other outlines", () => {
 		expect(sameSpecimen(grapevine, leafFromPreset("grapevine"))).toBe(true);
 		expect(growsAlike(grapevine, altered)).toBe(false);
 	});
@@ -74,7 +74,7 @@ describe("the outline in the document", () => {
 		]);
 	});
 
-	it("refuses what crosses itself", () => {
+	it("rejects outlines that cross themselves", () => {
 		const bow = [
 			[0, 0],
 			[0.4, 0.8],
@@ -86,7 +86,7 @@ describe("the outline in the document", () => {
 		]);
 	});
 
-	it("refuses what encloses nothing, and takes no more points than there may be", () => {
+	it("rejects outlines without area, and ignores points beyond the limit", () => {
 		const line = [0, 0.2, 0.4, 0.6].map((y) => ({ x: 0, y }));
 		expect(texts(restore(LEAF, { model: "leaf", outline: line }))[0]).toContain("encloses nothing");
 		const many = Array.from({ length: 99 }, (_, i) => ({ x: Math.sin(i / 16) / 2, y: (1 - Math.cos(i / 16)) / 2 }));
@@ -95,7 +95,7 @@ describe("the outline in the document", () => {
 		expect(texts(read)[0]).toContain("more than 64 points");
 	});
 
-	it("never throws, whatever comes in, and always gives an outline that links back", () => {
+	it("never throws, and returns an outline that links can encode for any input", () => {
 		fc.assert(
 			fc.property(fc.anything(), (value) => {
 				const { specimen } = restore(LEAF, { model: "leaf", outline: value, o: String(Array.isArray(value)) });

@@ -1,4 +1,4 @@
-/** What single presets owe their plants, flat: places in lengths of the leaf. */
+/** Characteristics of single presets in the flat leaf; positions in leaf lengths. */
 import { readFile } from "node:fs/promises";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
@@ -14,7 +14,7 @@ beforeAll(async () => {
 
 const grow = (name: string) => model.read(core.grow(model.encode(leafFromPreset(name), { meshes: false })));
 
-/** Pieces at least so wide against the widest: from below to above, x and y. */
+/** Vein segments of at least a relative width, from below to above: x and y. */
 function piecesOf(name: string, least: number) {
 	const { chart, segments } = grow(name);
 	const widest = segments.radii.reduce((most, radius) => Math.max(most, radius), 0);
@@ -26,8 +26,8 @@ function piecesOf(name: string, least: number) {
 describe("presets of leaves", () => {
 	it("the tulip tree's side veins are few and straight, the lowest run to the lower lobes", () => {
 		const sums = { straight: 0, all: 0 };
-		const aside = piecesOf("tulip-tree", 0.12).filter(([, , x]) => Math.abs(x) > 0.05);
-		for (const [x1, y1, x2, y2] of aside) {
+		const lateral = piecesOf("tulip-tree", 0.12).filter(([, , x]) => Math.abs(x) > 0.05);
+		for (const [x1, y1, x2, y2] of lateral) {
 			const angle = (Math.atan2(Math.abs(x2) - Math.abs(x1), y2 - y1) * 180) / Math.PI;
 			const length = Math.hypot(x2 - x1, y2 - y1);
 			sums.all += length;
@@ -61,7 +61,7 @@ describe("presets of leaves", () => {
 			Math.max(...depths.filter(({ y }) => y > low && y < high).map(({ depth }) => depth));
 		expect(deepest(0, 0.3)).toBeLessThan(0.004);
 		expect(deepest(0.5, 0.9)).toBeGreaterThan(0.03);
-		// What stands out turns by little at a time.
+		// The direction changes gradually along a protruding part.
 		const turns = depths.map((_, i) => {
 			const at = (by: number) => (i + by + depths.length) % depths.length;
 			const [ax, ay, bx, by, cx, cy] = [-1, 0, 1].flatMap((k) => [margin[2 * at(k)], margin[2 * at(k) + 1]]);

@@ -14,7 +14,7 @@ const GREEN: Ink = [70, 110, 50];
 
 const traceOutline = (picture: PixelImage) => traceLeaf(picture).outline;
 
-/** A picture whose pixels are green where `inside` says so; a little noise on everything. */
+/** A picture that is green where `inside` is true, with slight noise. */
 function drawn(
 	side: number,
 	inside: (x: number, y: number) => boolean,
@@ -39,7 +39,7 @@ function holds(polygon: readonly Place[], x: number, y: number): boolean {
 	return inside;
 }
 
-/** A leaf of `scale` pixels with a stalk, turned by `turn` about the picture's middle. */
+/** A leaf of `scale` pixels with a stalk, rotated by `turn` about the picture's centre. */
 function leafPicture(
 	points: readonly OutlinePoint[],
 	{ side = 320, scale = 200, turn = 0, stalk = 0.4, thick = 0.012 } = {},
@@ -86,19 +86,19 @@ describe("an outline traced from a picture", () => {
 		expect(likeness(traced, outline)).toBeGreaterThan(name === "willow" ? 0.85 : 0.9);
 	});
 
-	it("is the same whichever way the leaf lies, told by its stalk", () => {
+	it("does not depend on the leaf's rotation, which the stalk shows", () => {
 		const { outline } = leafFromPreset("bodhi");
 		for (const turn of inRun([2.4], [0.7, 2.4, Math.PI])) {
 			expect(likeness(traceOutline(leafPicture(outline, { turn })), outline)).toBeGreaterThan(0.89);
 		}
 	});
 
-	it("takes a leaf without a stalk to stand on its base", () => {
+	it("places the base of a leaf without a stalk at its lower end", () => {
 		const { outline } = leafFromPreset("beech");
 		expect(likeness(traceOutline(leafPicture(outline, { stalk: 0 })), outline)).toBeGreaterThan(0.95);
 	});
 
-	/** A star of five lobes, on a foot that is `wide` at its shoulders and half as wide at its flat end. */
+	/** A star of five lobes on a base that is `wide` at the top and half as wide at its flat lower end. */
 	const STAR: readonly (readonly [number, number])[] = [
 		[0.42, 0.05],
 		[0.3, 0.38],
@@ -112,7 +112,7 @@ describe("an outline traced from a picture", () => {
 		return drawn(360, (px, py) => holds(polygon, (px - 180) / 220, (270 - py) / 220));
 	};
 
-	it("takes the narrow foot that a silhouette stands on for its petiole, with no tips of lobes there", () => {
+	it("treats a narrow lower end of a silhouette as the petiole, without lobes there", () => {
 		const { outline, petiole } = traceLeaf(starOn(0.36, 0.2));
 		expect(petiole?.length).toBeCloseTo(0.36, 1);
 		// As wide as near its end: towards the blade it widens into it.
@@ -132,11 +132,11 @@ describe("an outline traced from a picture", () => {
 		expect(petiole?.width).toBeCloseTo(0.024, 2);
 		for (const name of inRun(["willow", "ginkgo"], BARE_LEAVES))
 			expect(traceLeaf(leafPicture(leafFromPreset(name).outline, { stalk: 0 })).petiole, name).toBeUndefined();
-		// Wide as it is, this is no foot.
+		// A base this wide is not a petiole.
 		expect(traceLeaf(starOn(0.36, 0.6)).petiole).toBeUndefined();
 	});
 
-	it("brings the picture's teeth and petiole in the same change, and says so", () => {
+	it("sets the picture's teeth and petiole in the same change, with messages", () => {
 		const specimen = leafFromPreset("grapevine");
 		const traced = traceLeaf(starOn(0.36, 0.2));
 		const { change, messages } = asChange(traced, specimen);
@@ -171,7 +171,7 @@ describe("an outline traced from a picture", () => {
 		}
 	});
 
-	it("tells the tips of lobes from teeth and curves", () => {
+	it("distinguishes tips of lobes from teeth and curves", () => {
 		const kinds = (name: string) => traceOutline(leafPicture(leafFromPreset(name).outline)).map(({ kind }) => kind);
 		expect(kinds("maple").filter((kind) => kind === "pointed").length).toBeGreaterThanOrEqual(3);
 		expect(kinds("lime").filter((kind) => kind === "pointed").length).toBeLessThanOrEqual(1);

@@ -11,7 +11,7 @@ const traced = { ...maple, outline: leafFromPreset("oak").outline };
 const leaf = { chart: new Float32Array(4), margin: Float32Array.of(0, 0, 1, 0, 0, 1), counts: { particles: 1 } };
 
 describe("a leaf's name", () => {
-	it("is its preset's while the outline is, whatever else is changed", () => {
+	it("has its preset's name as long as it has its outline", () => {
 		const longer = { ...maple, parameters: { ...maple.parameters, length: 50 } };
 		expect(leafInWords(leaf as unknown as Leaf, longer)).toMatch(/^Maple leaf, 13 cm²/);
 		expect(leafInWords(leaf as unknown as Leaf, traced)).toMatch(/^Leaf of an outline of its own, 66 cm²/);

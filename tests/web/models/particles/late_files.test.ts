@@ -37,7 +37,7 @@ it.each(READERS)("a file read late changes the document that it was brought for:
 	expect(context.notify.mock.calls[0][0]).not.toContain("not taken");
 });
 
-it.each(READERS)("and no other that has come meanwhile: %s", async (what, take) => {
+it.each(READERS)("does not change a document that was opened meanwhile: %s", async (what, take) => {
 	for (const come of [{ model: {} }, { specimen: fromPreset(TREE, "birch") }]) {
 		const context = contextWith();
 		const taken = take(context);

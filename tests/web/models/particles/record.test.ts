@@ -21,7 +21,7 @@ const plant: TrailPlant = {
 };
 
 describe("trailRecord", () => {
-	it("says of each piece what passes, and of each target what has arrived", () => {
+	it("records the energy through each segment and the energy that arrived at each target", () => {
 		const { counts, segments, targets } = trailRecord(plant);
 		expect(segments.records()).toEqual([
 			{ parent: -1, kind: "vein", start: [0, 0, 0], end: [0, 0.1, 0], energy: 1.5, radius: 0.01, radiusEnd: 0.01 },

@@ -28,8 +28,8 @@ it.each([
 		const specimen = fromPreset(model, preset);
 		const at = (age: number) => {
 			const parameters = { ...specimen.parameters, particles: 40, age };
-			const asked = { ...specimen, parameters };
-			return model.read(core.grow(model.encode(asked, { meshes: false, measures: false })), asked);
+			const changed = { ...specimen, parameters };
+			return model.read(core.grow(model.encode(changed, { meshes: false, measures: false })), changed);
 		};
 		const whole = at(100);
 		const steps = LIFE.steps?.(whole) ?? 0;
@@ -57,8 +57,8 @@ it.each([
 	const face = (await model.ui?.()) as ModelUi<Specimen, TrailPlant>;
 	const bars = (life: number) => {
 		const specimen = fromPreset(model);
-		const asked = { ...specimen, parameters: { ...specimen.parameters, life } };
-		return face.tools.filter(({ bar, applies }) => bar && (applies?.(asked) ?? true)).map(({ name }) => name);
+		const changed = { ...specimen, parameters: { ...specimen.parameters, life } };
+		return face.tools.filter(({ bar, applies }) => bar && (applies?.(changed) ?? true)).map(({ name }) => name);
 	};
 	expect([bars(0), bars(1)]).toEqual([["age"], ["growth"]]);
 	expect(GROWTH.stages.map(({ name }) => name)).not.toContain("Merging");

@@ -76,7 +76,7 @@ describe("the pit about a root", () => {
 		expect(mean(-0.12, 0)).toBeLessThan(0.7 * mean(-2, -1));
 	});
 
-	it("stands about the root on the stage, throws no shadow, and goes with it", () => {
+	it("is drawn around the root, casts no shadow, and is removed with it", () => {
 		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
 		const figure = cutRenderer(stage);
 		const specimen = fromPreset(model, "carrot");
@@ -86,7 +86,7 @@ describe("the pit about a root", () => {
 		const soil = stage.root.children.filter((child): child is Mesh => child.name === "Soil");
 		expect(soil).toHaveLength(1);
 		expect(soil[0].castShadow).toBe(false);
-		// Files have the root alone.
+		// Files contain only the root.
 		expect([...model.parts(plant, specimen)].map(({ name }) => name)).not.toContain("Soil");
 		const { points } = figure.bounds();
 		expect(points.length).toBeGreaterThan(3 * 1000);
@@ -108,9 +108,9 @@ describe("the pit about a root", () => {
 		};
 		const pits = [40, 100, 0, 41, 60, 100].map((age) => pitOf(at(age), age < 100));
 		expect(pits[0]).toBeDefined();
-		// Whatever runs home started within the root that it becomes.
+		// Moving particles start within the bounds of the grown root.
 		expect(new Set(pits).size).toBe(1);
-		// A smaller root has room in it for as long as it is on its way.
+		// The pit also holds a smaller root while it grows.
 		expect(pitOf(at(60, 0.5), true) === pits[0]).toBe(true);
 		expect(pitOf(at(100, 0.5), false) === pits[0]).toBe(false);
 		pits[1] = pitOf(at(100), false);

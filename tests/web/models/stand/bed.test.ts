@@ -16,7 +16,7 @@ import { complaints, documentOf } from "../../formats/reading";
 import { grownStand, planned, run } from "./stands";
 
 const FLOWERS = 300;
-/** Triangles, at the most, from near to far. */
+/** Most triangles of each level, from near to far. */
 const MOST = [6000, 2200, 800, 260];
 
 const BED = `ground 1.2 x 0.8
@@ -41,7 +41,7 @@ describe("a flowerbed", () => {
 		expect(of("pansy")).toBeGreaterThan(55);
 		expect(of("pansy") + of("daisy")).toBe(150);
 		expect(bed.notes).toEqual([]);
-		// Two lines of poppies and two of daisies are one sort each.
+		// Two lines of poppies and two of daisies form one group each.
 		expect(bed.counts.kinds).toBe(9);
 		const sorts = plantGroups(bed);
 		expect(sorts.map(({ title }) => title).slice(0, 4)).toEqual(["Lily", "Poppy", "Umbel", "Globeflower"]);
@@ -67,7 +67,7 @@ describe("the beds of the thesis (Petrenko 2014, figures 45 and 48)", () => {
 		expect(Math.min(...bends)).toBeLessThan(-1.5);
 		expect(Math.max(...bends)).toBeGreaterThan(1.5);
 		expect(new Set(some.map((plant) => valuesOf(plan, plant).length)).size).toBeGreaterThan(0.95 * flowers);
-		// Sampled by strata: every quarter of the ground has about a quarter of them.
+		// Stratified sampling: every quarter of the ground has about a quarter of the plants.
 		const quarter = (plant: number) =>
 			2 * Number(plan.places.at[3 * plant] > 0) + Number(plan.places.at[3 * plant + 2] > 0);
 		for (const each of [0, 1, 2, 3])
@@ -106,12 +106,12 @@ describe("a small bed", () => {
 			if (name === "flower/grass") expect(petals).toBeUndefined();
 			else expect(petals?.material.sheet).toBeDefined();
 		}
-		// What comes through is of one kind in all: they are drawn together.
+		// Translucent parts share one finish, so they are drawn together.
 		const finishes = new Set(bed.members.flatMap((member) => member?.levels[0].map(({ material }) => material) ?? []));
 		expect(finishes.size).toBeLessThan(12);
 	});
 
-	it("keeps its flowers where only what stands about them has changed", async () => {
+	it("does not grow its flowers again when only their surroundings change", async () => {
 		let grown = 0;
 		const counted: typeof run = (wasm, blocks) => {
 			if (wasm === "flower.wasm") grown++;
@@ -124,7 +124,7 @@ describe("a small bed", () => {
 		expect(grown).toBe(0);
 	});
 
-	it("asks for no flower's map, be it for a table or a view", async () => {
+	it("never requests a flower's map", async () => {
 		for (const meshes of [false, true]) {
 			const outputs = new Set<unknown>();
 			await grownStand(planned("plants 2, stratified\nflower/tulip"), {
@@ -138,7 +138,7 @@ describe("a small bed", () => {
 		}
 	});
 
-	it("opens each flower alone by the link that it tells, as the same flower", async () => {
+	it("opens each flower alone by its link, as the same flower", async () => {
 		const flower = await modelNamed("flower");
 		const { plants } = exportJson(model, bed, planned(BED)) as unknown as { plants: PlantRecord[] };
 		expect(plants).toHaveLength(18);
@@ -166,7 +166,7 @@ describe("a small bed", () => {
 			expect(link).toContain(`define=bend:-2,length:${values.length}`);
 			const grown = await alone(link);
 			expect(grown.fingerprint).toBe(fingerprint);
-			// Nothing but its length is another.
+			// Only its length differs.
 			const taller = await alone(link?.replace(/length:[\d.]+/, "length:500"));
 			const height = ({ measures }: typeof grown) => measures?.[0] ?? 0;
 			expect(height(taller)).toBeGreaterThan(height(grown));
@@ -182,7 +182,7 @@ describe("a small bed", () => {
 		await expect(grownStand(plan('length "tall"'))).rejects.toThrow("no parameter length");
 	});
 
-	it("is a GLB that the Khronos validator has nothing against, at each fineness", async () => {
+	it("is a valid GLB (Khronos validator) at each level of detail", async () => {
 		for (const detail of [0, 3]) {
 			const specimen = { ...planned(BED), look: { ...planned(BED).look, detail } };
 			const about = await aboutPlant(model, bed, specimen);

@@ -41,7 +41,7 @@ beforeEach(() => {
 	camera = new PerspectiveCamera(60, 1, 0.1, 10_000);
 });
 
-it("is as fine as may be in each view at once, whatever the view before was", async () => {
+it("has the finest permitted levels in each view, independently of the view before", async () => {
 	const crowd = new Crowd({} as LightUniforms, {} as WindUniforms);
 	const stand = await standing(0);
 	crowd.show(stand);
@@ -62,7 +62,7 @@ it("is as fine as may be in each view at once, whatever the view before was", as
 	crowd.dispose();
 });
 
-it("counts nothing of a plant that has nothing to draw, and draws the others", async () => {
+it("does not count plants without meshes, and draws the others", async () => {
 	const crowd = new Crowd({} as LightUniforms, {} as WindUniforms);
 	crowd.show(await standing(3));
 	crowd.aim(from(4000));
@@ -72,14 +72,14 @@ it("counts nothing of a plant that has nothing to draw, and draws the others", a
 	crowd.dispose();
 });
 
-/** How many plants were given another look. */
+/** Number of plants whose appearance was changed. */
 const given = () => {
 	const spy = vi.spyOn(BatchedMesh.prototype, "setColorAt");
 	return () => spy.mock.calls.length;
 };
 afterEach(() => void vi.restoreAllMocks());
 
-it("leaves all as it is while the eye stands still, and changes no more than what looks otherwise", async () => {
+it("does no work for an unchanged view, and updates only changed plants", async () => {
 	const crowd = new Crowd({} as LightUniforms, {} as WindUniforms);
 	crowd.show(await standing(0));
 	crowd.aim(from(4000));
@@ -100,7 +100,7 @@ interface Drawn {
 	share: number;
 }
 
-/** What each batch draws, by its instances: noted as it is told, for it is told of all by one object. */
+/** The drawn instances of each batch, recorded from the calls: all batches share one object for colours. */
 function noted(): Map<BatchedMesh, Drawn[]> {
 	const batches = new Map<BatchedMesh, Drawn[]>();
 	const of = (batch: BatchedMesh, id: number): Drawn => {
@@ -141,7 +141,7 @@ it("has one of two levels that share a plant always whole, so that its stem has 
 	crowd.dispose();
 });
 
-it("draws what is out of sight by its last level, for its shadow, and does not count it", async () => {
+it("draws invisible plants by their last level, for their shadows, without counting them", async () => {
 	const visible = vi.spyOn(BatchedMesh.prototype, "setVisibleAt");
 	const crowd = new Crowd({} as LightUniforms, {} as WindUniforms);
 	crowd.show(await standing(0));
@@ -155,7 +155,7 @@ it("draws what is out of sight by its last level, for its shadow, and does not c
 	crowd.dispose();
 });
 
-it("keeps nothing that the graphics card has, and makes it anew where that has lost it", async () => {
+it("releases data that the GPU has, and rebuilds it after a loss of context", async () => {
 	const crowd = new Crowd({} as LightUniforms, {} as WindUniforms);
 	const stand = await standing(0);
 	crowd.show(stand);
@@ -172,7 +172,7 @@ it("keeps nothing that the graphics card has, and makes it anew where that has l
 	crowd.dispose();
 });
 
-it("has what was lit up still so where the graphics card has lost it: nobody says it again", async () => {
+it("restores the highlight after a loss of context", async () => {
 	const batches = noted();
 	const crowd = new Crowd({} as LightUniforms, {} as WindUniforms);
 	const stand = await standing(0);
@@ -187,7 +187,7 @@ it("has what was lit up still so where the graphics card has lost it: nobody say
 	crowd.dispose();
 });
 
-it("has what is borne sway with its parent, and what stands about its own foot", async () => {
+it("sways attached plants with their parent, and others about their own base", async () => {
 	const { places, kinds } = await grownStand(planned(PLAN));
 	const size = (plant: number, crown: number) => places.scale[plant] * crown;
 	expect(stemOf(places, kinds, 0)).toEqual([0, 0, 0, size(0, 8)]);
@@ -198,7 +198,7 @@ it("has what is borne sway with its parent, and what stands about its own foot",
 	expect(large).toBe(size(9, 6));
 });
 
-it("shows of very many different plants the nearest by their finest level, and lets go of it where they are left", async () => {
+it("shows the nearest of very many members by their finest level, and releases it afterwards", async () => {
 	const crowd = new Crowd({} as LightUniforms, {} as WindUniforms);
 	crowd.show(await standing(0, 260));
 	crowd.aim(from(4000));

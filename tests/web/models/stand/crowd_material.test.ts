@@ -9,16 +9,16 @@ import { piece, programOf, run } from "./shaders";
 const wood: Material = { name: "Wood", colour: [0.4, 0.3, 0.2], roughness: 0.9 };
 const made = () => crowdMaterial(wood, false, lightUniforms(), windUniforms());
 
-/** Its view is so many metres high at the plant, and of so many pixels. */
+/** Height of the view at the plant, metres, and in pixels. */
 const HIGH = 2;
 const PIXELS = 1000;
-/** Of the mesh's unit, metres: what its matrix is scaled by. */
+/** The mesh's unit, metres: the scale of its matrix. */
 const UNIT = 0.5;
 const widening = piece(programOf(made()).vertexShader, "float metre", "gl_Position");
 
 /**
- * So many pixels wide a stem is drawn that is so many wide.
- * @param normal which way its surfaces look, and `edgeNormal` which way its margin is: across it, as shares
+ * Width on the screen of a stem of a width in pixels.
+ * @param normal component of the normal across the stem; `edgeNormal` the same of the edge normal
  */
 function drawn(pixels: number, { normal = 1, edgeNormal = 1, seen = PIXELS } = {}): number {
 	const metres = (pixels * HIGH) / PIXELS;
@@ -41,7 +41,7 @@ it("draws a stem thinner than a pixel one wide, also where it is half as wide as
 	}
 });
 
-it("leaves what is wide enough, and makes nothing more than four times as wide", () => {
+it("does not widen wide parts, and widens others at most four times", () => {
 	for (const across of [2.61, 5, 40]) expect(drawn(across)).toBeCloseTo(across, 9);
 	for (const across of [0.001, 0.05, 0.2]) expect(drawn(across)).toBeCloseTo(4 * across, 9);
 	for (let across = 0.01; across < 3; across += 0.05) expect(drawn(across)).toBeLessThan(4 * across + 1e-9);
@@ -52,7 +52,7 @@ it("makes ribbons wider across their margins, as far as tubes out of their middl
 	expect(drawn(0.6, { edgeNormal: 0 })).toBeCloseTo(drawn(0.6), 9);
 });
 
-it("widens by the pixels of what is drawn: a picture of more needs less", () => {
+it("widens by the pixels of the drawing buffer: a larger picture needs less", () => {
 	expect(drawn(0.6, { seen: 10 * PIXELS })).toBeCloseTo(6, 9);
 	const material = made();
 	const { viewPixels } = programOf(material).uniforms;
@@ -62,7 +62,7 @@ it("widens by the pixels of what is drawn: a picture of more needs less", () => 
 	expect(viewPixels.value).toBe(720);
 });
 
-it("reads its foot out of its matrix in the view and in the shadow, and is drawn in shares by its colour's fourth number", () => {
+it("reads its base from its matrix in the view and in the shadow, and is dithered by its alpha", () => {
 	const shaders = [programOf(made()), programOf(crowdDepth() as unknown as MeshStandardMaterial)];
 	for (const { vertexShader } of shaders)
 		expect(vertexShader).toMatch(/vec4 stem = [\s\S]*batchingMatrix\[3\]\.w = 1\.0;/);
@@ -73,7 +73,7 @@ it("reads its foot out of its matrix in the view and in the shadow, and is drawn
 	expect(fragmentShader).toContain("if (grain >= vColor.a) discard;");
 });
 
-it("is of one finish whatever its colour and name, and of another where it shines otherwise", () => {
+it("has the same finish for any colour and name, and another for another gloss", () => {
 	const finish = finishOf(wood, false);
 	expect(finishOf({ ...wood, name: "Bark", colour: [0, 0, 0] }, false)).toBe(finish);
 	expect(finishOf({ ...wood, roughness: 0.5 }, false)).not.toBe(finish);

@@ -1,4 +1,4 @@
-/** The ecosystems of Table 2 (Kim, Kim and Cho 2013): steps, nodes a tree, and leaves of natural size. */
+/** The ecosystems of Table 2 (Kim, Kim and Cho 2013): growth steps, nodes per tree, and leaves of natural size. */
 import { beforeAll, expect, it } from "vitest";
 import { growPlant } from "../../../../web/src/generate/growth";
 import { model as growth } from "../../../../web/src/models/growth/index";
@@ -16,7 +16,7 @@ const TABLE_2 = [
 	[1500, 6, 6, 99],
 	[2000, 5, 5, 59],
 ] as const;
-/** Of how many trees of a stand the branches are counted. */
+/** Number of trees of a stand whose branches are counted. */
 const COUNTED = inRun(120, 500);
 
 let plans: StandPlant[];

@@ -8,7 +8,7 @@ const at = (edgeNormals: Int8Array, vertex: number) => [
 const width = (edgeNormals: Int8Array, vertex: number) =>
 	PLACE_STEPS * (edgeNormals[EDGE_NORMAL_SIZE * vertex + 3] / 127) ** 2;
 
-it("a stem is made wider out of itself, not longer, and told to be as wide as its sides", () => {
+it("a stem is widened outwards, not lengthened, by the width of its sides", () => {
 	const round = [0, 1, 2, 3].map((k) => [
 		Math.round(300 * Math.cos(1.5708 * k)),
 		Math.round(300 * Math.sin(1.5708 * k)),
@@ -23,28 +23,28 @@ it("a stem is made wider out of itself, not longer, and told to be as wide as it
 	const edgeNormals = edgeNormalsOf({ positions, indices: Uint16Array.from(indices) });
 	for (let v = 0; v < 12; v++) {
 		const [x, y, z] = at(edgeNormals, v);
-		const [out, aside] = [round[v % 4][0] / 300, round[v % 4][1] / 300];
-		expect(x * out + z * aside).toBeGreaterThan(0.7 * 127);
+		const [out, across] = [round[v % 4][0] / 300, round[v % 4][1] / 300];
+		expect(x * out + z * across).toBeGreaterThan(0.7 * 127);
 		expect(Math.abs(y)).toBeLessThan(4);
 		expect(width(edgeNormals, v)).toBeGreaterThan(424);
 		expect(width(edgeNormals, v)).toBeLessThan(520);
 	}
 });
 
-it("a blade with nothing at its back is made wider across its margins", () => {
+it("an open blade is widened across its margins", () => {
 	const positions = Int16Array.of(0, 0, 0, 500, 9000, 0, 0, 20_000, 0, -500, 9000, 0);
 	const edgeNormals = edgeNormalsOf({ positions, indices: Uint16Array.of(0, 1, 2, 0, 2, 3) });
 	expect(at(edgeNormals, 1)[0]).toBeGreaterThan(120);
 	expect(at(edgeNormals, 3)[0]).toBeLessThan(-120);
 });
 
-it("what has no extent is left where it is", () => {
+it("a degenerate mesh is not moved", () => {
 	expect([...edgeNormalsOf({ positions: new Int16Array(9), indices: Uint16Array.of(0, 1, 2) })]).toEqual(
 		Array(12).fill(0),
 	);
 });
 
-it("is found once for a mesh, however often that comes near", () => {
+it("is computed once per mesh", () => {
 	const mesh = { positions: Int16Array.of(0, 0, 0, 500, 9000, 0, 0, 20_000, 0), indices: Uint16Array.of(0, 1, 2) };
 	const edgeNormals = edgeNormalsOf(mesh);
 	expect(edgeNormalsOf(mesh)).toBe(edgeNormals);

@@ -10,7 +10,7 @@ vi.mock("../../../../web/src/models/stand/soil", async (original) => {
 	return original();
 });
 
-/** As the page grows it: what cannot be fetched is missing. */
+/** Grows like the page, which continues without parts that cannot be fetched. */
 const patient = {
 	...model,
 	prepare: (...of: Parameters<typeof model.prepare>) => model.prepare(...of)?.catch(() => {}),
@@ -18,15 +18,15 @@ const patient = {
 const grown = async (meshes: boolean) =>
 	(await growPlant(patient, planned("plants 1, random\ngrowth/figure-5: steps 1"), { meshes }, run)) as StandPlant;
 
-it("is told of where a ground came that it could not be laid on, until it is there", async () => {
+it("adds a note to grounds without soil until the soil is loaded", async () => {
 	const bare = await grown(true);
 	expect(bare.meshes).toHaveLength(1);
 	expect(bare.soil).toBeUndefined();
 	expect(bare.notes).toEqual([expect.stringMatching(/^What lays soil over the ground could not be fetched: .*\.$/)]);
 	expect((await grown(false)).notes).toEqual([]);
 	network.down = false;
-	const laid = await grown(true);
-	expect(laid.soil).toBeDefined();
-	expect(laid.notes).toEqual([]);
-	expect(laid.fingerprint).toBe(bare.fingerprint);
+	const complete = await grown(true);
+	expect(complete.soil).toBeDefined();
+	expect(complete.notes).toEqual([]);
+	expect(complete.fingerprint).toBe(bare.fingerprint);
 });

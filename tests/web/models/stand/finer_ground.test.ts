@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
 import { finerGround } from "../../../../web/src/models/stand/finer_ground";
 
-it("is of more cells, and what is between its places is the nearest there is: an open sky stays open", () => {
+it("has more cells, and keeps an open sky fully open", () => {
 	const { mesh, grid } = finerGround({
 		positions: Float32Array.of(-1, 0, -1, 1, 0, -1, -1, 0, 1, 1, 2, 1),
 		normals: Float32Array.of(0, 1, 0, 0, 1, 0, 0, 1, 0, 1, 0, 0),
@@ -11,7 +11,7 @@ it("is of more cells, and what is between its places is the nearest there is: an
 	});
 	expect(grid).toEqual({ across: 28, deep: 28 });
 	expect(mesh.indices).toHaveLength(6 * 28 * 28);
-	// Half a step from the back to the front: to the nearer of the two, or one of them would be all but the last row.
+	// Values are rounded to the nearer row, otherwise one row would cover all but the last row.
 	const rows = Array.from({ length: 29 }, (_, row) => mesh.sky?.[29 * row + 3]);
 	expect(rows).toEqual(rows.map((_, row) => (row <= 14 ? 255 : 254)));
 	for (let v = 0; v < mesh.normals.length; v += 3)

@@ -11,18 +11,18 @@ const positions = Float32Array.from(
 );
 const stand = { ground: { width: 6, depth: 2, relief: 3 }, meshes: [{ positions }] } as unknown as StandPlant;
 
-it("a ground's places tell how many cells it has along each side", () => {
+it("derives the number of cells from the vertices", () => {
 	expect(gridOf({ positions })).toEqual({ across: ACROSS, deep: DEEP });
 });
 
-it("what is between places is evenly so, and that of a place at it, also at the last", () => {
+it("interpolates linearly between vertices, and exactly at each, the last included", () => {
 	const grid = gridOf({ positions });
 	const at = (u: number, v: number) => between(grid, HEIGHTS, [1, 0], u, v);
 	expect([at(1, 1), at(0.5, 1), at(1, 0.25), at(1.5, 0.5), at(ACROSS, DEEP)]).toEqual([1, 0.5, 0.25, 0.25, 3]);
 	expect(between(grid, positions, [3, 0], 1.5, 0.5)).toBe(0);
 });
 
-it("who asks for a height asks in metres, and beside the ground has that of its edge", () => {
+it("returns heights in metres, and beyond the ground that of its edge", () => {
 	expect([heightAt(stand, -1, 0), heightAt(stand, -2, 0), heightAt(stand, 3, 1)]).toEqual([1, 0.5, 3]);
 	expect([heightAt(stand, 30, 10), heightAt(stand, -30, 0)]).toEqual([3, 0]);
 	expect(heightAt({ ...stand, meshes: [] }, 0, 0)).toBe(0);

@@ -21,7 +21,7 @@ const groundOf = (red: number, coloured = true): Part => ({
 const rim = Float32Array.of(0, 0.5, 1);
 const meshOf = ({ object }: GroundRenderer) => object.children[0] as Mesh<BufferGeometry, MeshStandardMaterial>;
 
-it("wears one material from ground to ground, whose program is built once, until it goes", () => {
+it("reuses one material, with one shader program, for all grounds", () => {
 	const figure = new GroundRenderer(lightUniforms());
 	figure.show(groundOf(0.2), rim, 11);
 	const { material, geometry } = meshOf(figure);
@@ -45,7 +45,7 @@ it("wears one material from ground to ground, whose program is built once, until
 	expect(gone).toContain(material);
 });
 
-it("has the colour of what came without any of its vertices, and white below theirs", () => {
+it("has the material's colour without vertex colours, and white with them", () => {
 	const figure = new GroundRenderer(lightUniforms());
 	const shown = (part: Part) => {
 		figure.show(part, rim, 1);
@@ -56,7 +56,7 @@ it("has the colour of what came without any of its vertices, and white below the
 	expect(shown(groundOf(0.4, false))).toEqual([0.4, 0, false]);
 	const { version } = meshOf(figure).material;
 	expect(shown(groundOf(0.3))).toEqual([1, 1, true]);
-	// Another program, for once.
+	// One recompilation of the shader program.
 	expect(meshOf(figure).material.version).toBe(version + 1);
 	figure.dispose();
 });

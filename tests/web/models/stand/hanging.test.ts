@@ -8,7 +8,7 @@ import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
 import { complaints, documentOf } from "../../formats/reading";
 import { grownStand, planned } from "./stands";
 
-/** Two rows of three vines on a trellis; so many bunches are asked for that some vines have too few places. */
+/** Two rows of three vines on a trellis; more bunches are requested than some vines have positions for. */
 const PLAN = `ground 6 x 4, relief 0.4
 plants 6, rows 2 x 1.2, towards 30
 trellis 2, posts 2.4, wire 0.9, pair 1.4
@@ -21,7 +21,7 @@ beforeAll(async () => {
 	stand = await grownStand(planned(PLAN), { meshes: true });
 }, 300_000);
 
-it("what hangs at its parent’s organs hangs at one of them each", () => {
+it("hanging plants are at one organ of their parent each", () => {
 	const { places, memberOf, members } = stand;
 	const taken = new Set<string>();
 	for (let plant = 0; plant < places.count; plant++) {
@@ -48,10 +48,10 @@ it("what hangs at its parent’s organs hangs at one of them each", () => {
 	expect(taken.size).toBeGreaterThan(20);
 });
 
-it("what finds none free is left out and told, and counts are of what is there", () => {
+it("plants without a free organ are left out with a note, and are not counted", () => {
 	const { places, counts, notes } = stand;
-	const borne = places.parent.filter((parent) => parent >= 0).length;
-	expect(counts).toMatchObject({ plants: places.count, borne });
+	const attached = places.parent.filter((parent) => parent >= 0).length;
+	expect(counts).toMatchObject({ plants: places.count, borne: attached });
 	expect(notes.join()).toMatch(/\d+ found no place on what bears them/);
 	const { plants } = exportJson(model, stand, planned(PLAN)) as unknown as { plants: PlantRecord[] };
 	expect(plants).toHaveLength(places.count);

@@ -11,7 +11,7 @@ const flowers = ["poppy", "lily", "bluebell", "buttercup", "globeflower", "grass
 const plan = (names: readonly string[]) =>
 	`ground 2 x 2\nplants ${6 * names.length}, stratified\n${names.map((name) => `flower/${name}, crown 0.1 x 0.1`).join("\n")}`;
 
-it("has each sort in the colour of its flowers, told from the others and from any ground", async () => {
+it("shows each kind in the colour of its flowers, distinct from other kinds and from the ground", async () => {
 	const stand = await grownStand(planned(plan(flowers)), { meshes: true });
 	const colours = kindColours(stand);
 	const [poppy, lily, bluebell, buttercup, globeflower, grass] = colours.map((each) => toLch(linear(each)));
@@ -29,7 +29,7 @@ it("has each sort in the colour of its flowers, told from the others and from an
 		for (const each of colours) expect((light(each) + 0.05) / (light(groundColour(soil)) + 0.05)).toBeGreaterThan(2.9);
 });
 
-it("has lines of one name in one colour, others that look the same in two, and one for what has not grown", async () => {
+it("has one colour per name, distinct colours for similar kinds, and one colour for plants that have not grown", async () => {
 	const stand = await grownStand(planned(plan(["daisy", "daisy"])), { meshes: true });
 	expect(new Set(kindColours(stand)).size).toBe(1);
 	const [one, other] = stand.kinds;

@@ -5,9 +5,9 @@ import { MarkRing } from "../../../../web/src/models/stand/render/mark_ring";
 import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
 import { grownStand } from "./stands";
 
-/** Stands on a slope; hangs on another one, over the ground. */
+/** A plant on a slope, and one attached to another plant above the ground. */
 const STANDING = 2;
-const BORNE = 12;
+const ATTACHED = 12;
 
 let stand: StandPlant;
 beforeAll(async () => {
@@ -17,8 +17,8 @@ beforeAll(async () => {
 const placesOf = (ring: MarkRing) =>
 	(ring.object.children[0] as Mesh<BufferGeometry>).geometry.getAttribute("position") as BufferAttribute;
 
-/** Where a ring's vertices lie about a plant, seen from over it. */
-function laid(ring: MarkRing, plant: number, distance: number) {
+/** Positions of a ring's vertices relative to a plant, seen from above. */
+function vertices(ring: MarkRing, plant: number, distance: number) {
 	const camera = new PerspectiveCamera(24, 1, 0.1, 1000);
 	const foot = new Vector3().fromArray(stand.places.at, 3 * plant);
 	camera.position.copy(foot).add(new Vector3(0, distance, 0));
@@ -30,12 +30,12 @@ function laid(ring: MarkRing, plant: number, distance: number) {
 	return { all, foot, high, least: Math.min(...far), most: Math.max(...far) };
 }
 
-it("lies about the plant on the ground, as wide in the view from near and from far, and goes with the mark", () => {
+it("is on the ground around the plant, with a constant width on the screen, and disappears with the mark", () => {
 	const ring = new MarkRing();
 	expect(ring.object.visible).toBe(false);
 	ring.show(stand, STANDING);
 	expect(ring.object.visible).toBe(true);
-	const [near, far] = [10, 40].map((distance) => laid(ring, STANDING, distance));
+	const [near, far] = [10, 40].map((distance) => vertices(ring, STANDING, distance));
 	expect((far.most - far.least) / (near.most - near.least)).toBeCloseTo(4, 2);
 	const crown = stand.kinds[stand.places.kind[STANDING]].crown.width * stand.places.scale[STANDING];
 	expect(near.least).toBeGreaterThan(0.25 * crown);
@@ -45,7 +45,7 @@ it("lies about the plant on the ground, as wide in the view from near and from f
 			expect(over).toBeGreaterThan(0);
 			expect(over).toBeLessThan(0.005 * high);
 		}
-	// The ground there is no plane that a ring at the plant's own height would lie on.
+	// The ground around the plant is not a plane.
 	const heights = near.all.map(({ x, z }) => heightAt(stand, x, z));
 	expect(Math.max(...heights) - Math.min(...heights)).toBeGreaterThan(0.02 * near.high);
 	ring.show(stand, undefined);
@@ -53,12 +53,12 @@ it("lies about the plant on the ground, as wide in the view from near and from f
 	ring.dispose();
 });
 
-it("is large enough to see about the smallest crown", () => {
+it("has a visible size around the smallest crown", () => {
 	const ring = new MarkRing();
 	const kinds = stand.kinds.map((kind) => ({ ...kind, crown: { width: 0.001, height: 0.001 } }));
 	ring.show({ ...stand, kinds }, STANDING);
 	for (const distance of [10, 40]) {
-		const { least, most, high } = laid(ring, STANDING, distance);
+		const { least, most, high } = vertices(ring, STANDING, distance);
 		expect(most).toBeGreaterThan(0.015 * high);
 		expect(least).toBeGreaterThan(0.01 * high);
 		expect(most).toBeLessThan(0.03 * high);
@@ -66,10 +66,10 @@ it("is large enough to see about the smallest crown", () => {
 	ring.dispose();
 });
 
-it("is level about what hangs, where that hangs", () => {
+it("is level around a hanging plant", () => {
 	const ring = new MarkRing();
-	ring.show(stand, BORNE);
-	const { all, foot, high } = laid(ring, BORNE, 10);
+	ring.show(stand, ATTACHED);
+	const { all, foot, high } = vertices(ring, ATTACHED, 10);
 	expect(foot.y - heightAt(stand, foot.x, foot.z)).toBeGreaterThan(1);
 	for (const { y } of all) {
 		expect(y - foot.y).toBeGreaterThan(0);
@@ -78,12 +78,12 @@ it("is level about what hangs, where that hangs", () => {
 	ring.dispose();
 });
 
-it("is laid anew for another eye, angle, plant or stand, and not while all stay", () => {
+it("is rebuilt for another camera position, angle, plant or stand, and only then", () => {
 	const ring = new MarkRing();
 	const camera = new PerspectiveCamera(24, 1, 0.1, 1000);
 	camera.position.set(0, 10, 0);
 	const { version } = placesOf(ring);
-	/** How often it has been laid. */
+	/** Number of times that the ring was built. */
 	const aimed = () => {
 		ring.aim(camera);
 		return placesOf(ring).version - version;
@@ -97,9 +97,9 @@ it("is laid anew for another eye, angle, plant or stand, and not while all stay"
 	expect(aimed()).toBe(2);
 	camera.fov++;
 	expect(aimed()).toBe(3);
-	ring.show(stand, BORNE);
+	ring.show(stand, ATTACHED);
 	expect(aimed()).toBe(4);
-	ring.show({ ...stand }, BORNE);
+	ring.show({ ...stand }, ATTACHED);
 	expect(aimed()).toBe(5);
 	ring.dispose();
 });

@@ -29,9 +29,9 @@ const refused = async (plan: string) => {
 };
 
 describe("the members of a stand", () => {
-	it("are the same in whatever order they grow", async () => {
+	it("do not depend on the order in which they grow", async () => {
 		let turn = 0;
-		// Some answers come late: others overtake them.
+		// Some responses are late: others overtake them.
 		const uneven: typeof run = async (wasm, blocks) => {
 			const answer = await run(wasm, blocks);
 			await new Promise((resolve) => setTimeout(resolve, (turn++ % 3) * 7));
@@ -43,7 +43,7 @@ describe("the members of a stand", () => {
 		expect(stand.fingerprint).toMatch(/^[0-9a-f]{16}$/);
 	});
 
-	it("can each be grown again alone, by the link that the stand tells of it", async () => {
+	it("can each be grown alone by the link in the stand's record", async () => {
 		const growth = await modelNamed("growth");
 		const member = stand.members[4];
 		if (!member) throw new Error("it has not grown");
@@ -69,13 +69,13 @@ describe("the members of a stand", () => {
 		expect(new Set(steps).size).toBeGreaterThan(1);
 	});
 
-	it("feel their neighbours: one whose neighbours are gone is another", async () => {
+	it("depend on their neighbours", async () => {
 		const close = "ground 4 x 4\nplants 4, rows 2 x 2\ngrowth/table-1-star, crown 8 x 12: steps 6";
 		const alone = close.replace("crown 8 x 12", "crown 0.1 x 0.1");
 		expect(prints(await grownStand(planned(close)))).not.toEqual(prints(await grownStand(planned(alone))));
 	});
 
-	it("that are asked for as before are not grown anew", async () => {
+	it("are not grown again for the same request", async () => {
 		let grown = 0;
 		const counted: typeof run = (wasm, blocks) => {
 			if (wasm !== model.wasm) grown++;
@@ -92,7 +92,7 @@ describe("the members of a stand", () => {
 		}
 	});
 
-	it("are told of in JSON and as a table", () => {
+	it("are listed in JSON and in a table", () => {
 		const { plants, counts } = exportJson(model, stand, planned(PLAN)) as unknown as {
 			plants: Record<string, unknown>[];
 			counts: Record<string, number>;
@@ -108,8 +108,8 @@ describe("the members of a stand", () => {
 	});
 });
 
-describe("what a plan asks for and there is not", () => {
-	it("is told at its place, with what there is", async () => {
+describe("an unknown model, preset or setting in a plan", () => {
+	it("is reported with its position and the known names", async () => {
 		const some = "plants 3, random\n";
 		expect(await refused(`${some}trees/oak`)).toEqual({
 			message: expect.stringMatching(/^There is no model trees; there are bunch, .*growth/),
@@ -130,18 +130,18 @@ describe("what a plan asks for and there is not", () => {
 		});
 	});
 
-	it("or is out of range is brought into it, with a note", async () => {
+	it("is clamped with a note where it is out of range", async () => {
 		const { notes } = await grownStand(planned("plants 2, random\ngrowth/figure-5: steps 3, flare 900"));
 		expect(notes).toEqual([expect.stringMatching(/^growth\/figure-5: .*flare/)]);
 	});
 });
 
-describe("what stands in the way of members", () => {
+describe("problems with members", () => {
 	afterEach(() => {
 		vi.restoreAllMocks();
 	});
 
-	it("is told of a plant that cannot grow as of the line that asks for it", async () => {
+	it("reports a plant that cannot grow at the line that requests it", async () => {
 		const failing: typeof run = (wasm, blocks) =>
 			wasm === "growth.wasm"
 				? Promise.reject(new CoreError("evaluation", "There is no sun.", 40, 7))
@@ -149,11 +149,11 @@ describe("what stands in the way of members", () => {
 		const error = await grownStand(planned("plants 2, random\ngrowth/figure-5: steps 3"), { run: failing }).catch(
 			(reason: unknown) => reason,
 		);
-		const told = { reason: "evaluation", message: "growth/figure-5: There is no sun.", line: 2, column: 1 };
-		expect(error).toMatchObject(told);
+		const report = { reason: "evaluation", message: "growth/figure-5: There is no sun.", line: 2, column: 1 };
+		expect(error).toMatchObject(report);
 	});
 
-	it("is told of what could not be fetched, asked for once a line, and what lacks it is grown anew", async () => {
+	it("reports data that could not be fetched once per line, and grows the affected plants again", async () => {
 		const growth = await modelNamed("growth");
 		const prepare = vi.spyOn(growth, "prepare").mockRejectedValue(new Error("No network."));
 		const cache = new MemberCache();
@@ -170,7 +170,7 @@ describe("what stands in the way of members", () => {
 		expect(cache.keep(model.members.requests(lacking), false)).toEqual(members);
 	});
 
-	it("is what their cores had to say, each once", async () => {
+	it("reports each core's notes once", async () => {
 		const growth = await modelNamed("growth");
 		const read = vi.spyOn(growth, "read");
 		read.mockImplementation((answer, specimen) => ({
@@ -185,13 +185,13 @@ describe("what stands in the way of members", () => {
 		for (const each of notes) expect(each).toEqual(["growth/figure-5: It is dry."]);
 	});
 
-	it("is that they take too much memory, at the place of the line that is too much", async () => {
+	it("reports too much memory at the line that exceeds the limit", async () => {
 		const plan = planned("plants 4, random\ngrowth/figure-5: steps 3");
 		const error = await grownStand(plan, { meshes: true, most: 1000 }).catch((reason: unknown) => reason);
 		expect(error).toMatchObject({ reason: "limit", message: expect.stringMatching(/seeds 20/), line: 2, column: 1 });
 	});
 
-	it("is said while some are missing, and not any more when all have grown", async () => {
+	it("notes missing members until all have grown", async () => {
 		const early: (readonly string[])[] = [];
 		const plan = planned("plants 40, random\ngrowth/figure-5: steps 1");
 		const { notes } = await grownStand(plan, { grew: (grown) => early.push(grown.notes) });
@@ -203,7 +203,7 @@ describe("what stands in the way of members", () => {
 	});
 });
 
-it("files are the same, whatever stand was there before", async () => {
+it("files do not depend on the stand before", async () => {
 	const cache = new MemberCache();
 	const plan =
 		"plants 4, rows 2 x 2\ngrowth/table-1-sigma1, crown 1 x 1: steps 3\ngrowth/table-1-star, crown 1 x 1: steps 3";

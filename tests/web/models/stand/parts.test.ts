@@ -41,7 +41,7 @@ it("files have the ground and each plant once, and shared meshes where plants ar
 			extensionsUsed: string[];
 		};
 		expect(extensionsUsed).toContain("EXT_mesh_gpu_instancing");
-		// Four leaves in one node a part; what stands once stands by itself.
+		// Four leaves share a node per part; a single plant has its own node.
 		const shared = nodes.filter(({ extensions }) => extensions);
 		expect(shared.length).toBeGreaterThan(0);
 		for (const { name } of shared) expect(name).toContain("leaf/oak");
@@ -51,7 +51,7 @@ it("files have the ground and each plant once, and shared meshes where plants ar
 	expect(sizes[1]).toBeLessThan(0.6 * sizes[0]);
 });
 
-it("packed meshes come back as they were, to a thirty-thousandth of their size", () => {
+it("packed meshes are unpacked with an error of at most a thirty-thousandth of their size", () => {
 	const mesh = {
 		positions: Float32Array.of(0, -10, 3, 1, 2, 5),
 		normals: Float32Array.of(0, 1, 0, 0.6, 0, 0.8),
@@ -66,7 +66,7 @@ it("packed meshes come back as they were, to a thirty-thousandth of their size",
 	expect([...(back.sky ?? [])]).toEqual([3, 250]);
 });
 
-it("a line of sight meets the nearest crown, and nothing beside them", () => {
+it("a ray hits the nearest crown, and none beside crowns", () => {
 	const { at, scale } = stand.places;
 	const { extent } = stand.members[0] ?? { extent: { high: 0 } };
 	const middle = at[1] + 0.5 * scale[0] * extent.high;
@@ -74,14 +74,14 @@ it("a line of sight meets the nearest crown, and nothing beside them", () => {
 	expect(firstPlantHit(stand, { origin: [at[0], middle, 900], direction: [0, 1, 0] })).toBeUndefined();
 });
 
-it("a level is chosen by size, and two share the pixels of what is between them", () => {
+it("chooses a level by size, and dithers between two levels", () => {
 	expect(stepAt(2, 4)).toBe(0);
 	expect(stepAt(0.001, 4)).toBe(3 * STEPS);
 	expect(stepAt(2, 1)).toBe(0);
 	let before = 0;
 	for (let size = 2; size > 0.01; size *= 0.995) {
 		const now = stepAt(size, 4);
-		// Only ever coarser, and never by a jump.
+		// Levels only become coarser, and gradually.
 		expect(now).toBeGreaterThanOrEqual(before);
 		expect(now - before).toBeLessThan(0.25 * STEPS);
 		before = now;
@@ -89,7 +89,7 @@ it("a level is chosen by size, and two share the pixels of what is between them"
 	expect(before).toBe(3 * STEPS);
 });
 
-it("who isWalking stays on the ground, at eye height over it, and looks where they turn", () => {
+it("a walker stays on the ground at eye height, and looks in the direction of the turn", () => {
 	let pose = { ...atFront(stand), x: 0 };
 	for (let i = 0; i < 100; i++) pose = stepped(pose, "forward", stand);
 	expect([pose.x, pose.z]).toEqual([0, -5]);
@@ -102,7 +102,7 @@ it("who isWalking stays on the ground, at eye height over it, and looks where th
 	expect(turned(pose, 0, 500).pitch).toBe(60);
 });
 
-it("who enters stands clear of crowns, as near to the middle of the front as there is room", () => {
+it("a walk starts clear of crowns, as close to the centre of the front as possible", () => {
 	const planted = (...across: number[]) => ({
 		...stand,
 		ground: { width: 40, depth: 40, relief: 0 },
@@ -119,23 +119,23 @@ it("who enters stands clear of crowns, as near to the middle of the front as the
 	expect(atFront(planted())).toEqual({ x: 0, z: 19.2, yaw: 0, pitch: 0 });
 	expect(Math.abs(atFront(planted(0)).x)).toBeCloseTo(5.6, 5);
 	expect(atFront(planted(0, 4, 8, 12, 16)).x).toBeCloseTo(-5.6, 5);
-	const borne = planted(0);
-	borne.places.parent[0] = 0;
-	expect(atFront(borne).x).toBe(0);
+	const attached = planted(0);
+	attached.places.parent[0] = 0;
+	expect(atFront(attached).x).toBe(0);
 });
 
-it("the caption tells those that stand from what they bear, the map calls kinds by their titles", () => {
+it("the caption counts attached plants separately, and the map uses the kinds' titles", () => {
 	expect(standInWords(stand)).toBe("10 plants and 4 borne, of 4 kinds on 20 × 10 m");
 	const titles = titlesOf(stand);
 	expect(titles[3]).toBe("Oak");
 	expect(titles.join()).not.toContain("/");
-	// Till one has grown, by what the plan calls it.
+	// Before a plant of the kind has grown, by the name in the plan.
 	expect(titlesOf({ ...stand, members: [] })[3]).toBe("Oak");
 	const kinds = stand.kinds.map((kind) => ({ ...kind, preset: "long-conical" }));
 	expect(titlesOf({ ...stand, kinds, members: [] })[0]).toBe("Long conical");
 });
 
-it("shadows are drawn of all, and for who isWalking of what is ahead, by steps", () => {
+it("shadows cover the stand or, while walking, the area ahead, in steps", () => {
 	const wide = { ...stand, ground: { width: 200, depth: 200, relief: 0 }, meshes: [] };
 	const whole = { centre: new Vector3(), radius: 150 };
 	const ahead = new Vector3(0, 0, -1);

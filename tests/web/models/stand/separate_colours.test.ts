@@ -3,7 +3,7 @@ import { separateColours } from "../../../../web/src/models/stand/ui/separate_co
 import { fromLch, type Lch, linear, toLch } from "../../../../web/src/plant/colour";
 
 const RANGE = [0.63, 0.97] as const;
-/** Colours kept apart, as they are shown. */
+/** The separated colours, as displayed. */
 const shown = (...hex: string[]) =>
 	separateColours(
 		hex.map((each) => toLch(linear(each))),
@@ -19,7 +19,7 @@ const allApart = (colours: readonly Lch[]) => {
 		for (const other of colours.slice(0, i)) expect(apart(one, other)).toBeGreaterThan(0.069);
 };
 
-it("leaves what is told apart as it is, but for what is too dark or too light", () => {
+it("does not change distinct colours unless they are too dark or too light", () => {
 	const [red, green, black, white] = shown("f07070", "70c050", "000000", "ffffff");
 	expect(apart(red, toLch(linear("f07070")))).toBeLessThan(1e-3);
 	expect(apart(green, toLch(linear("70c050")))).toBeLessThan(1e-3);
@@ -27,7 +27,7 @@ it("leaves what is told apart as it is, but for what is too dark or too light", 
 	expect(white.lightness).toBeCloseTo(0.97, 3);
 });
 
-it("keeps two yellows yellow", () => {
+it("leaves two yellows yellow", () => {
 	const yellows = shown("f5d020", "f2d22a");
 	allApart(yellows);
 	for (const each of yellows) {
@@ -36,7 +36,7 @@ it("keeps two yellows yellow", () => {
 	}
 });
 
-it("makes the second of two whites a pale grey, and no salmon", () => {
+it("makes the second of two whites a pale grey instead of salmon", () => {
 	const whites = shown("fbfaf5", "fafaf6", "ffffff");
 	allApart(whites);
 	for (const each of whites) {

@@ -1,4 +1,7 @@
-/** What the tests of a stand's shaders share: a material's program as three is given it, and its arithmetic worked out here. */
+/**
+ * Helpers for tests of a stand's shaders: a material's shader program as three receives it, and evaluation of its
+ * arithmetic.
+ */
 import { type MeshStandardMaterial, ShaderLib, type WebGLProgramParametersWithUniforms } from "three";
 
 export interface Program {
@@ -14,7 +17,7 @@ export function programOf(material: MeshStandardMaterial): Program {
 	return shader;
 }
 
-/** What of a shader is between two of its texts, the first of them included. */
+/** The part of a shader from one text, inclusive, to another. */
 export function piece(shader: string, from: string, to: string): string {
 	const start = shader.indexOf(from);
 	const end = shader.indexOf(to, start);
@@ -23,7 +26,7 @@ export function piece(shader: string, from: string, to: string): string {
 }
 
 const clamp = (value: number, low: number, high: number) => Math.min(high, Math.max(low, value));
-/** In one dimension, where vectors and matrices are numbers. */
+/** Built-in functions in one dimension, where vectors and matrices are numbers. */
 const BUILT_IN = {
 	...{ clamp, min: Math.min, max: Math.max, length: Math.abs },
 	dot: (a: number, b: number) => a * b,
@@ -34,7 +37,7 @@ const BUILT_IN = {
 	},
 };
 
-/** A piece of a shader run as the script that it is but for its types; what it is given may be changed by it. */
+/** Runs a part of a shader as a script without types; it may change its inputs. */
 export function run(text: string, given: Record<string, unknown>): void {
 	const script = text.replace(/\b(float|vec3) (\w+) =/g, "let $2 =");
 	const all = { ...BUILT_IN, ...given };

@@ -17,7 +17,7 @@ beforeAll(async () => {
 	rim = stand.soil?.rim as Float32Array;
 });
 
-it("the ground is where plants stand, and falls away in a rim around it, nowhere evenly", () => {
+it("the ground reaches below all plants and slopes down in an irregular rim", () => {
 	expect(rim).toHaveLength(soil.positions.length / 3);
 	const reaches: number[] = [];
 	for (const [v, share] of rim.entries()) {
@@ -53,7 +53,7 @@ it("the rim goes all round: no edge is open but where all ends, and every triang
 	for (const edge of open.values()) for (const v of edge) expect(rim[v]).toBe(1);
 });
 
-it("earth is mottled about the colour that is asked for", () => {
+it("soil is mottled around the requested colour", () => {
 	const red = [...(soil.colours ?? [])].filter((_, i) => i % 3 === 0);
 	const mean = red.reduce((sum, each) => sum + each, 0) / red.length;
 	expect(mean).toBeGreaterThan(0.12);

@@ -1,4 +1,4 @@
-/** A stand on the stage: its light, as who turns it and who isWalking in it have it. */
+/** Light on a stand while orbiting and while walking. */
 import { BatchedMesh, Group, type Mesh, type Object3D, PerspectiveCamera, type Vector4 } from "three";
 import { afterEach, expect, it, vi } from "vitest";
 import { StandRenderer } from "../../../../web/src/models/stand/render/stand_renderer";
@@ -15,7 +15,7 @@ function staged() {
 
 afterEach(() => void vi.restoreAllMocks());
 
-it("is turned in the light, and walked through under a sun that stays", async () => {
+it("keeps the light fixed to the camera while orbiting and to the stand while walking", async () => {
 	const specimen = planned("ground 40 x 40\nplants 3, random\ngrowth/figure-5, crown 1 x 4: steps 1");
 	const stand = await grownStand(specimen, { meshes: true });
 	const { stage, light } = staged();
@@ -44,7 +44,7 @@ it("is turned in the light, and walked through under a sun that stays", async ()
 	figure.dispose();
 });
 
-it("is shown unmarked, and on a ground that wears what the last one wore", async () => {
+it("is shown unmarked, on a ground that reuses the last one's material", async () => {
 	const specimen = planned("ground 40 x 40\nplants 3, random\ngrowth/figure-5, crown 1 x 4: steps 1");
 	const stand = await grownStand(specimen, { meshes: true });
 	const { stage } = staged();
@@ -60,7 +60,7 @@ it("is shown unmarked, and on a ground that wears what the last one wore", async
 	figure.prepare(new PerspectiveCamera());
 	const before = worn();
 	expect(before).toHaveLength(1);
-	/** How bright plants were last drawn: the crowd tells all by one object. */
+	/** Brightness of the plants when last drawn: all batches share one object for colours. */
 	const reds = new Map<BatchedMesh, Map<number, number>>();
 	vi.spyOn(BatchedMesh.prototype, "setColorAt").mockImplementation(function (this: BatchedMesh, id, colour) {
 		const own = reds.get(this) ?? new Map<number, number>();

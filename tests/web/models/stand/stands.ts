@@ -1,4 +1,4 @@
-/** What the tests of stands share: plans grown whole by the cores that are built. */
+/** Helpers for tests of stands: plans grown by the built cores. */
 import { readFileSync } from "node:fs";
 import type { Block } from "../../../../web/src/core/container";
 import { Cores } from "../../../../web/src/core/cores";
@@ -16,7 +16,7 @@ const cores = new Cores(async (wasm) =>
 
 export const run = (wasm: string, blocks: readonly Block[]) => cores.grow(wasm, blocks);
 
-/** Eight small trees of two sorts, two more, and on each of these two leaves that are all alike. */
+/** Eight small trees of two kinds, two more trees, and two equal leaves on each of the last two. */
 export const PLAN = `ground 20 x 10, relief 1
 plants 8, blue 2
 growth/table-1-sigma1, share 1, crown 4 x 8, scale 0.5 to 1: steps 3 to 5

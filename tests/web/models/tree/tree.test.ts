@@ -18,13 +18,13 @@ beforeAll(async () => {
 });
 const grow = (specimen: TreeSpecimen, options = {}) => model.read(core.grow(model.encode(specimen, options)), specimen);
 const oak = fromPreset(model);
-/** As few particles as still make a tree. */
+/** The fewest particles that make a tree. */
 const small = (specimen = oak, parameters = {}) => ({
 	...specimen,
 	parameters: { ...specimen.parameters, particles: 120, ...parameters },
 });
 
-/** Every triangle has an area, and looks where its corners' normals do. */
+/** Every triangle has an area and faces the same way as its normals. */
 function facesOutwards({ positions, normals, indices }: PartMesh): void {
 	for (let i = 0; i < indices.length; i += 3) {
 		const [a, b, c] = [0, 1, 2].map((k) => positions.slice(3 * indices[i + k], 3 * indices[i + k] + 3));
@@ -52,7 +52,7 @@ describe("a tree's presets", () => {
 		},
 	);
 
-	it("say what they are in one sentence", () => {
+	it("describe themselves in one sentence", () => {
 		for (const { about, title } of model.presets.list) {
 			expect(about).toMatch(/^[A-Z].*[^.]\.$/);
 			expect(title.length).toBeLessThan(20);
@@ -61,7 +61,7 @@ describe("a tree's presets", () => {
 });
 
 describe("a tree", () => {
-	it("isActive a profile, targets, obstacles and a mesh", () => {
+	it("uses a profile, targets, obstacles and a mesh", () => {
 		const fingerprint = (specimen: TreeSpecimen) => grow(specimen, { meshes: false }).fingerprint;
 		const usual = fingerprint(small());
 		const mesh = { points: [0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 0], triangles: [0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2] };
@@ -72,7 +72,7 @@ describe("a tree", () => {
 			{ ...small(oak, { shape: 5 }), volume: mesh },
 		];
 		expect(new Set([usual, ...others.map(fingerprint)]).size).toBe(5);
-		// Nothing but the shape that it is for isActive a profile.
+		// Only the shape `spline` uses a profile.
 		const box = small(fromPreset(model, "box"));
 		expect(fingerprint({ ...box, profile: [[1, 0], [1, 0.5], [1, 1]] })).toBe(fingerprint(box)); // biome-ignore format: a table
 	});
@@ -114,11 +114,11 @@ describe("a tree", () => {
 		expect(new Set(names).size).toBe(count);
 		expect(names[0]).toMatch(/^Leaf \d+$/);
 		expect(leaves[0].sky).toHaveLength(leaves[0].transforms.length / 8);
-		// Balls that nobody bears are not there.
+		// Unused ball meshes are not exported.
 		expect(parts.some(({ name }) => /ball/i.test(name))).toBe(false);
 	});
 
-	it("stands beside its obstacles, whose faces look outwards", () => {
+	it("exports its obstacles with faces outwards", () => {
 		const specimen = { ...small(), obstacles: [2, 0, -1, 3, 4, 1, -5, 0, 0, -4, 1, 1], rounds: [3, 2, -3, 9, 8, 2] };
 		const walls = [...model.parts(grow(specimen), specimen)].filter(({ name }) => /obstacle/i.test(name));
 		expect(walls.map(({ name }) => name)).toEqual(["Obstacle 1", "Obstacle 2", "Round obstacle 1"]);
@@ -137,24 +137,24 @@ describe("a tree", () => {
 			const found = new Map<string, string>();
 			for (const { name, shape } of model.parts(grow(each), each)) {
 				const { transforms = new Float32Array() } = shape?.instances ?? {};
-				// Wherever they are of whatever size: young leaves are still unfolding.
+				// Sizes differ where leaves are still unfolding.
 				for (let at = 0; at < transforms.length; at += 8) found.set(transforms.subarray(at, at + 7).join(), name);
 			}
 			return found;
 		};
 		const [before, after] = [tints(young), tints(specimen)];
-		let kept = 0;
+		let found = 0;
 		for (const [place, name] of before) {
 			if (!after.has(place)) continue;
 			expect(after.get(place)).toBe(name);
-			kept++;
+			found++;
 		}
 		expect([...tints(small(oak, { age: 40 })).values()]).toContain("Particle");
 		expect([...after.values()]).not.toContain("Particle");
-		expect(kept).toBeGreaterThan(0);
+		expect(found).toBeGreaterThan(0);
 	});
 
-	it("has young bark on its twigs, in passing too", () => {
+	it("has young bark on its twigs, also in previews", () => {
 		const plant = grow(small());
 		const stems = plant.meshes[0];
 		const bark = { old: [1, 1, 1], young: [0, 0, 0], from: 0.008, to: 0.05 } as const;
@@ -175,7 +175,7 @@ describe("a tree", () => {
 			const { colours = new Float32Array(), positions = new Float32Array() } = shape?.mesh ?? {};
 			const { colour = [1], textures } = shape?.material ?? {};
 			expect(textures?.repeats).toBe(true);
-			// Of what goes around the trunk.
+			// Vertices around the trunk.
 			const thick = Array.from(plant.bearing ?? [], (segment, i) => ({
 				height: positions[3 * i + 1],
 				radius: plant.segments.radii[2 * segment + 1],

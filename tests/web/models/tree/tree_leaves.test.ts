@@ -19,7 +19,7 @@ beforeAll(async () => {
 });
 const grow = (specimen: TreeSpecimen, options = {}) => model.read(core.grow(model.encode(specimen, options)), specimen);
 const oak = fromPreset(model);
-/** As few particles as still make a tree. */
+/** The fewest particles that make a tree. */
 const small = (specimen = oak, parameters = {}) => ({
 	...specimen,
 	parameters: { ...specimen.parameters, particles: 120, ...parameters },
@@ -30,7 +30,7 @@ const hexadecimal = (pixels: ArrayLike<number>, at: number) =>
 	[0, 1, 2].map((k) => pixels[at + k].toString(16).padStart(2, "0")).join("");
 
 describe("leaves of a tree", () => {
-	it("bears the leaf that its kind says, with its veins in the colours of each tint, in files as in the view", async () => {
+	it("has the leaf of its kind, with veins in the colours of each tint, in files as in the view", async () => {
 		const kinds = model.table.entry("leaf_kind");
 		const options = kinds?.kind === "choice" ? kinds.options : [];
 		expect(options).toContain("needle");
@@ -54,7 +54,7 @@ describe("leaves of a tree", () => {
 				const { pixels = [], width = 0 } = material.textures?.colour ?? {};
 				const [u, v] = [mesh.uvs[0], mesh.uvs[1]];
 				const at = 3 * (Math.min(width - 1, Math.floor(v * width) - 1) * width + Math.floor(u * width));
-				// Where the midrib is, it is paler than beside all veins.
+				// The midrib is paler than the blade beside the veins.
 				expect(linear(hexadecimal(pixels, at))[1]).toBeGreaterThan(1.2 * material.colour[1]);
 				expect(linear(hexadecimal(pixels, 0))[1]).toBeCloseTo(material.colour[1], 2);
 			}
@@ -104,7 +104,7 @@ describe("leaves of a tree", () => {
 		}
 	});
 
-	it("says where a link or a document asks for a leaf that there is none of", async () => {
+	it("reports where a link or a document requests an unknown leaf", async () => {
 		const { specimen, notes } = decodeQuery(model, "?v=2&model=tree&leafkind=holly&leafshape=round");
 		expect(specimen.parameters.leaf_kind).toBe(oak.parameters.leaf_kind);
 		expect(notes.map(({ text }) => text)).toEqual([

@@ -17,7 +17,7 @@ beforeAll(async () => {
 
 const stage = () => ({ root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() });
 
-/** The view of a plant of few particles and no leaves. */
+/** The framing of a plant with few particles and no leaves. */
 async function fitOf(kind: typeof model | typeof rootModel, preset: string, life: "run" | "grow", age: number) {
 	const published = fromPreset(kind as typeof model, preset);
 	const { parameters } = published;
@@ -47,7 +47,7 @@ describe.each([
 });
 
 describe("the view of a plant that runs", () => {
-	it("is as large as what is seen of it", async () => {
+	it("is framed by its visible parts", async () => {
 		const run = await fitOf(model, "cypress", "run", 100);
 		const grown = await fitOf(model, "cypress", "grow", 100);
 		expect(run.distance).toBeLessThan(grown.distance);

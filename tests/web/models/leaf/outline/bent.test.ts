@@ -37,7 +37,7 @@ describe("an outline on its leaf", () => {
 		}
 	});
 
-	it("goes right and up the way its directions say", () => {
+	it("moves right and up along its tangents", () => {
 		const bend = { fold: 20, curl: 70 };
 		const [x, y, little] = [-0.3, 0.6, 1e-5];
 		const { at, along, stretch } = bent({ x, y }, bend);

@@ -20,19 +20,19 @@ const { outline: oak } = leafFromPreset("oak");
 const SAME = { mirror: true };
 const key = (name: string, shiftKey = false) => ({ key: name, shiftKey });
 
-/** A drag over an outline that remembers what it was told. */
+/** A drag over an outline that records its events. */
 function dragOver(points: OutlinePoints) {
-	const told: string[] = [];
-	const state = { points, told, waiting: [] as (() => void)[] };
+	const events: string[] = [];
+	const state = { points, events, waiting: [] as (() => void)[] };
 	const drag = outlineDrags({
 		get: () => state.points,
 		symmetry: () => SAME,
 		input: (next) => {
-			told.push("input");
+			events.push("input");
 			state.points = next;
 		},
-		change: () => told.push("change"),
-		refused: () => told.push("refused"),
+		change: () => events.push("change"),
+		refused: () => events.push("refused"),
 		schedule: (callback) => state.waiting.push(callback),
 	});
 	const frame = () => {
@@ -42,23 +42,23 @@ function dragOver(points: OutlinePoints) {
 }
 
 describe("a drag", () => {
-	it("tells at most once a frame, keeps the pointer's hold on the point, and ends as one change", () => {
+	it("dispatches at most one event per frame, keeps the grab offset, and ends as one change", () => {
 		const { drag, state, frame } = dragOver(oak);
 		const { x, y } = oak[5];
 		expect(drag.begin(1, "5", { x: x + 0.01, y })).toBe(true);
 		drag.move(1, { x: x + 0.02, y });
 		drag.move(1, { x: x + 0.03, y });
-		expect(state.told).toEqual([]);
+		expect(state.events).toEqual([]);
 		frame();
-		expect(state.told).toEqual(["input"]);
+		expect(state.events).toEqual(["input"]);
 		expect(state.points[5].x).toBeCloseTo(x + 0.02, 3);
 		expect(state.points[oak.length - 5].x).toBeCloseTo(-x - 0.02, 3);
 		drag.end(1);
-		expect(state.told).toEqual(["input", "change"]);
+		expect(state.events).toEqual(["input", "change"]);
 		expect(drag.active).toBe(false);
 	});
 
-	it("stops where the outline would cross itself, and says so once each time it comes to that", () => {
+	it("stops where the outline would cross itself, with one event each time", () => {
 		const { drag, state, frame } = dragOver(oak);
 		drag.begin(1, "10", oak[10]);
 		drag.move(1, { x: -0.5, y: 0.3 });
@@ -66,12 +66,12 @@ describe("a drag", () => {
 		drag.move(1, { x: -0.5, y: 0.31 });
 		frame();
 		expect(state.points).toEqual(oak);
-		expect(state.told).toEqual(["refused"]);
+		expect(state.events).toEqual(["refused"]);
 		drag.move(1, { x: oak[10].x, y: oak[10].y + 0.01 });
 		frame();
 		drag.move(1, { x: -0.5, y: 0.3 });
 		frame();
-		expect(state.told).toEqual(["refused", "input", "refused"]);
+		expect(state.events).toEqual(["refused", "input", "refused"]);
 		expect(state.points[10].y).toBeCloseTo(oak[10].y + 0.01, 3);
 	});
 
@@ -85,13 +85,13 @@ describe("a drag", () => {
 		expect(state.points).not.toEqual(oak);
 		drag.cancel();
 		expect(state.points).toEqual(oak);
-		expect(state.told).toEqual(["input", "input", "change"]);
+		expect(state.events).toEqual(["input", "input", "change"]);
 		expect(drag.active).toBe(false);
 	});
 });
 
 describe("a key", () => {
-	it("moves the chosen point by a step, by ten with Shift, and says where it is", () => {
+	it("moves the chosen point by a step, by ten with Shift, and announces its position", () => {
 		const step = pressed(oak, 6, key("ArrowRight"), SAME);
 		expect(step?.points?.[6].x).toBeCloseTo(oak[6].x + 0.005, 3);
 		expect(step?.message).toBe("19.1 % right, 22.2 % up");

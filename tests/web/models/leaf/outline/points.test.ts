@@ -39,7 +39,7 @@ const arbitraryPoint = fc
 	})
 	.map((point) => ({ ...placed(point), kind: point.kind }));
 
-describe("hands on an outline", () => {
+describe("editing an outline", () => {
 	it("move a point, and with the lock its like at the other side", () => {
 		expect(movePoint(kite, 1, { x: 0.35, y: 0.5 }, ALONE)[3]).toEqual(kite[3]);
 		const moved = movePoint(kite, 1, { x: 0.35, y: 0.5 }, SAME);
@@ -54,7 +54,7 @@ describe("hands on an outline", () => {
 		expect(movePoint(kite, 1, { x: 7, y: -7 }, ALONE)[1]).toEqual({ x: 1.023, y: -0.5, kind: "smooth" });
 	});
 
-	it("put points in where they are told to, and on both sides with the lock", () => {
+	it("inserts points at a position, and on both sides with the lock", () => {
 		const one = insertPoint(kite, 1, { x: 0.2, y: 0.7 }, ALONE);
 		expect(one.map(({ y }) => y)).toEqual([0, 0.4, 0.7, 1, 0.4]);
 		const two = insertPoint(kite, 3, { x: -0.2, y: 0.2 }, SAME);
@@ -105,14 +105,14 @@ describe("hands on an outline", () => {
 	it("make both sides alike from the right one", () => {
 		const crooked = movePoint(oak, 3, { x: 0.2, y: 0.1 }, ALONE);
 		expect(isSymmetric(crooked)).toBe(false);
-		const mended = madeSymmetric(crooked);
-		expect(isSymmetric(mended)).toBe(true);
-		expect(mended.slice(0, 26)).toEqual(crooked.slice(0, 26));
+		const symmetric = madeSymmetric(crooked);
+		expect(isSymmetric(symmetric)).toBe(true);
+		expect(symmetric.slice(0, 26)).toEqual(crooked.slice(0, 26));
 	});
 });
 
 describe("an outline in a link", () => {
-	it("comes back as it was, whatever it is", () => {
+	it("decodes every outline to itself", () => {
 		fc.assert(
 			fc.property(fc.array(arbitraryPoint, { maxLength: MOST_POINTS }), (points) => {
 				expect(unpackOutline(packOutline(points))).toEqual(points);
@@ -169,11 +169,11 @@ describe("the curve", () => {
 		];
 		expect(enclosesBlade(corners([0, 0], ...right))).toBe(true);
 		expect(enclosesBlade(corners([0, 0], [0.5, 0.5], [0, 1]))).toBe(true);
-		// Down the way that it came up by.
+		// Down along the same line as up.
 		expect(enclosesBlade(corners([0, 0], [0.3, 0], [0.3, 1], [0.3, 0.5], [-0.3, 0.5]))).toBe(false);
 	});
 
-	it("tells which span a place is nearest to", () => {
+	it("finds the span nearest to a position", () => {
 		const spans = spansOf(oak);
 		spans.forEach(({ from, to }, index) => {
 			const halfway = { x: (from.x + to.x) / 2, y: (from.y + to.y) / 2 };

@@ -12,7 +12,7 @@ const oak = fromPreset(TREE);
 const read = (query: string) => decodeQuery(TREE, `?v=2&model=tree&${query}`);
 const notesOf = (query: string) => read(query).notes.map(({ text }) => text);
 
-describe("what a boundary has besides numbers", () => {
+describe("fields of a boundary beyond its numbers", () => {
 	it("goes into a link and comes back, under 300 characters for a typical edit", async () => {
 		const specimen = {
 			...oak,
@@ -39,15 +39,15 @@ describe("what a boundary has besides numbers", () => {
 		expect(await encodeLink(TREE, specimen)).toBe("?v=2&model=tree&obstacles=0,0,0,1,1,1");
 	});
 
-	it("says of a mesh that a link is too short for it: who copies one how to keep it, who opens one that it is missing", () => {
+	it("warns that links omit a mesh: on copying with a way to keep it, on opening that it is missing", () => {
 		const entry = TREE.table.entry("shape");
 		const shape = entry?.kind === "choice" ? entry.options.indexOf("mesh") : -1;
 		const volume = { points: [0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 0], triangles: [0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2] };
 		const meshed = { ...oak, volume, parameters: { ...oak.parameters, shape } };
-		const said = (specimen: typeof meshed) =>
+		const warnings = (specimen: typeof meshed) =>
 			TREE.details.flatMap(({ unlinked }) => unlinked?.keep(specimen, fromPreset(TREE, specimen.preset)) ?? []);
-		expect(said(meshed)).toEqual([expect.stringContaining("download JSON or GLB to keep the mesh")]);
-		expect(said({ ...oak, volume })).toEqual([]);
+		expect(warnings(meshed)).toEqual([expect.stringContaining("download JSON or GLB to keep the mesh")]);
+		expect(warnings({ ...oak, volume })).toEqual([]);
 		expect(notesOf("shape=mesh")).toEqual([
 			expect.stringMatching(/^mesh: none came along; links are too short for one/),
 		]);
@@ -55,7 +55,7 @@ describe("what a boundary has besides numbers", () => {
 		expect(restore(TREE, JSON.parse(JSON.stringify(writtenSpecimen(TREE, meshed)))).notes).toEqual([]);
 	});
 
-	it("keeps the mesh of the inner boundary in files, and says of a link that it is too short for it", () => {
+	it("keeps the mesh of the inner boundary in files, and warns that links omit it", () => {
 		const hollow = { points: [0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 0], triangles: [0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2] };
 		const hollowed = { ...oak, hollow };
 		const keep = TREE.details.flatMap(({ unlinked }) => unlinked?.keep(hollowed, fromPreset(TREE, "oak")) ?? []);
@@ -69,13 +69,13 @@ describe("what a boundary has besides numbers", () => {
 
 	it("brings a preset's own mesh by the preset's name", async () => {
 		const bonsai = fromPreset(TREE, "bonsai");
-		const said = (specimen: typeof bonsai) =>
+		const warnings = (specimen: typeof bonsai) =>
 			TREE.details.flatMap(({ unlinked }) => unlinked?.keep(specimen, bonsai) ?? []);
 		expect(bonsai.volume?.triangles.length).toBeGreaterThan(0);
 		expect(await decodeLink(TREE, "?v=2&model=tree&preset=bonsai")).toEqual({ specimen: bonsai, notes: [] });
-		expect(said(fromPreset(TREE, "bonsai"))).toEqual([]);
+		expect(warnings(fromPreset(TREE, "bonsai"))).toEqual([]);
 		const volume = { points: [0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 0], triangles: [0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2] };
-		expect(said({ ...bonsai, volume })).toEqual([expect.stringContaining("in whose place it brings the preset's")]);
+		expect(warnings({ ...bonsai, volume })).toEqual([expect.stringContaining("in whose place it brings the preset's")]);
 	});
 
 	it("brings corners of an obstacle into order, and empty lists to nothing", () => {

@@ -52,7 +52,7 @@ describe("the outline from in front", () => {
 	});
 
 	it("is a mesh's own", () => {
-		// A pyramid on its point.
+		// An inverted pyramid.
 		const points = [0, 0, 0, -2, 1, -2, 2, 1, -2, 2, 1, 2, -2, 1, 2];
 		const triangles = [0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1, 1, 3, 2, 1, 4, 3];
 		const outline = outlineOf("mesh", [], { points, triangles });
@@ -74,7 +74,7 @@ describe("the outline from in front", () => {
 });
 
 describe("grips of a boundary", () => {
-	it("stand on the points of the profile, in metres over the ground", () => {
+	it("are at the points of the profile, in metres above the ground", () => {
 		const { width, trunk, height } = tree("oak").parameters;
 		const [radius, up] = (tree("oak").profile ?? [])[2];
 		expect(gripOf(poseOf(), "knot2").at).toEqual({ x: (radius * width) / 2, y: trunk + up * height });
@@ -100,7 +100,7 @@ describe("grips of a boundary", () => {
 		expect(lowered.parameters.trunk + lowered.parameters.height).toBeCloseTo(trunk + height);
 	});
 
-	it("size what is no profile, and keep round what is round", () => {
+	it("resize shapes without a profile, and keep round shapes round", () => {
 		const box = tree("box");
 		const pose = poseOf(box);
 		expect(apply(TREE, box, gripOf(pose, "side").pull({ x: 2.5, y: 0 })).parameters).toMatchObject({
@@ -205,7 +205,7 @@ describe("obstacles", () => {
 		expect(apply(TREE, both, gripOf(round, "rounds0 middle").pull({ x: 7, y: 5 })).rounds).toEqual([
 			4, 2, -3, 10, 8, 3,
 		]);
-		// The one that is chosen goes, of whichever kind.
+		// Removes the chosen obstacle, of either kind.
 		expect(apply(TREE, both, gripOf(round, "obstacles0 middle").remove?.() ?? {})).toEqual({
 			...both,
 			obstacles: undefined,
@@ -214,7 +214,7 @@ describe("obstacles", () => {
 });
 
 describe("the sun", () => {
-	it("stands on the sky where it is said to, and is read back from there", () => {
+	it("converts the sun's direction to a point on the sky and back", () => {
 		expect(sunPlace(0, 0)).toEqual({ x: 0, y: -1 });
 		expect(sunPlace(90, 45).x).toBeCloseTo(0.5);
 		for (const [sun, sun_height] of [
@@ -238,14 +238,14 @@ describe("the sun", () => {
 });
 
 describe("a flat view's frame", () => {
-	it("holds what it is to show, and knows the way back", () => {
+	it("contains the region to show, and inverts its mapping", () => {
 		const frame = frameAbout({ halfWidth: 6, low: -0.5, high: 10 }, 223, 200);
 		const corner = toScreen(frame, { x: 6, y: 10 });
 		expect(corner.x).toBeLessThan(223);
 		expect(corner.y).toBeGreaterThan(0);
 		const back = fromScreen(frame, corner);
 		expect([back.x, back.y]).toEqual([expect.closeTo(6), expect.closeTo(10)]);
-		// A little larger, it is shown at the same scale.
+		// A slightly larger region has the same scale.
 		expect(frameAbout({ halfWidth: 6, low: -0.5, high: 10.1 }, 223, 200).scale).toBe(frame.scale);
 		expect(scaleBar(frame)).toEqual({ length: 2, label: "2 m" });
 		expect(scaleBar({ width: 223, scale: 500 }).label).toBe("10 cm");
@@ -253,7 +253,7 @@ describe("a flat view's frame", () => {
 });
 
 describe("branches behind a view", () => {
-	it("are the heaviest, no more than asked for", () => {
+	it("are those with the most energy, at most as many as requested", () => {
 		const energy = Float32Array.from({ length: 40_000 }, (_, i) => 1 + (i % 500 === 0 ? 4000 : i % 7));
 		const drawn = heaviest(energy, 1000);
 		expect(drawn.length).toBeLessThanOrEqual(1000);
@@ -285,7 +285,7 @@ describe("branches behind a view", () => {
 		pen.lines.splice(0);
 		const scene = { frame, ratio: 1, ink: "red" };
 		inkBranches(canvas as never, { segments, energy: Float32Array.of(8) } as never, scene, FROM_ABOVE);
-		// What is in front is below.
+		// The front is at the bottom.
 		expect(pen.lines).toEqual([
 			[10, 0, 0, 10, 50, 90],
 			[0, 9],

@@ -8,15 +8,15 @@ import { apply } from "../../../../../web/src/ui/change";
 import type { Change } from "../../../../../web/src/ui/editor_context";
 import { gripOf, tree } from "./particles";
 
-/** Drags over a specimen that others may change as well. */
+/** Drags over a specimen that other actions may change too. */
 function handsOn(specimen: ReturnType<typeof tree>) {
-	const page = { specimen, told: 0 };
+	const page = { specimen, changes: 0 };
 	const pose = () => boundaryPose(treeLayout, page.specimen, tree("oak"));
 	const drags = gripDrags({
 		pose,
 		input: (change: Change) => {
 			page.specimen = apply(TREE, page.specimen, change);
-			page.told++;
+			page.changes++;
 		},
 		change: () => undefined,
 		schedule: (callback) => callback(),
@@ -25,7 +25,7 @@ function handsOn(specimen: ReturnType<typeof tree>) {
 }
 
 describe("a drag of a grip", () => {
-	it("called off brings back what the grip has set, and nothing that others have", () => {
+	it("restores on Escape only the fields that the grip has set", () => {
 		const oak = tree("oak");
 		const { page, pose, drags } = handsOn(oak);
 		const { at } = gripOf(pose(), "knot6");
@@ -38,17 +38,17 @@ describe("a drag of a grip", () => {
 		expect(page.specimen).toEqual(apply(TREE, oak, others));
 	});
 
-	it("does nothing once others have taken away what it holds", () => {
+	it("ends when another action removes the dragged grip", () => {
 		const oak = tree("oak");
 		const { page, pose, drags } = handsOn(apply(TREE, oak, withWall(oak, { x: 4, y: 5 }, 6)));
 		const { at } = gripOf(pose(), "obstacles0 middle");
 		drags.begin(1, "obstacles0 middle", at);
 		drags.move(1, { x: at.x + 1, y: at.y });
-		expect(page.told).toBe(1);
+		expect(page.changes).toBe(1);
 		page.specimen = oak;
 		drags.move(1, { x: at.x + 2, y: at.y });
 		drags.drop();
-		expect(page).toEqual({ specimen: oak, told: 1 });
+		expect(page).toEqual({ specimen: oak, changes: 1 });
 		expect(drags.active).toBe(false);
 	});
 });

@@ -13,7 +13,7 @@ import type { ModelSchema } from "../../../../../web/src/specimen/model_schema";
 import { apply } from "../../../../../web/src/ui/change";
 import { gripOf, root, tree } from "./particles";
 
-/** A specimen with what came of a grip in hand, event after event. */
+/** The specimens after each event of a drag. */
 function held<S extends BoundedSpecimen>(
 	layout: BoundaryLayout<S>,
 	species: ModelSchema<S>,
@@ -75,7 +75,7 @@ describe("an end of a boundary that is held where it cannot be", () => {
 });
 
 describe("a profile whose ends are within the box", () => {
-	it("stays as it is where a point is pulled to where it stands, and follows the hand", () => {
+	it("is unchanged by a drag to the same position, and follows the pointer", () => {
 		const { specimen } = decodeQuery(TREE, "?v=2&model=tree&profile=0.2,0.1,1,0.4,0.1,0.8");
 		const grips = boundaryPose(treeLayout, specimen, specimen).grips.filter(({ id }) => id.startsWith("knot"));
 		expect(grips).toHaveLength(3);
@@ -96,7 +96,7 @@ describe("a double click", () => {
 		return apply(TREE, specimen, gripOf(pose(treeLayout, specimen, preset), id).reset?.() ?? {});
 	};
 
-	it("brings the preset's own numbers back, whatever the others are", () => {
+	it("restores the preset's values independently of other values", () => {
 		const twin = tree("twin");
 		const other = withNumbers(twin, { crowns: 3, distance: 11, width: 3, depth: 2, inner: 0.3, height: 2, trunk: 5 });
 		const { width, depth, inner, height, trunk, distance } = twin.parameters;
@@ -123,12 +123,12 @@ describe("a double click", () => {
 	});
 });
 
-describe("what hands make", () => {
+describe("changes by dragging", () => {
 	const linked = (specimen: ReturnType<typeof tree>) => decodeQuery(TREE, encodeQuery(TREE, specimen));
 	const asLinked = (specimen: ReturnType<typeof tree>) =>
 		expect(linked(specimen)).toEqual({ specimen: JSON.parse(JSON.stringify(specimen)), notes: [] });
 
-	it("stays within what a link can hold: targets", () => {
+	it("keeps targets within the limits of links", () => {
 		const oak = tree("oak");
 		const far = apply(TREE, oak, gripOf(boundaryPose(treeLayout, oak, oak), "target0").pull({ x: 250, y: 0 }));
 		expect(far.targets).toEqual([100, 0, 0]);
@@ -141,7 +141,7 @@ describe("what hands make", () => {
 		expect(count(withNumbers(oak, { crowns: 4, stems: 30 }))).toBe(0);
 	});
 
-	it("stays within what a link can hold: obstacles, as large as they were", () => {
+	it("keeps obstacles within the limits of links, with their sizes", () => {
 		let crowded = tree("oak");
 		for (let i = 0; i < 15; i++)
 			crowded = apply(TREE, crowded, withRound(crowded, 3 + 11 * i, { low: 2, high: 9 }, 11));
@@ -155,7 +155,7 @@ describe("what hands make", () => {
 		asLinked(apply(TREE, moved, gripOf(pose, "rounds14 corner").pull({ x: 400, y: 0 })));
 	});
 
-	it("says of each grip what keys do, and only that", () => {
+	it("describes the keys of each grip", () => {
 		const oak = apply(TREE, tree("oak"), withWall(tree("oak"), { x: 4, y: 5 }, 6));
 		const { grips } = boundaryPose(treeLayout, oak, oak);
 		const able = (which: "add" | "remove") => grips.filter((grip) => grip[which]).map(({ id }) => id);

@@ -7,7 +7,7 @@ import { changed } from "../../../../../web/src/ui/changed";
 import type { EditorContext } from "../../../../../web/src/ui/editor_context";
 import { tree } from "./particles";
 
-describe("what lays out a boundary", () => {
+describe("inputs of a boundary's geometry", () => {
 	const piecesOf = (specimen = tree("oak"), preset = tree("oak")) =>
 		layoutInputs({ state: { specimen }, preset } as Pick<EditorContext<TreeSpecimen>, "state" | "preset">);
 	const same = (specimen: TreeSpecimen) => !changed(piecesOf(oak, oak), piecesOf(specimen, oak));

@@ -1,4 +1,4 @@
-/** What tests of trees and roots share. */
+/** Helpers for tests of trees and roots. */
 import { readFileSync } from "node:fs";
 import type { Core } from "../../../../../web/src/core/core";
 import { loadCoreFromBytes } from "../../../../../web/src/core/loader";
@@ -12,7 +12,7 @@ import { TREE } from "../../../../../web/src/models/tree/schema";
 import { fromPreset } from "../../../../../web/src/specimen/from_preset";
 import type { Table } from "../../../../../web/src/specimen/table";
 
-/** The core as it was last built. */
+/** The core that was built last. */
 export const particlesCore = (): Promise<Core> =>
 	loadCoreFromBytes(readFileSync(new URL("../../../../../build/core/particles.wasm", import.meta.url)));
 
@@ -26,7 +26,7 @@ export const growBounded = (
 export const tree = (preset: string) => fromPreset(TREE, preset);
 export const root = (preset: string) => fromPreset(ROOT, preset);
 
-/** A grip of a pose, by its name. */
+/** A grip of a pose, by its id. */
 export function gripOf({ grips }: Pose, id: string): Grip {
 	const found = grips.find((each) => each.id === id);
 	if (!found) throw new Error(`There is no grip ${id} among ${grips.map((each) => each.id)}.`);

@@ -16,7 +16,7 @@ const poseOf = (specimen = tree("oak")) => boundaryPose(treeLayout, specimen, tr
 describe("a plan", () => {
 	const planOf = (specimen = tree("oak")) => planPose(treeLayout, specimen, tree(specimen.preset));
 
-	it("shows what is in front below, and moves and sizes obstacles from front to back", () => {
+	it("shows the front at the bottom, and moves and resizes obstacles in depth", () => {
 		const oak = tree("oak");
 		const one = apply(TREE, oak, withWall(oak, { x: 4, y: 5 }, 6));
 		expect(gripOf(planOf(one), "obstacles0 middle").at).toEqual({ x: 4.15, y: 0 });
@@ -56,7 +56,7 @@ describe("a plan", () => {
 });
 
 describe("targets", () => {
-	it("stand where the core puts them while the specimen says nothing", async () => {
+	it("has its targets where the core places them by default", async () => {
 		const core = await particlesCore();
 		const small = (model: string, preset: string, more: object) => {
 			const specimen = model === "tree" ? tree(preset) : root(preset);
@@ -67,9 +67,9 @@ describe("targets", () => {
 			[rootLayout, ROOT, small("root", "tap", { stems: 4 })],
 		] as const) {
 			const { targets } = growBounded(core, species.table, specimen, { meshes: false });
-			const said = (layout as typeof treeLayout).targets(specimen as never);
-			expect(said).toHaveLength(targets.length);
-			for (const [i, value] of targets.entries()) expect(said[i]).toBeCloseTo(value, 4);
+			const placed = (layout as typeof treeLayout).targets(specimen as never);
+			expect(placed).toHaveLength(targets.length);
+			for (const [i, value] of targets.entries()) expect(placed[i]).toBeCloseTo(value, 4);
 		}
 	});
 

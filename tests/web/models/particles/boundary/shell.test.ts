@@ -6,7 +6,7 @@ import { TREE } from "../../../../../web/src/models/tree/schema";
 import { tree } from "./particles";
 
 describe("a dropped mesh", () => {
-	/** A prism over an L, one unit thick, its foot to the left. */
+	/** An L-shaped prism, one unit thick, its base to the left. */
 	const L = [[0, 0], [3, 0], [3, 1], [1, 1], [1, 3], [0, 3]]; // biome-ignore format: corners
 	const mesh = {
 		points: [0, 1].flatMap((z) => L.flatMap(([x, y]) => [x, y, z])),
@@ -27,7 +27,7 @@ describe("a dropped mesh", () => {
 	});
 
 	it("is a rectangle from above, its front below", () => {
-		// Its two tops are apart in height: each has an edge of its own.
+		// Its two top faces have different heights, so each has its own edge.
 		const loops = contourOf(mesh, 2);
 		expect(loops).toHaveLength(2);
 		const xs = loops.flat().map(({ x }) => x);

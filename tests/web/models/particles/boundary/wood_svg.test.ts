@@ -7,7 +7,7 @@ import { model as tree } from "../../../../../web/src/models/tree/index";
 import { fromPreset } from "../../../../../web/src/specimen/from_preset";
 import { particlesCore } from "./particles";
 
-/** A trunk 4 m high of two pieces; from their fork a twig comes to the front, a finer one goes to the back. */
+/** A trunk 4 m high with two segments; at their fork a twig grows to the front and a thinner one to the back. */
 const forked = {
 	segments: {
 		count: 4,
@@ -40,10 +40,10 @@ describe("wood as SVG", () => {
 			[51, -149],
 		]);
 		const [, trunk] = paths;
-		// 40 cm across at the foot, 10 at the top.
+		// 40 cm wide at the base, 10 cm at the top.
 		expect(Math.abs(trunk[0][0] - trunk[trunk.length - 1][0])).toBeCloseTo(20, 1);
 		expect(Math.abs(trunk[2][0] - trunk[3][0])).toBeCloseTo(5, 1);
-		// A twig begins at the trunk's surface, not in its middle.
+		// A twig begins at the trunk's surface, not at its axis.
 		const [start, end] = [paths[2][0], paths[2][paths[2].length - 1]];
 		expect((start[0] + end[0]) / 2).toBeCloseTo((50 * 0.05) / Math.hypot(1, 1, 2), 1);
 		const greys = [...svg.matchAll(/fill="#(..)/g)].map(([, value]) => Number.parseInt(value, 16));
