@@ -33,7 +33,7 @@ TEST_CASE("a prism has 12 n darts, 2 n vertices, 3 n edges and n + 2 faces, what
 TEST_CASE("what grows where orders agree is sewn: two faces become one, and what they bound") {
   Map map;
   map.plant(6, 0);
-  const Grown up = map.grow(0, end_face, 6, 1);
+  const GrowResult up = map.grow(0, end_face, 6, 1);
   CHECK(up.refusal == Refusal::nothing);
   CHECK_FALSE(up.attached);
   CHECK(is_whole(map));
@@ -44,7 +44,7 @@ TEST_CASE("what grows where orders agree is sewn: two faces become one, and what
   CHECK(map.volume(1).parent_face == end_face);
   // Corner on corner, edge on edge.
   for (std::uint32_t i = 0; i < 6; ++i) CHECK(map.alpha(3, map.end_corner(0, i)) == map.base_corner(1, i));
-  const Grown out = map.grow(1, side(3), 4, 2);
+  const GrowResult out = map.grow(1, side(3), 4, 2);
   CHECK_FALSE(out.attached);
   CHECK(is_whole(map));
   // Its C1 is at the side's lower edge.
@@ -64,7 +64,7 @@ TEST_CASE("what grows on a base turns its first side to the base's first, and th
 TEST_CASE("where orders differ the volume stands on the face, sewn to nothing, and the face is taken") {
   Map map;
   map.plant(18, 0);
-  const Grown carpel = map.grow(0, end_face, 6, 1);
+  const GrowResult carpel = map.grow(0, end_face, 6, 1);
   CHECK(carpel.refusal == Refusal::nothing);
   CHECK(carpel.attached);
   CHECK(is_whole(map));

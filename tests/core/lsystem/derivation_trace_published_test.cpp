@@ -7,7 +7,7 @@
 
 using namespace panicle;
 using namespace panicle::tests;
-using expression::Place;
+using expression::SourceLocation;
 using lsystem::DerivationTrace;
 using lsystem::ModuleSpan;
 using lsystem::TraceEntry;
@@ -38,7 +38,7 @@ struct Grown {
 };
 
 // The text from a place on; columns count code points.
-std::string_view text_at(std::string_view text, const Place& place) {
+std::string_view text_at(std::string_view text, const SourceLocation& place) {
   for (std::uint32_t line = 1; line < place.line; ++line) text = text.substr(text.find('\n') + 1);
   std::uint32_t column = 1;
   std::size_t at = 0;
@@ -51,11 +51,11 @@ std::string_view text_at(std::string_view text, const Place& place) {
 std::string symbol_of(const std::string& module) { return module.substr(0, module.find('(')); }
 
 // Whether a traced production begins at its place in the text, with the symbol that it rewrites.
-bool stands(const Grown& grown, const Place& place, const std::string& module) {
+bool stands(const Grown& grown, const SourceLocation& place, const std::string& module) {
   return text_at(grown.text, place).starts_with(symbol_of(module));
 }
 
-bool same(const Place& one, const Place& other) { return one.line == other.line && one.column == other.column; }
+bool same(const SourceLocation& one, const SourceLocation& other) { return one.line == other.line && one.column == other.column; }
 
 // Children are the modules of the next step that have this parent, and descendants theirs.
 void check_module(const Grown& grown, const DerivationTrace& before, const DerivationTrace& after, std::size_t i) {

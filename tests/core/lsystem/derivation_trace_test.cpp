@@ -28,7 +28,7 @@ std::string parents(const DerivationTrace& trace) {
   return text;
 }
 
-std::string lines(const DerivationTrace& trace, expression::Place TraceEntry::* place) {
+std::string lines(const DerivationTrace& trace, expression::SourceLocation TraceEntry::* place) {
   std::string text;
   for (const TraceEntry& each : trace.modules())
     text += std::to_string((each.*place).line) + ":" + std::to_string((each.*place).column) + " ";

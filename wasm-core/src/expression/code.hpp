@@ -41,7 +41,7 @@ struct Value {
   bool given = false;
   Range code;
   std::uint32_t source = 0;  // register
-  Place place;
+  SourceLocation place;
 };
 
 // A function of one number through given points: monotone cubic between two of them (Fritsch and Carlson 1980), so that
@@ -55,7 +55,7 @@ struct Curve {
 
 struct Code {
   std::vector<Instruction> instructions;
-  std::vector<Place> places;        // of each instruction
+  std::vector<SourceLocation> places;        // of each instruction
   std::vector<float> registers;  // initial values: the numbers of the text
   bool doubles = false;             // whether expressions are worked out in double precision
   std::vector<double> precise;  // the same in double precision, where `doubles`

@@ -15,7 +15,7 @@ std::string sentence(const char* pattern, Pieces pieces) {
   return text;
 }
 
-Diagnostic error_at(Reason reason, const Place& place, const char* pattern, Pieces pieces) {
+Diagnostic error_at(Reason reason, const SourceLocation& place, const char* pattern, Pieces pieces) {
   return {reason, sentence(pattern, pieces), place.line, place.column};
 }
 

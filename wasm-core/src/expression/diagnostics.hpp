@@ -11,7 +11,7 @@
 namespace panicle::expression {
 
 // Counted from 1; columns count code points. 0 and 0 where no text is concerned.
-struct Place {
+struct SourceLocation {
   std::uint32_t line = 0;
   std::uint32_t column = 0;
 };
@@ -21,6 +21,6 @@ struct Place {
 using Pieces = std::initializer_list<std::string_view>;
 
 std::string sentence(const char* pattern, Pieces pieces = {});
-Diagnostic error_at(Reason reason, const Place& place, const char* pattern, Pieces pieces = {});
+Diagnostic error_at(Reason reason, const SourceLocation& place, const char* pattern, Pieces pieces = {});
 
 }  // namespace panicle::expression

@@ -88,10 +88,10 @@ class Parser {
   }
 
  private:
-  Place here() const { return place_of(tokens_, at_, end_); }
+  SourceLocation here() const { return place_of(tokens_, at_, end_); }
   const Token& token() const { return tokens_[at_]; }
 
-  bool fail(Reason reason, const Place& place, const char* pattern, Pieces pieces = {}) {
+  bool fail(Reason reason, const SourceLocation& place, const char* pattern, Pieces pieces = {}) {
     trouble_ = error_at(reason, place, pattern, pieces);
     return false;
   }
@@ -231,7 +231,7 @@ class Parser {
   }
 
   bool binary(const Operator& op) {
-    const Place place = token().place;
+    const SourceLocation place = token().place;
     if (!pop_operators(op.precedence + (op.precedence == precedence_of_power), op.precedence)) return false;
     at_ += op.text.size();
     Node node{Node::Kind::operation, op.op, 2, 0, {}, place};
@@ -307,7 +307,7 @@ class Parser {
 
 }  // namespace
 
-Place place_of(std::span<const Token> tokens, std::size_t at, std::size_t end) {
+SourceLocation place_of(std::span<const Token> tokens, std::size_t at, std::size_t end) {
   if (at < end) return tokens[at].place;
   if (at == 0) return {1, 1};
   const Token& last = tokens[at - 1];

@@ -33,6 +33,6 @@ Result<Expression> parse_expression(std::span<const Token> tokens, std::size_t& 
                                     const Names& curves, Macros& macros);
 
 // The place of `tokens[at]`, or just behind the last token before `end`.
-Place place_of(std::span<const Token> tokens, std::size_t at, std::size_t end);
+SourceLocation place_of(std::span<const Token> tokens, std::size_t at, std::size_t end);
 
 }  // namespace panicle::expression

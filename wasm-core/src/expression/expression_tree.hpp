@@ -19,14 +19,14 @@ struct Node {
   std::uint32_t arguments = 0;
   float number = 0;
   std::string_view name;  // of a value, an array or a function
-  Place place;
+  SourceLocation place;
   std::uint32_t curve = 0;  // that Op::curve reads
   double precise = 0;       // the number in double precision
 };
 
 struct Expression {
   std::vector<Node> nodes;
-  Place place;
+  SourceLocation place;
 
   bool given() const { return !nodes.empty(); }
 };
@@ -34,7 +34,7 @@ struct Expression {
 // A name and its place in the text: a parameter of a predecessor, a symbol that has a role.
 struct Named {
   std::string_view name;
-  Place place;
+  SourceLocation place;
 };
 
 }  // namespace panicle::expression

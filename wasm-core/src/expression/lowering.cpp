@@ -70,11 +70,11 @@ Result<std::uint32_t> Lowering::lower(const Expression& expression) {
 Range Lowering::finish() {
   const std::uint32_t begin = here();
   for (const Instruction& instruction : once_bound_) code_.instructions.push_back(instruction);
-  for (const Place& place : once_bound_places_) code_.places.push_back(place);
+  for (const SourceLocation& place : once_bound_places_) code_.places.push_back(place);
   return {begin, here()};
 }
 
-bool Lowering::fail(Reason reason, const Place& place, const char* pattern, Pieces pieces) {
+bool Lowering::fail(Reason reason, const SourceLocation& place, const char* pattern, Pieces pieces) {
   trouble_ = error_at(reason, place, pattern, pieces);
   return false;
 }
@@ -171,7 +171,7 @@ bool Lowering::space_query(const Node& node) {
 }
 
 // Puts the result of one or two operands from the stack in their place.
-void Lowering::calculate(Op op, std::uint32_t operands, const Place& place, std::uint32_t extra) {
+void Lowering::calculate(Op op, std::uint32_t operands, const SourceLocation& place, std::uint32_t extra) {
   Instruction instruction{op, 0, 0, 0, extra};
   if (operands > 1) instruction.b = pop();
   instruction.a = pop();
@@ -230,7 +230,7 @@ std::uint32_t Lowering::number_register(float value, double precise) {
   return number_registers_[number];
 }
 
-std::uint32_t Lowering::emit(Instruction instruction, const Place& place) {
+std::uint32_t Lowering::emit(Instruction instruction, const SourceLocation& place) {
   const bool shared = !is_random(instruction.op);
   if (shared && same_as_one_of(available_, instruction)) return instruction.out;
   instruction.out = new_register(0, Known::on_the_run);
@@ -240,7 +240,7 @@ std::uint32_t Lowering::emit(Instruction instruction, const Place& place) {
   return instruction.out;
 }
 
-std::uint32_t Lowering::emit_once_bound(Instruction instruction, const Place& place) {
+std::uint32_t Lowering::emit_once_bound(Instruction instruction, const SourceLocation& place) {
   if (same_as_one_of(once_bound_, instruction)) return instruction.out;
   instruction.out = new_register(0, Known::once_bound);
   once_bound_.push_back(instruction);

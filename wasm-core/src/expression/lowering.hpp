@@ -60,21 +60,21 @@ class Lowering {
     std::uint32_t out;
     std::size_t available;
   };
-  bool fail(Reason reason, const Place& place, const char* pattern, Pieces pieces = {});
+  bool fail(Reason reason, const SourceLocation& place, const char* pattern, Pieces pieces = {});
   bool lower_node(const Node& node);
   bool name(const Node& node);
   bool element(const Node& node);
   bool operation(const Node& node);
   bool space_query(const Node& node);
-  void calculate(Op op, std::uint32_t operands, const Place& place, std::uint32_t extra = 0);
+  void calculate(Op op, std::uint32_t operands, const SourceLocation& place, std::uint32_t extra = 0);
   void begin_branch(const Node& node);
   void end_branch(const Node& node);
   std::uint64_t stream_of(const Node& node);
   // In double precision the second value counts.
   std::uint32_t number_register(float value, double precise);
   std::uint32_t new_register(double value, Known known);
-  std::uint32_t emit(Instruction instruction, const Place& place);
-  std::uint32_t emit_once_bound(Instruction instruction, const Place& place);
+  std::uint32_t emit(Instruction instruction, const SourceLocation& place);
+  std::uint32_t emit_once_bound(Instruction instruction, const SourceLocation& place);
   std::uint32_t fold(Instruction instruction);
   std::uint32_t pop();
   void put(std::uint32_t reg) { stack_.push_back(reg); }
@@ -104,7 +104,7 @@ class Lowering {
   std::vector<Branch> branches_;
   std::vector<Instruction> available_;  // whose results can be used again here
   std::vector<Instruction> once_bound_;
-  std::vector<Place> once_bound_places_;
+  std::vector<SourceLocation> once_bound_places_;
   std::uint64_t key_ = 0;
   bool in_production_ = false;
   Diagnostic trouble_;

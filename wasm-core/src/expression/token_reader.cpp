@@ -3,7 +3,7 @@
 #include "expression/code.hpp"
 
 namespace panicle::expression {
-bool TokenReader::fail(Reason reason, const Place& place, const char* pattern, Pieces pieces) {
+bool TokenReader::fail(Reason reason, const SourceLocation& place, const char* pattern, Pieces pieces) {
   trouble_ = error_at(reason, place, pattern, pieces);
   return false;
 }
@@ -43,7 +43,7 @@ bool TokenReader::expression_to(std::size_t end, Expression& expression) {
 
 bool TokenReader::formals(std::vector<Named>& formals) {
   if (!on_sign('(')) return true;
-  const Place opened = here();
+  const SourceLocation opened = here();
   const std::size_t before = formals.size();
   ++at_;
   while (!on_sign(')')) {
@@ -61,7 +61,7 @@ bool TokenReader::formals(std::vector<Named>& formals) {
   return true;
 }
 
-bool TokenReader::too_many_parameters(const Place& place) {
+bool TokenReader::too_many_parameters(const SourceLocation& place) {
   return fail(Reason::limit, place, "A module has at most 32 parameters; split it into two.");
 }
 

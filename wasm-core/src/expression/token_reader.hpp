@@ -17,12 +17,12 @@ class TokenReader {
   explicit TokenReader(std::span<const Token> tokens) : tokens_(tokens) {}
 
  protected:
-  bool fail(Reason reason, const Place& place, const char* pattern, Pieces pieces = {});
-  bool wrong(const Place& place, const char* pattern, Pieces pieces = {}) {
+  bool fail(Reason reason, const SourceLocation& place, const char* pattern, Pieces pieces = {});
+  bool wrong(const SourceLocation& place, const char* pattern, Pieces pieces = {}) {
     return fail(Reason::syntax, place, pattern, pieces);
   }
 
-  Place here() const { return place_of(tokens_, at_, end_); }
+  SourceLocation here() const { return place_of(tokens_, at_, end_); }
   bool on_sign(char sign) const { return at_ < end_ && tokens_[at_].is(sign); }
   bool on_name() const { return at_ < end_ && tokens_[at_].kind == TokenKind::name; }
   std::string_view found() const { return at_ < end_ ? tokens_[at_].text : std::string_view("the end"); }
@@ -41,7 +41,7 @@ class TokenReader {
   // Adds the names in parentheses, where there are any.
   bool formals(std::vector<Named>& formals);
   // Fails with the error of a module with too many parameters.
-  bool too_many_parameters(const Place& place);
+  bool too_many_parameters(const SourceLocation& place);
 
   std::span<const Token> tokens_;
   std::size_t at_ = 0;

@@ -91,7 +91,7 @@ class Tokenizer {
     return at_ + offset < text_.size() ? static_cast<unsigned char>(text_[at_ + offset]) : 0;
   }
 
-  bool fail(const Place& place, const char* pattern, Pieces pieces = {}) {
+  bool fail(const SourceLocation& place, const char* pattern, Pieces pieces = {}) {
     trouble_ = error_at(Reason::syntax, place, pattern, pieces);
     return false;
   }
@@ -126,7 +126,7 @@ class Tokenizer {
   }
 
   bool pass_over_comment() {
-    const Place start = place_;
+    const SourceLocation start = place_;
     advance(1);
     advance(1);
     while (at_ < text_.size()) {
@@ -144,7 +144,7 @@ class Tokenizer {
   }
 
   bool next_token() {
-    const Place place = place_;
+    const SourceLocation place = place_;
     const std::size_t start = at_;
     const CodePoint point = decode(text_.substr(at_));
     if (is_letter(point.value) && point.bytes > 0) return name(start, place);
@@ -168,12 +168,12 @@ class Tokenizer {
     return unknown(point);
   }
 
-  bool add(TokenKind kind, std::size_t start, const Place& place, float value = 0) {
+  bool add(TokenKind kind, std::size_t start, const SourceLocation& place, float value = 0) {
     tokens_.push_back({kind, first_on_line_, place, text_.substr(start, at_ - start), value});
     return true;
   }
 
-  bool name(std::size_t start, const Place& place) {
+  bool name(std::size_t start, const SourceLocation& place) {
     while (at_ < text_.size()) {
       const CodePoint point = decode(text_.substr(at_));
       const bool part = of_rules_ && point.value == '.' && is_letter(decode(text_.substr(at_ + 1)).value);
@@ -184,7 +184,7 @@ class Tokenizer {
   }
 
   // Without its quotes.
-  bool quoted(const Place& place) {
+  bool quoted(const SourceLocation& place) {
     advance(1);
     const std::size_t begin = at_, end = text_.find_first_of("\"\n", at_);
     if (end == std::string_view::npos || text_[end] == '\n') return fail(place, "These quotes are never closed.");
@@ -201,7 +201,7 @@ class Tokenizer {
     while (is_digit(peek())) advance(1);
   }
 
-  bool number(std::size_t start, const Place& place) {
+  bool number(std::size_t start, const SourceLocation& place) {
     digits();
     if (peek() == '.') advance(1);
     digits();
@@ -254,7 +254,7 @@ class Tokenizer {
   std::string_view text_;
   bool of_rules_;
   std::size_t at_ = 0;
-  Place place_{1, 1};
+  SourceLocation place_{1, 1};
   bool first_on_line_ = true;
   std::size_t line_begin_ = 0;
   std::optional<bool> in_comment_;  // of this line, once it is known

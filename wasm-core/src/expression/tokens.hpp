@@ -17,7 +17,7 @@ enum class TokenKind : std::uint8_t { name, number, sign, arrow, quoted };
 struct Token {
   TokenKind kind = TokenKind::sign;
   bool first_on_line = false;
-  Place place;
+  SourceLocation place;
   std::string_view text;  // part of the grammar's text
   float number = 0;
   double precise = 0;  // the same in double precision

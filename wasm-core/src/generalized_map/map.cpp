@@ -166,16 +166,16 @@ void Map::attach(std::uint32_t v, std::uint32_t parent, Face face) {
   list_[parent].last_attached = v;
 }
 
-Grown Map::plant(std::uint32_t order, std::uint32_t label) {
+GrowResult Map::plant(std::uint32_t order, std::uint32_t label) {
   if (order < least_order || order > largest_order) return {Refusal::order};
   if (!room_for(prism_darts(order))) return {Refusal::full};
   return {Refusal::nothing, add_prism(order, label)};
 }
 
-Grown Map::grow(std::uint32_t v, Face face, std::uint32_t order, std::uint32_t label) {
+GrowResult Map::grow(std::uint32_t v, Face face, std::uint32_t order, std::uint32_t label) {
   if (!has(v, face)) return {Refusal::no_face};
   if (!is_free(v, face)) return {Refusal::occupied};
-  Grown grown = plant(order, label);
+  GrowResult grown = plant(order, label);
   if (grown.refusal != Refusal::nothing) return grown;
   const std::uint32_t support = dart_of(v, face);
   grown.attached = degree(support) != order;

@@ -63,7 +63,7 @@ struct Cut {
   std::uint32_t step;
 };
 
-struct Grown {
+struct GrowResult {
   Refusal refusal = Refusal::nothing;
   std::uint32_t volume = none;
   bool attached = false;  // orders differ: it stands on the face, sewn to nothing
@@ -117,11 +117,11 @@ class Map {
   std::uint32_t across_gap(std::uint32_t dart) const;
 
   // A prism for itself.
-  Grown plant(std::uint32_t order, std::uint32_t label);
+  GrowResult plant(std::uint32_t order, std::uint32_t label);
 
   // A -> A[B(n)]F: a new prism whose base is sewn to the face, its C1 at the face's first edge. Where orders differ no
   // sewing exists: then it stands on the face (`attached`), which is no longer free.
-  Grown grow(std::uint32_t v, Face face, std::uint32_t order, std::uint32_t label);
+  GrowResult grow(std::uint32_t v, Face face, std::uint32_t order, std::uint32_t label);
 
   // A: A_F < A_G -> A_F | A_G: two free faces with a common edge, and nothing between them there, become one, turned
   // about that edge. Where they have several the first of `face` counts.

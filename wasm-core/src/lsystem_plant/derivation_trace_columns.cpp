@@ -33,7 +33,7 @@ std::string refusals_of(const std::vector<TraceEntry>& modules) {
   return all;
 }
 
-Words pairs_of(const std::vector<TraceEntry>& modules, expression::Place TraceEntry::* place) {
+Words pairs_of(const std::vector<TraceEntry>& modules, expression::SourceLocation TraceEntry::* place) {
   return column_of<std::uint32_t>(modules, 2, [place](const TraceEntry& entry, std::uint32_t* at) {
     at[0] = (entry.*place).line;
     at[1] = (entry.*place).column;

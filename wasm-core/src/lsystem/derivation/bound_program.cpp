@@ -67,7 +67,7 @@ class Binder {
   }
 
  private:
-  bool fail(Reason reason, const Place& place, const char* pattern, Pieces pieces = {}) {
+  bool fail(Reason reason, const SourceLocation& place, const char* pattern, Pieces pieces = {}) {
     trouble_ = error_at(reason, place, pattern, pieces);
     return false;
   }

@@ -51,7 +51,7 @@ struct Patch {
   std::uint32_t source = 0;   // register
   Demand demand = Demand::none;
   std::uint32_t symbol = 0;
-  Place place;
+  SourceLocation place;
 };
 
 struct Birth {
@@ -73,7 +73,7 @@ struct Neighbour {
 
 struct Production {
   std::uint32_t predecessor = 0;
-  Place place;
+  SourceLocation place;
   std::uint32_t arity = 0;
   Value condition;
   Value weight;
@@ -106,7 +106,7 @@ struct Rules {
 struct Declaration {
   std::string name;
   Definition::Kind kind = Definition::Kind::define;
-  Place place;
+  SourceLocation place;
   std::vector<Value> values;  // of a #define; none where they have to be given
   std::uint32_t to = 0;       // register, or place of an array among Code::arrays
 };

@@ -75,7 +75,7 @@ class Compiler {
     return program.code;
   }
 
-  bool fail(Reason reason, const Place& place, const char* pattern, Pieces pieces = {}) {
+  bool fail(Reason reason, const SourceLocation& place, const char* pattern, Pieces pieces = {}) {
     trouble_ = error_at(reason, place, pattern, pieces);
     return false;
   }
@@ -327,7 +327,7 @@ class Compiler {
     return takes(predecessor, tree.arity, tree.place);
   }
 
-  bool takes(std::uint32_t symbol, std::size_t count, const Place& place) {
+  bool takes(std::uint32_t symbol, std::size_t count, const SourceLocation& place) {
     const TurtleSymbol& turtle = *program_->turtle(symbol);
     if (count <= turtle.most_arguments || passes_over(turtle.action)) return true;
     const std::string most = turtle.most_arguments == 0 ? " takes no argument"
@@ -441,7 +441,7 @@ class Compiler {
     return between;
   }
 
-  bool read_as_one(std::string_view name, const Place& place) {
+  bool read_as_one(std::string_view name, const SourceLocation& place) {
     return fail(Reason::syntax, place, "'%' is read as one symbol, which nothing defines; put spaces between several.",
                 {name});
   }

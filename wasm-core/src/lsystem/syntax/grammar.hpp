@@ -31,7 +31,7 @@ inline constexpr std::size_t settings_count = 8;
 // `name(arguments)` in the axiom or a successor.
 struct ModuleTree {
   std::string_view name;
-  Place place;
+  SourceLocation place;
   std::uint32_t system = 0;  // the L-system that it belongs to: a place among Grammar::systems
   std::vector<Expression> arguments;
 };
@@ -39,7 +39,7 @@ struct ModuleTree {
 // `name(formals)` beside a predecessor. Its formals stand among the production's.
 struct NeighbourTree {
   std::string_view name;
-  Place place;
+  SourceLocation place;
   std::uint32_t arity = 0;
 };
 
@@ -54,7 +54,7 @@ struct ProductionTree {
   Purpose purpose = Purpose::derivation;
   std::uint32_t system = 0;
   std::string_view predecessor;
-  Place place;
+  SourceLocation place;
   std::uint32_t arity = 0;
   std::vector<Named> formals;  // the predecessor's, then the left neighbours', then the right ones'
   std::vector<NeighbourTree> left;
@@ -70,14 +70,14 @@ struct ProductionTree {
 struct DefinitionTree {
   Definition::Kind kind = Definition::Kind::define;
   std::string_view name;
-  Place place;
+  SourceLocation place;
   std::vector<Expression> values;  // none: to be given
 };
 
 // `#curve name (x, y) (x, y) …`
 struct CurveTree {
   std::string_view name;
-  Place place;
+  SourceLocation place;
   std::vector<float> points;  // x and y of each, x ascending
 };
 

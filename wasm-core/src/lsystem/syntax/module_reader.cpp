@@ -77,7 +77,7 @@ bool ModuleReader::no_symbol(const Token& token) {
 
 bool ModuleReader::modules(std::vector<ModuleTree>& modules) {
   struct Open {
-    Place place;
+    SourceLocation place;
     std::uint32_t system;
   };
   std::vector<Open> open;
@@ -105,7 +105,7 @@ bool ModuleReader::modules(std::vector<ModuleTree>& modules) {
 
 bool ModuleReader::arguments(ModuleTree& module) {
   if (!on_sign('(')) return true;
-  const Place opened = here();
+  const SourceLocation opened = here();
   ++at_;
   if (on_sign(')')) return ++at_, true;
   for (;;) {

@@ -280,7 +280,7 @@ class GrammarParser : public ProductionReader {
   }
 
   bool no_statement(std::size_t begin) {
-    const Place& place = tokens_[begin].place;
+    const SourceLocation& place = tokens_[begin].place;
     if (is_foreign_line(begin)) return wrong(place, "%", {foreign_statement(tokens_[begin].text)});
     if (is_unknown_line(begin) && !foreign_label(tokens_[begin].text).empty())
       return wrong(place, "%", {foreign_label(tokens_[begin].text)});
@@ -397,7 +397,7 @@ class GrammarParser : public ProductionReader {
   }
 
   // `#define name(formals) body`.
-  bool macro(std::string_view name, const Place& place) {
+  bool macro(std::string_view name, const SourceLocation& place) {
     Macro macro;
     for (const Function& function : functions)
       if (function.name == name)
@@ -440,7 +440,7 @@ class GrammarParser : public ProductionReader {
   }
 
   bool point(CurveTree& curve) {
-    const Place place = here();
+    const SourceLocation place = here();
     float x = 0, y = 0;
     if (!expect('(', "A point (x, y) is expected here, not '%'.") || !number(x) ||
         !expect(',', "A comma is expected here, not '%'.") || !number(y) ||
@@ -538,7 +538,7 @@ class GrammarParser : public ProductionReader {
                    "Only the first L-system has an axiom; write what this one begins with behind ?% in a string.",
                    {grammar_.systems[system_]});
     at_ += 2;
-    const Place place = here();
+    const SourceLocation place = here();
     if (!modules(grammar_.axiom)) return false;
     if (at_ < end_) return wrong(here(), "An axiom has no weight; take out the colon.");
     return !grammar_.axiom.empty() || wrong(place, "The axiom needs at least one module, such as A(1).");
@@ -555,7 +555,7 @@ class GrammarParser : public ProductionReader {
 
   std::vector<Token> joined_;  // where lines are joined
   Names defined_;              // in the order of the text
-  std::vector<Place> places_;
+  std::vector<SourceLocation> places_;
   Names string_symbols_;  // of modules; filled on first use
   bool strung_known_ = false;
   Purpose purpose_ = Purpose::derivation;

@@ -111,8 +111,8 @@ bool ProductionReader::predecessor(ProductionTree& production) {
 bool ProductionReader::neighbours(std::size_t end, char side, std::vector<NeighbourTree>& neighbours,
                                   std::vector<Named>& beside) {
   if (on_sign('*')) return ++at_, true;
-  const Place began = here();
-  std::vector<Place> open;
+  const SourceLocation began = here();
+  std::vector<SourceLocation> open;
   while (at_ < end && !on_sign('<') && !on_sign('>')) {
     NeighbourTree neighbour{{}, here(), 0};
     const std::size_t before = beside.size();
@@ -163,7 +163,7 @@ bool ProductionReader::condition(ProductionTree& production) {
 
 // `{name = expression; …}`
 bool ProductionReader::block(std::vector<AssignmentTree>& assignments) {
-  const Place opened = here();
+  const SourceLocation opened = here();
   ++at_;
   while (!on_sign('}')) {
     if (at_ >= end_) return wrong(opened, "This { is never closed before the arrow, on the same line.");

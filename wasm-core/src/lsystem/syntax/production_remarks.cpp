@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t none = Names::none;
 
-std::string line_of(const Place& place) { return std::to_string(place.line); }
+std::string line_of(const SourceLocation& place) { return std::to_string(place.line); }
 
 // Numbers symbols. Each L-system of the text has its own symbols: the same name in another one has another number.
 class SymbolNumbers {
@@ -55,7 +55,7 @@ class ProductionChecker {
   }
 
  private:
-  void add(const Place& place, const char* pattern, Pieces pieces) {
+  void add(const SourceLocation& place, const char* pattern, Pieces pieces) {
     remarks_.push_back({sentence(pattern, pieces), place.line, place.column});
   }
 
@@ -215,7 +215,7 @@ class ProductionChecker {
   // Two symbols in the order of a string, and a place in the text.
   struct Pair {
     std::uint32_t before, after;
-    Place place;
+    SourceLocation place;
   };
 
   // The pairs of neighbours for left contexts, which follow the path to the root, or for right contexts, which follow
@@ -225,9 +225,9 @@ class ProductionChecker {
     std::vector<Pair> first;   // of each production: its symbol, and a symbol that its successor begins with
     // Pairs with a bracket between them that contexts do not pass, each once, and the place of the first.
     Names bracketed;
-    std::vector<Place> places;
+    std::vector<SourceLocation> places;
 
-    void add_bracketed(std::uint32_t before, std::uint32_t after, const Place& place) {
+    void add_bracketed(std::uint32_t before, std::uint32_t after, const SourceLocation& place) {
       if (bracketed.add(key(before, after)) == places.size()) places.push_back(place);
     }
     static std::string key(std::uint32_t before, std::uint32_t after) {
@@ -252,7 +252,7 @@ class ProductionChecker {
       if (!production.left.empty()) {
         const NeighbourTree& nearest = production.left.back();
         const std::uint32_t wanted = symbols_.number(nearest.name, production.system);
-        if (const Place* const place = only_bracketed(left_, wanted, symbol, searches))
+        if (const SourceLocation* const place = only_bracketed(left_, wanted, symbol, searches))
           add(nearest.place,
               "% is before % only in a branch that is closed between them, in line %, and a left context does not "
               "match "
@@ -262,7 +262,7 @@ class ProductionChecker {
       if (!production.right.empty() && production.right[0].name != "[") {
         const NeighbourTree& nearest = production.right[0];
         const std::uint32_t wanted = symbols_.number(nearest.name, production.system);
-        if (const Place* const place = only_bracketed(right_, symbol, wanted, searches))
+        if (const SourceLocation* const place = only_bracketed(right_, symbol, wanted, searches))
           add(nearest.place,
               "% is behind % only in a branch, in line %, and a right context skips branches; to match it there, write "
               "% > [ % ].",
@@ -273,7 +273,7 @@ class ProductionChecker {
 
   // The place where two symbols have a bracket between them, if no rewriting can make them neighbours without one; null
   // otherwise, and after `most_searches`.
-  const Place* only_bracketed(const Side& side, std::uint32_t before, std::uint32_t after,
+  const SourceLocation* only_bracketed(const Side& side, std::uint32_t before, std::uint32_t after,
                               std::size_t& searches) const {
     static constexpr std::size_t most_searches = 32;  // each visits all pairs
     const std::uint32_t found = side.bracketed.find(Side::key(before, after));

@@ -43,7 +43,7 @@ class Reader {
   }
 
  private:
-  void once(std::string_view what, const Place& place, const char* pattern, Pieces pieces = {}) {
+  void once(std::string_view what, const SourceLocation& place, const char* pattern, Pieces pieces = {}) {
     const std::uint32_t number = reported_.size();
     if (reported_.add(what) == number) remarks_.push_back({sentence(pattern, pieces), place.line, place.column});
   }

@@ -38,8 +38,8 @@ struct TraceEntry {
 
   std::string text;                  // as strings have it
   std::uint32_t parent = none;       // of the step before
-  Place production;                  // that wrote it in this step
-  Place fires;                       // that rewrites it next
+  SourceLocation production;                  // that wrote it in this step
+  SourceLocation fires;                       // that rewrites it next
   std::vector<Refusal> refusals;     // the other productions of its symbol
   std::string values;  // of its formals, then of the assignments of its blocks: `n=3 t=0.5`
   std::array<float, 3> chance = {};  // where it was drawn: the sum of all weights, its own, where in the sum it fell

@@ -12,7 +12,7 @@ namespace panicle::lsystem {
 
 // A production that does not rewrite a module, and the reason: "its condition is false with x = 3".
 struct Refusal {
-  Place production;
+  SourceLocation production;
   std::string reason;
 };
 

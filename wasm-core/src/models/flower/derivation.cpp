@@ -328,7 +328,7 @@ class Deriver {
     return derived_.records[derived_.record_of[volume]].instance;
   }
 
-  void stop(Refusal refusal, std::uint32_t step, const expression::Place& place) {
+  void stop(Refusal refusal, std::uint32_t step, const expression::SourceLocation& place) {
     stopped_ = true;
     first_note(sentence("Growth ended in step %, line %: %%",
                         {std::to_string(step), std::to_string(place.line), generalized_map::words(refusal),

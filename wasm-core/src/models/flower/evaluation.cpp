@@ -103,7 +103,7 @@ bool FlowerEvaluation::variable(std::size_t at, std::uint64_t address) {
   return true;
 }
 
-bool FlowerEvaluation::is_finite(std::uint32_t variable, float value, const expression::Place& place) {
+bool FlowerEvaluation::is_finite(std::uint32_t variable, float value, const expression::SourceLocation& place) {
   if (std::isfinite(value)) return true;
   return fail(error_at(Reason::evaluation, place, "'%' comes to %; it must be a finite number.",
                        {program_.variables[variable].name, number_text(value)}));

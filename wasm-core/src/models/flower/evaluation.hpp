@@ -71,7 +71,7 @@ class FlowerEvaluation {
   void set(Word word, float value) { registers_[static_cast<std::size_t>(word)] = value; }
   bool variables(std::uint32_t grammar, std::uint64_t address, const GivenVariables& given);
   bool variable(std::size_t at, std::uint64_t address);
-  bool is_finite(std::uint32_t variable, float value, const expression::Place& place);
+  bool is_finite(std::uint32_t variable, float value, const expression::SourceLocation& place);
   void follow(std::uint32_t begin, std::uint32_t end);
   bool count(const Number& number, std::uint32_t& steps);
 

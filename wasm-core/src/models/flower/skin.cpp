@@ -57,7 +57,7 @@ std::string strange_material(const Program& program, const Derived& derived, std
     splits[production.number] = &production;
     for (const GrowAction& growth : production.growths) growths[growth.number] = &growth;
   }
-  expression::Place place;
+  expression::SourceLocation place;
   const auto gives = [&](const Description& description) {
     const bool does = place.line == 0 && description.has(Field::material);
     if (does) place = description.places[static_cast<std::size_t>(Field::material)];

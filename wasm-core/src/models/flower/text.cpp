@@ -12,7 +12,7 @@ bool begins_character(char byte) { return (static_cast<unsigned char>(byte) & 0x
 Result<std::string> without_comments(std::string_view text) {
   std::string cleaned;
   cleaned.reserve(text.size());
-  expression::Place place{1, 1}, opened;
+  expression::SourceLocation place{1, 1}, opened;
   bool comment = false, bracket = false, other_comment = false;
   char before = 0;
   for (const char c : text) {

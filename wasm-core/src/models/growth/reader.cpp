@@ -9,7 +9,7 @@
 namespace panicle::growth {
 namespace {
 
-using expression::Place;
+using expression::SourceLocation;
 using expression::Token;
 using expression::TokenKind;
 
@@ -296,7 +296,7 @@ bool GrowthReader::place_rule(Rule rule) {
 }
 
 bool GrowthReader::numbers(std::uint32_t may_use, std::vector<Number>& values) {
-  const Place opened = here();
+  const SourceLocation opened = here();
   ++at_;
   if (on_sign(')')) return ++at_, true;
   for (;;) {

@@ -25,7 +25,7 @@ class GrowthReader : expression::TokenReader {
   const OwnRules& own_rules() const { return own_rules_; }
   std::uint32_t used() const { return used_; }
   // The first place where a rule uses D or E, which a `tree` has to define.
-  const expression::Place& needs_function() const { return needs_function_; }
+  const expression::SourceLocation& needs_function() const { return needs_function_; }
 
  private:
   bool statement();
@@ -36,7 +36,7 @@ class GrowthReader : expression::TokenReader {
   bool next_argument();
   bool attribute(std::string_view name, VolumeRule& rule);
   bool range_of(std::vector<Number>& values, bool drawn, std::string_view name, VolumeRule& rule,
-                const expression::Place& place);
+                const expression::SourceLocation& place);
   bool positional(std::vector<Number>& values, VolumeRule& rule);
   bool tree();
   bool divisor_function(TreeRule& rule);
@@ -74,7 +74,7 @@ class GrowthReader : expression::TokenReader {
   bool in_footprint_ = false;
   std::uint32_t used_ = 0;
   OwnRules own_rules_;
-  expression::Place needs_function_;
+  expression::SourceLocation needs_function_;
 };
 
 }  // namespace panicle::growth

@@ -86,7 +86,7 @@ Result<Rules> read_rules(std::string_view text, const Limits& limits) {
 
   if (!gives(rules, DivisorFunction::Of::branches, false) && (rules.uses_branch_function || rules.uses_leaf_function))
     return error_at(Reason::undefined,
-                    reader.needs_function().line > 0 ? reader.needs_function() : expression::Place{1, 1},
+                    reader.needs_function().line > 0 ? reader.needs_function() : expression::SourceLocation{1, 1},
                     "Nothing says which divisor function D is; write tree -> DivFunc(\"sigma1\"){branches}.");
   if (const DivisorFunction* const again = given_twice(rules))
     return error_at(Reason::syntax, again->place,

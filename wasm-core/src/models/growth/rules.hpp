@@ -62,7 +62,7 @@ struct Attribute {
 
 struct VolumeRule {
   std::vector<Attribute> attributes;  // later ones win
-  expression::Place place;
+  expression::SourceLocation place;
 };
 
 // `DivFunc(type, parameters){branches}`, or `{leaves}`
@@ -74,13 +74,13 @@ struct DivisorFunction {
   std::uint32_t power = 0;  // where the name has it
   bool powered = false;
   std::vector<Number> parameters;  // a where the name has no power, then b and m of a residue
-  expression::Place place;
+  expression::SourceLocation place;
 };
 
 struct TreeRule {
   std::vector<DivisorFunction> functions;
   Number weight;  // where given, one of all rules with a weight is drawn
-  expression::Place place;
+  expression::SourceLocation place;
 };
 
 struct Consequence {
@@ -97,7 +97,7 @@ struct Rule {
   std::vector<Consequence> consequences;
   Number probability;  // where given; of `bud(…) -> branch`, each bud's
   std::uint64_t stream = 0;
-  expression::Place place;
+  expression::SourceLocation place;
 };
 
 struct Rules {

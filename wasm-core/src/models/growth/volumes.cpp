@@ -223,7 +223,7 @@ bool rule_of(const DivisorFunction& function, GrowthEvaluation& evaluation, Divi
          evaluation.whole(next[0], 0, static_cast<float>(rule.modulus - 1), "The remainder", rule.remainder);
 }
 
-bool fail_at(GrowthEvaluation& evaluation, Diagnostic trouble, const expression::Place& place) {
+bool fail_at(GrowthEvaluation& evaluation, Diagnostic trouble, const expression::SourceLocation& place) {
   trouble.line = place.line;
   trouble.column = place.column;
   if (!trouble.message.empty() && trouble.message[0] >= 'a' && trouble.message[0] <= 'z')
@@ -233,7 +233,7 @@ bool fail_at(GrowthEvaluation& evaluation, Diagnostic trouble, const expression:
 }
 
 // The values of a divisor function as floats, which hold whole numbers to 2^24.
-bool values_of(const DivisorRule& rule, std::uint32_t last, const expression::Place& place, GrowthEvaluation& evaluation,
+bool values_of(const DivisorRule& rule, std::uint32_t last, const expression::SourceLocation& place, GrowthEvaluation& evaluation,
                std::vector<float>& values) {
   const auto sums = divisor_sums(rule, last);
   if (!sums) return fail_at(evaluation, sums.error(), place);

@@ -25,13 +25,13 @@ struct Setting {
   std::string key;
   std::string word;  // set where the value is not a number
   ValueRange range;
-  expression::Place place;
+  expression::SourceLocation place;
 };
 
 // A line of the plan: a model's preset, and how its plants are placed.
 struct Kind {
   std::string name;  // model/preset
-  expression::Place place;
+  expression::SourceLocation place;
   float share = 1;
   float width = 4, height = 8;  // of the crown at scale 1, metres; used for the surroundings of neighbours
   ValueRange scale{1, 1};
@@ -61,7 +61,7 @@ enum class Spacing : std::uint8_t { chance, strata, blue, rows };
 
 // `plants …` and the kinds below it.
 struct Layer {
-  expression::Place place;
+  expression::SourceLocation place;
   std::uint32_t count = 0;  // 0: as many as rows have room for
   Spacing spacing = Spacing::strata;
   float apart = 0;    // blue: the least distance, 0: chosen by the count; rows: from row to row

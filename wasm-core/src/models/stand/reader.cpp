@@ -13,7 +13,7 @@ namespace {
 
 using expression::error_at;
 using expression::number_text;
-using expression::Place;
+using expression::SourceLocation;
 using expression::Token;
 using expression::TokenKind;
 
@@ -107,7 +107,7 @@ bool PlanReader::word(std::string_view wanted, const char* otherwise) {
 }
 
 bool PlanReader::number(float least, float most, const char* what, float& value) {
-  const Place place = here();
+  const SourceLocation place = here();
   std::size_t until = at_, open = 0;
   while (until < end_ && (open > 0 || !(tokens_[until].is(',') || tokens_[until].is(':') || joins(tokens_[until])))) {
     if (tokens_[until].is('(')) ++open;
@@ -138,7 +138,7 @@ bool PlanReader::number(float least, float most, const char* what, float& value)
 }
 
 bool PlanReader::count(std::uint32_t least, std::uint32_t most, const char* what, std::uint32_t& value) {
-  const Place place = here();
+  const SourceLocation place = here();
   float found = 0;
   if (!number(static_cast<float>(least), static_cast<float>(most), what, found)) return false;
   value = static_cast<std::uint32_t>(found);
@@ -151,7 +151,7 @@ bool PlanReader::range(float least, float most, const char* what, ValueRange& ra
   range.to = range.from;
   if (!on("to")) return true;
   ++at_;
-  const Place place = here();
+  const SourceLocation place = here();
   if (!number(least, most, what, range.to)) return false;
   return range.to >= range.from || fail(Reason::evaluation, place, "A range begins with the least: % to %.",
                                         {number_text(range.to), number_text(range.from)});

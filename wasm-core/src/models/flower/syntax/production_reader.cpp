@@ -8,7 +8,7 @@
 namespace panicle::flower {
 namespace {
 
-using expression::Place;
+using expression::SourceLocation;
 using expression::Token;
 using expression::TokenKind;
 
@@ -86,7 +86,7 @@ bool FlowerReader::blocks(Blocks& blocks) {
 }
 
 bool FlowerReader::block(std::size_t& begin, std::size_t& end) {
-  const Place opened = here();
+  const SourceLocation opened = here();
   begin = ++at_;
   while (at_ < end_ && !tokens_[at_].is('}')) ++at_;
   if (at_ == end_) return wrong(opened, "This { is never closed.");
@@ -155,7 +155,7 @@ bool FlowerReader::both_blocks(const Blocks& blocks, const Production& productio
 // `-> STEM[STEM(…)]_{E}[PETAL]_{C1, C2}`
 bool FlowerReader::grow(const Blocks& blocks, Production& production) {
   ++at_;
-  const Place place = here();
+  const SourceLocation place = here();
   std::uint32_t root = 0;
   if (!label_named(root)) return false;
   if (opens(at_)) {
@@ -179,7 +179,7 @@ bool FlowerReader::grow(const Blocks& blocks, Production& production) {
 }
 
 bool FlowerReader::growth(const Blocks& blocks, Production& production) {
-  const Place opened = here();
+  const SourceLocation opened = here();
   ++at_;
   GrowAction growth;
   growth.number = program_.growths++;
@@ -282,7 +282,7 @@ bool FlowerReader::settings(GrowAction& growth) {
 }
 
 // Blocks are written once and compiled for every face: the total code has a limit.
-bool FlowerReader::too_much(const Place& place) {
+bool FlowerReader::too_much(const SourceLocation& place) {
   read_again_ += read_here_;
   if (lowering_.here() <= most_code && read_again_ <= most_code) return false;
   fail(Reason::limit, place, "The blocks of this text are worked out in too many places; make them shorter.");
@@ -291,7 +291,7 @@ bool FlowerReader::too_much(const Place& place) {
 
 // `{E}`, `{C1, C4}`, or the same without braces.
 bool FlowerReader::faces(GrowAction& growth) {
-  const Place opened = here();
+  const SourceLocation opened = here();
   const bool braces = on_sign('{');
   if (braces) ++at_;
   for (;;) {
@@ -331,9 +331,9 @@ bool FlowerReader::glue(Production& production) {
   ++at_;
   std::array<std::uint32_t, 4> labels{};
   std::array<Face, 4> sides{};
-  std::array<Place, 4> places{};
+  std::array<SourceLocation, 4> places{};
   for (std::size_t i = 0; i < 4; ++i) {
-    const Place place = places[i] = here();
+    const SourceLocation place = places[i] = here();
     if (!label_with_face(labels[i], sides[i])) return false;
     if (i == 0 && labels[0] != production.predecessor)
       return wrong(place, "The first face is one of % here, which stands before the colon.",

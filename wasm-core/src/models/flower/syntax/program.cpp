@@ -96,7 +96,7 @@ class RandomCallRewriter {
   }
 
   bool rewrite_call() {
-    const expression::Place place = tokens_[at_].place;
+    const expression::SourceLocation place = tokens_[at_].place;
     const bool first = tokens_[at_].first_on_line;
     const auto put = [&](TokenKind kind, std::string_view text, float number = 0) {
       out_.push_back({kind, first, place, text, number});
@@ -163,7 +163,7 @@ void sort_once_bound(Program& program, expression::Range all) {
   }
   expression::Code& code = program.code;
   std::vector<expression::Instruction> instructions;
-  std::vector<expression::Place> places;
+  std::vector<expression::SourceLocation> places;
   for (std::uint32_t g = 0; g < own.size(); ++g) {
     expression::Range& range = program.grammars[g].once_bound;
     range.begin = all.begin + static_cast<std::uint32_t>(instructions.size());

@@ -67,8 +67,8 @@ struct Description {
   expression::Range code;
   std::array<std::uint32_t, fields> sources{};  // registers
   std::uint16_t given = 0;                      // bits of fields
-  expression::Place place;
-  std::array<expression::Place, fields> places{};  // of given fields
+  expression::SourceLocation place;
+  std::array<expression::SourceLocation, fields> places{};  // of given fields
 
   bool has(Field field) const { return (given >> static_cast<std::uint32_t>(field) & 1) != 0; }
 };
@@ -78,7 +78,7 @@ struct Label {
   std::uint32_t grammar = 0;
   Description description;
   expression::Range productions;  // in Program::productions
-  expression::Place place;
+  expression::SourceLocation place;
 };
 
 // `E`, `O`, `C4`, or `C(expression)`.
@@ -86,7 +86,7 @@ struct FaceOf {
   Face face = generalized_map::base_face;
   bool worked_out = false;  // a side whose number is in the register `source`
   std::uint32_t source = 0;
-  expression::Place place;
+  expression::SourceLocation place;
 };
 
 // A value that a call gives one of a module's variables in place of its own: `&PETAL{len=60}`.
@@ -111,7 +111,7 @@ struct Production {
   enum class Kind : std::uint8_t { grow, glue, split };
   Kind kind = Kind::grow;
   std::uint32_t predecessor = 0;  // a label
-  expression::Place place;
+  expression::SourceLocation place;
   Number condition;      // where given
   bool by_step = false;  // whether the condition depends on steps alone
   // grow
@@ -160,7 +160,7 @@ struct Material {
   float vein_count = 0, vein_strength = 0;  // a side; 0 … 1
   bool feathered = false;                   // veins branch off one in the middle instead of spreading from the foot
   float light = 0;                          // share of light that comes through from behind
-  expression::Place place;
+  expression::SourceLocation place;
 };
 
 // The share of light that comes through a kind of material, by default.
@@ -176,7 +176,7 @@ struct Grammar {
   expression::Range once_bound;
   Number final_step;   // where given
   bool draws = false;  // whether a variable is drawn or given by a call, so that each instance has its own
-  expression::Place place;
+  expression::SourceLocation place;
 };
 
 struct Program {

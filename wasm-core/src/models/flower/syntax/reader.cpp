@@ -11,7 +11,7 @@ namespace {
 
 using expression::Expression;
 using expression::Node;
-using expression::Place;
+using expression::SourceLocation;
 using expression::Token;
 using expression::TokenKind;
 
@@ -60,7 +60,7 @@ bool FlowerReader::run() {
   }
   for (const Grammar& grammar : program_.grammars)
     if (grammar.axiom == invalid)
-      return wrong(grammar.name.empty() ? Place{1, 1} : grammar.place,
+      return wrong(grammar.name.empty() ? SourceLocation{1, 1} : grammar.place,
                    "Nothing says what %% begins with; write #axiom: and a volume's name.",
                    {grammar.name.empty() ? "the flower" : "the module ", grammar.name});
   finish();
@@ -141,7 +141,7 @@ bool FlowerReader::declare(const Statement& statement) {
 }
 
 bool FlowerReader::declare_volume(const Statement& statement) {
-  const Place place = here();
+  const SourceLocation place = here();
   const std::string key = key_of(found(), statement.grammar);
   if (labels_.find(key) != expression::Names::none)
     return wrong(place, "There is a volume % already; take one out, or call it otherwise.", {found()});
@@ -201,7 +201,7 @@ bool FlowerReader::definition() { return next_is(at_, '=') ? variable() : volume
 bool FlowerReader::volume() {
   const std::uint32_t at = find_label(found());
   Label& label = program_.labels[at];
-  const Place place = here();
+  const SourceLocation place = here();
   ++at_;
   if (at_ == end_) {
     program_.notes.push_back(expression::sentence(
@@ -217,7 +217,7 @@ bool FlowerReader::volume() {
 
 bool FlowerReader::variable() {
   const std::string_view name = found();
-  const Place place = here();
+  const SourceLocation place = here();
   at_ += 2;
   if (at_ == end_) return wrong(here(), "A value is missing here, as in #define %=7.", {name});
   lowering_.begin_production(formals_, hash_combine(hash_text("variable"), next_key()));
@@ -263,7 +263,7 @@ bool FlowerReader::description(Form form, Scope scope, Description& description)
   const std::uint32_t begin = lowering_.here();
   description.code = {begin, begin};
   if (!opens(at_)) return true;
-  const Place opened = here();
+  const SourceLocation opened = here();
   if (description.place.line == 0) description.place = opened;
   std::vector<std::pair<std::size_t, std::size_t>> entries;
   ++at_;

@@ -77,7 +77,7 @@ class FlowerReader : expression::TokenReader {
   bool growth(const Blocks& blocks, Production& production);
   bool is_unclosed(bool module);
   bool settings(GrowAction& growth);
-  bool too_much(const expression::Place& place);
+  bool too_much(const expression::SourceLocation& place);
   bool faces(GrowAction& growth);
   bool face(FaceOf& face);
   bool glue(Production& production);
