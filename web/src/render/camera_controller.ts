@@ -8,7 +8,7 @@ const MARGIN = 0.07;
 /** Where the camera stands at first, in degrees: a little to the right, a little above. */
 const AZIMUTH = 24;
 const ELEVATION = 7;
-/** The lens of who walks among plants, degrees, and how near something may come to the eye, metres. */
+/** Field of view of a walker among plants, degrees, and distance of the near plane, metres. */
 const WALKING_FOV = 58;
 const WALKING_NEAR = 0.05;
 /** How long the view takes to follow a plant that has outgrown it, ms. */
@@ -16,7 +16,7 @@ const EASE = 320;
 
 export type ViewName = "three-quarter" | "front" | "side";
 
-/** Where an eye stands and what it looks at, metres. */
+/** Position and target of the eye, metres. */
 export interface Gaze {
 	readonly eye: readonly [x: number, y: number, z: number];
 	readonly towards: readonly [x: number, y: number, z: number];
@@ -36,13 +36,13 @@ export class CameraController {
 	/** The plant shown, and the one that `#fit` fits. */
 	#profile: BoundingProfile | undefined;
 	#fitted: BoundingProfile | undefined;
-	/** Fits are for the elevation of the direction last asked for, so that turning the plant changes none. */
+	/** Elevation for which views are fitted: that of the last named view, so that turning the plant changes no fit. */
 	#fitElevation = MathUtils.degToRad(ELEVATION);
 	/** Of the view that a plant is first seen in, degrees. */
 	#firstElevation = ELEVATION;
 	/**
-	 * Whether the view follows a plant only to keep all of it in the picture: it goes back or aside from one that would leave the picture,
-	 * even while pointers do not turn the plant, and never comes nearer.
+	 * Whether the view follows a plant only to keep all of it in the picture: it moves away or sideways if the plant
+	 * would leave the picture, even while pointers do not turn the plant, and never comes nearer.
 	 */
 	keepsWhole = false;
 	/** Whether the eye stands where it was put, and not before the table. */
@@ -71,7 +71,7 @@ export class CameraController {
 		this.#place(VIEWS["three-quarter"]);
 	}
 
-	/** Distance from the eye to what it looks at. */
+	/** Distance from the eye to its target, metres. */
 	get distance(): number {
 		return this.camera.position.distanceTo(this.controls.target);
 	}
@@ -129,11 +129,11 @@ export class CameraController {
 		this.#glide = undefined;
 	}
 
-	/** Shows the whole plant, from the first direction or the one asked for. */
+	/** Shows the whole plant, from the default view or a named one. */
 	fit(view: ViewName = "three-quarter"): void {
 		if (this.#walking) return;
 		this.#glide = undefined;
-		// What is left of a throw would turn the plant on, be it by a hair.
+		// Damping is off, else the rest of a fling would go on turning the plant.
 		this.controls.enableDamping = false;
 		this.controls.update();
 		const elevation = view === "three-quarter" ? this.#firstElevation : VIEWS[view].elevation;
@@ -278,7 +278,7 @@ export class CameraController {
 		this.#setDepth(fit.distance, fit.distance);
 	}
 
-	/** What is drawn lies between these, for eyes so far from what they look at. */
+	/** Sets the near and far planes for a range of distances between eye and target. */
 	#setDepth(nearest: number, farthest: number): void {
 		this.camera.near = 0.02 * nearest;
 		this.camera.far = 10 * farthest;

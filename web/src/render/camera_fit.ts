@@ -1,4 +1,4 @@
-/** What the camera looks at, and from how far. */
+/** Target and distance at which a camera shows a whole plant. */
 export interface ViewFit {
 	target: [x: number, y: number, z: number];
 	distance: number;
@@ -8,7 +8,7 @@ export interface ViewFit {
 	breadth: number;
 }
 
-/** What a plant takes up, as balls and points; metres. */
+/** Extent of a plant as spheres and points; metres. */
 export interface Bodies {
 	/** 4 × balls: centre, radius. */
 	spheres: Float32Array;
@@ -31,7 +31,7 @@ const AROUND = Array.from({ length: TURNS }, (_, turn) => {
 	return [Math.cos(angle), Math.sin(angle)] as const;
 });
 
-/** Spun, more bodies than this are told by the outermost at each of so many heights. */
+/** Above this number of bodies, only the outermost ring at each of `LEVELS` heights is stored. */
 const MOST_RINGS = 2000;
 const LEVELS = 400;
 
@@ -92,7 +92,10 @@ function spin(
 	return rings.subarray(at);
 }
 
-/** Of very many rings those that tell how large the plant looks: at each height the one that reaches out farthest. */
+/**
+ * Reduces very many rings to those that determine the plant's apparent size: at each height, the one that reaches
+ * farthest out.
+ */
 function outermost(rings: Float32Array, height: number): Float32Array {
 	if (rings.length <= 3 * MOST_RINGS) return rings;
 	const best = new Int32Array(LEVELS + 1).fill(-1);
@@ -122,11 +125,11 @@ export interface Lens {
 }
 
 /**
- * The nearest distance from which the whole plant is seen, whichever way it is turned.
+ * Returns the nearest distance from which the whole plant is visible from all sides.
  * @param fov vertical angle of view, radians
  * @param aspect width over height
- * @param margin share of the view's height and width kept free on each side
- * @param elevation of the camera over the target's horizon, radians
+ * @param margin share of the view's height and width that stays free on each side
+ * @param elevation elevation of the camera over the target's horizon, radians
  */
 export function fitView(
 	profile: BoundingProfile,

@@ -20,7 +20,7 @@ export interface Capsules {
 	ends: Float32Array;
 }
 
-/** Each lays a soft capsule on the paper. */
+/** Each instance draws a soft capsule on the paper. */
 const VERTEX = /* glsl */ `
 attribute vec4 begins;
 attribute vec3 ends;
@@ -88,7 +88,7 @@ export class CapsuleShadow {
 		shadow.root.add(this.#mesh);
 	}
 
-	/** What casts, in place of the last. */
+	/** Replaces the bodies that cast the shadow. */
 	set({ count, begins, ends }: Capsules): void {
 		const { geometry } = this.#mesh;
 		fillInstances(geometry, "begins", begins, 4);

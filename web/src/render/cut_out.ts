@@ -1,4 +1,4 @@
-/** A plant without what stands behind it, from two pictures of it: over black and over white (Porter & Duff 1984, "matting"). */
+/** Separates a plant from its background by two pictures, over black and over white (Porter & Duff 1984, "matting"). */
 
 /** 4 × pixels each, opaque; the same, with as much of it as covers the ground, 0 … 255. */
 export function cutOut(onBlack: Uint8ClampedArray, onWhite: Uint8ClampedArray): Uint8ClampedArray<ArrayBuffer> {
@@ -14,8 +14,10 @@ export function cutOut(onBlack: Uint8ClampedArray, onWhite: Uint8ClampedArray): 
 }
 
 /**
- * What is drawn on a canvas, as a PNG with nothing behind it. All drawing is done when it returns.
- * @param draw draws it over black (0), over white (1), or over its own ground again, which comes last even where it throws
+ * Returns the drawing on a canvas as a PNG with a transparent background. All drawing is finished when the call
+ * returns.
+ * @param draw draws over black (0), over white (1), or over the usual background; the last call always restores the
+ * usual background, even after an error
  */
 export function cutOutOf(canvas: HTMLCanvasElement, draw: (ground?: 0 | 1) => void): Promise<Blob> {
 	try {

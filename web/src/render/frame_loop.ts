@@ -11,8 +11,8 @@ export interface Frame {
 }
 
 /**
- * Draws on demand: asleep until something asks for a frame, one frame per ask, coarser while a movement is slow and
- * once more in full when it has ended.
+ * Draws on demand, one frame per request. Frames are coarser while a movement is slow, and the last frame after a
+ * movement has the full resolution.
  */
 export class FrameLoop {
 	#scheduled = 0;
@@ -24,9 +24,9 @@ export class FrameLoop {
 	#stopped = false;
 
 	/**
-	 * @param draw draws one frame; true asks for another at once (a movement goes on)
+	 * @param draw draws one frame; true requests another one at once, because a movement continues
 	 * @param device `devicePixelRatio`
-	 * @param slow whether frames are known to come slowly
+	 * @param slow whether frames are known to be slow
 	 */
 	constructor(
 		readonly draw: (frame: Frame) => boolean,
@@ -45,7 +45,10 @@ export class FrameLoop {
 		return this.#ratio.rest;
 	}
 
-	/** Asks for a frame. @param moving part of a movement: it may be drawn coarser, and in full afterwards */
+	/**
+	 * Requests a frame.
+	 * @param moving the frame is part of a movement: it may be coarser, and a full frame follows the movement
+	 */
 	request(moving = false): void {
 		if (this.#stopped) return;
 		this.#moving ||= moving;

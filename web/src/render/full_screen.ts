@@ -22,11 +22,11 @@ export interface FullScreenOptions {
 	/** Finds itself in `varying vec2 place`, from −1, −1 at the lower left to 1, 1. */
 	fragmentShader: string;
 	uniforms: Record<string, IUniform>;
-	/** Whether it stands behind what has been drawn; else over it. */
+	/** Whether the triangle is drawn behind earlier drawings, else over them. */
 	behind?: boolean;
 }
 
-/** One triangle over all of a target, whatever the camera. */
+/** A triangle that covers the whole target, independent of the camera. */
 export class FullScreen {
 	readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
 	readonly #camera = new Camera();
@@ -52,7 +52,7 @@ export class FullScreen {
 		return this.mesh.material.uniforms;
 	}
 
-	/** Draws it alone, over what the target holds. */
+	/** Draws the triangle alone, over the target's content. */
 	draw(renderer: WebGLRenderer): void {
 		this.#scene ??= new Scene().add(this.mesh);
 		renderer.render(this.#scene, this.#camera);

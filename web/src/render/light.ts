@@ -33,7 +33,7 @@ export interface LightRig {
 	shadow: { depth: number; direction: Vector3 };
 	/** The paper: at its edges (the page's own colour) and where the light falls, as sRGB hexadecimal. */
 	paper: { edge: string; pool: string };
-	/** Over who stands within the figure, sRGB hexadecimal: the paper would be black over lit ground. */
+	/** Sky for a viewer within the plant, sRGB hexadecimal: the paper would look black over lit ground. */
 	sky: { horizon: string; zenith: string };
 }
 
@@ -83,8 +83,8 @@ function integral(sharpness: number): number {
 }
 
 /**
- * The lobe blurred by a unit Gaussian of the given sharpness: 1/s adds up as variances do, and what the lobe holds in
- * all stays the same.
+ * Convolves the lobe with a unit Gaussian of the given sharpness: values of 1/sharpness add up like variances, and the
+ * integral stays the same.
  */
 export function blurred(lobe: Lobe, sharpness: number): Lobe {
 	const wide = (lobe.sharpness * sharpness) / (lobe.sharpness + sharpness);

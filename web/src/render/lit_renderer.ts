@@ -1,4 +1,7 @@
-/** What is made to shine of a plant: over it, in one colour, seen faintly through what is before it. Nothing of the plant is built anew. */
+/**
+ * Highlights parts of a plant in one colour, drawn over it and faintly visible through parts in front. The plant's own
+ * meshes stay unchanged.
+ */
 import {
 	BufferAttribute,
 	BufferGeometry,
@@ -19,13 +22,13 @@ const ORDER = 8;
 /** More than these are thinned out evenly. */
 const MOST_SEGMENTS = 20_000;
 const MOST_ORGANS = 4_000;
-/** How much wider than what it covers. */
+/** Radius of a highlight, relative to the part that it covers. */
 const WIDER = 1.25;
 const UP = new Vector3(0, 1, 0);
 
 export class LitRenderer {
 	readonly object = new Group();
-	/** In sight, and through what hides it. */
+	/** Materials of the visible and of the hidden parts. */
 	readonly #materials = [material(0.78, true), material(0.22, false)];
 	readonly #tube = new CylinderGeometry(1, 1, 1, 8, 1);
 
@@ -81,7 +84,7 @@ function material(opacity: number, tested: boolean): MeshBasicMaterial {
 		depthWrite: false,
 		side: DoubleSide,
 		toneMapped: false,
-		// What lies on a blade is seen on both its sides.
+		// Highlights on a blade are visible from both sides.
 		polygonOffset: true,
 		polygonOffsetFactor: -2,
 		polygonOffsetUnits: -2,

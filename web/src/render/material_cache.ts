@@ -5,7 +5,7 @@ import { pictureTexture } from "./picture_texture";
 import { standardMaterial } from "./standard_material";
 import type { WindUniforms } from "./wind";
 
-/** The textures that are drawn, and what of a material of three's shows each. */
+/** Property of a three.js material for each kind of texture. */
 const TEXTURE_SLOTS = { colour: "map", normal: "normalMap" } as const;
 export type TextureKind = keyof typeof TEXTURE_SLOTS;
 const KINDS = Object.keys(TEXTURE_SLOTS) as TextureKind[];
@@ -16,30 +16,30 @@ const MOST_UNUSED = 24;
 interface CachedMaterial {
 	made: MeshStandardMaterial;
 	lastUsed: number;
-	/** What its textures show. */
+	/** Pictures that the textures show. */
 	shows: Partial<Record<TextureKind, Picture>>;
 }
 
 /**
- * Materials as three's, kept from one plant to the next: whoever throws the last one of a kind away throws its program
- * away too, and to build that anew takes many frames.
+ * Cache of three.js materials across plants. Disposing of the last material of a kind also disposes of its program,
+ * and compiling that again takes many frames.
  */
 export class MaterialCache {
 	readonly #light: LightUniforms;
 	readonly #wind: WindUniforms | undefined;
-	/** By all that tells two apart; with the plant that last wore them. */
+	/** Materials by a key of all properties that distinguish them. */
 	readonly #cached = new Map<string, CachedMaterial>();
 	/** The textured materials of the plant that is being dressed, in order: pictures may change, their place stays. */
 	readonly #textured = new Map<Material, number>();
 	#plant = 0;
 
-	/** @param wind what moves all that is worn; where absent it stands still */
+	/** @param wind wind that moves the parts; without it they do not move */
 	constructor(light: LightUniforms, wind?: WindUniforms) {
 		this.#light = light;
 		this.#wind = wind;
 	}
 
-	/** Another plant is to be dressed, the last one is off the stage: of what the last two have not used only some stay. */
+	/** Begins another plant. Of the materials that the last two plants did not use, only some stay cached. */
 	change(): void {
 		this.#plant++;
 		this.#textured.clear();
@@ -52,7 +52,8 @@ export class MaterialCache {
 	}
 
 	/**
-	 * What wears it says how much of the sky it sees (`sky`), vertices or instances.
+	 * Returns the three.js material for a material. Geometries that use it have an attribute `sky`, the visible share
+	 * of the sky, for vertices or instances.
 	 * @param coloured whether vertices have colours
 	 */
 	materialOf(material: Material, coloured: boolean): MeshStandardMaterial {

@@ -52,8 +52,8 @@ export class MeshShadow {
 	}
 
 	/**
-	 * What casts, in place of the last; the meshes stay whose they are.
-	 * @param blown whether wind moves what is of a material
+	 * Replaces the meshes that cast the shadow. The caller still owns the meshes.
+	 * @param blown returns whether wind moves parts of a material
 	 */
 	set(meshes: readonly Mesh<BufferGeometry, Material>[], blown: (material: Material) => boolean = () => true): void {
 		this.#clear();

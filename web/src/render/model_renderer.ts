@@ -1,4 +1,4 @@
-/** A plant as it stands on the stage. Where parts are all there is to say of a model, `partRenderer` is its figure. */
+/** Interfaces of renderers, which draw the plants of one model. Models that consist of parts use `partRenderer`. */
 import type { Object3D, PerspectiveCamera } from "three";
 import type { Sway } from "../plant/sway";
 import type { Bodies } from "./camera_fit";
@@ -15,39 +15,42 @@ export interface Ray {
 	direction: Vector;
 }
 
-/** What a figure is given to stand on. */
+/** Environment of a renderer. */
 export interface RendererStage {
 	/** Where its objects go, in the plant's metres; the viewer shows and hides it. */
 	readonly root: Object3D;
 	/** The light there is, as uniforms for shaders of its own and as the rig they are of. */
 	readonly light: StageLight;
-	/** Where it puts what casts its shadow on the paper. */
+	/** Scene for the objects that cast the shadow on the paper. */
 	readonly shadow: PaperShadow;
-	/** The wind there is, for the shaders of what it moves. */
+	/** Uniforms of the wind, for shaders of the parts that it moves. */
 	readonly wind: WindUniforms;
-	/** To be called where the figure changes by itself, so that it is drawn again; absent where nobody looks on. */
+	/** Called when the drawing changes by itself, to request a frame; absent without a viewer. */
 	readonly changed?: () => void;
 }
 
 /**
  * Draws the plants of one model, one after the other.
  * @typeParam S the model's specimen
- * @typeParam G what it grows into
+ * @typeParam G the plant grown from it
  */
 export interface ModelRenderer<S, G> {
 	/** Shows a plant in place of the last, unmarked. Cheap enough for every step of a drag. */
 	show(grown: G, specimen: S): void;
 	/** Shows something too small to see, so that every program is built before the first plant arrives. */
 	warmUp?(): void;
-	/** What the view is to hold. */
+	/** Returns the bounds that the view must contain. */
 	bounds(): Bodies;
-	/** How wind moves what is shown; where absent it stands still. */
+	/** Returns the motion of the plant in wind; without it, the plant does not move. */
 	sway?(): Sway | undefined;
-	/** Settles what depends on where the viewer stands; called before each drawing, the light aimed. */
+	/** Updates the parts that depend on the camera; called before each drawing, after the light is aimed. */
 	prepare(camera: PerspectiveCamera): void;
-	/** What is met first along a line of sight, by the model's own number for it; undefined where nothing is. */
+	/** Returns the pick id of the first part along a ray; undefined if the ray hits nothing. */
 	pick(ray: Ray): number | undefined;
-	/** Marks what `pick` found, and softly what it is a part of, where it can; undefined marks nothing. */
+	/**
+	 * Marks the part with a pick id, and softly the group that it belongs to, if the renderer supports this; undefined
+	 * removes the mark.
+	 */
 	mark(picked: number | undefined, whole?: ReadonlySet<number>): void;
 	/** Ways of showing a plant by name, the usual one first. */
 	readonly modes: readonly string[];
@@ -57,11 +60,11 @@ export interface ModelRenderer<S, G> {
 	readonly elevation?: number;
 	/** Whether it is seen from within, since `prepare`: a sky is then behind it, and no paper. */
 	readonly within?: boolean;
-	/** Settles when nothing of what is shown is still being made; absent where `show` makes all of it. */
+	/** Resolves when all parts of the plant are complete; absent if `show` completes them. */
 	whenFinished?(): Promise<void>;
-	/** The graphics card has lost all that it was given: what the page has no copy of is made anew. */
+	/** Restores GPU resources of which the page has no copy, after the graphics context was lost. */
 	restored?(): void;
-	/** Takes its objects off the stage and frees what they hold of the GPU. */
+	/** Removes the objects from the stage and frees their GPU resources. */
 	dispose(): void;
 }
 

@@ -1,6 +1,6 @@
 /**
- * How much of a lamp's light spheres take from a point: the formula that lamp_shader.ts of the bunch also evaluates at each
- * vertex. Here it serves what is settled once for a whole body.
+ * Share of a lamp's light that spheres hide from a point; the same formula as in the bunch's lamp_shader.ts, evaluated
+ * once for a whole body.
  */
 
 /**

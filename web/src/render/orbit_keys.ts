@@ -4,11 +4,14 @@ const ORBIT_STEP = 0.12;
 const PAN_STEP = 0.05;
 const ZOOM_STEP = 1.15;
 
-/** What the keys do while the view has the focus, for those who do not see the help. */
+/** Help on the keys of the focused view, for screen readers. */
 export const ORBIT_KEYS =
 	"Arrow keys orbit, with Shift they move; plus and minus go nearer and further, 0 resets the view.";
 
-/** Turns, moves and zooms by keys; tells whether the key was one of them. */
+/**
+ * Turns, moves and zooms the view by keys.
+ * @returns whether the key was one of them
+ */
 export function turnedBy(
 	view: Pick<Viewer<never, never>, "orbit" | "pan" | "zoom" | "resetView">,
 	{ key, shiftKey, ctrlKey, metaKey, altKey }: KeyboardEvent,

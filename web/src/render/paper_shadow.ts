@@ -11,9 +11,12 @@ const RESOLUTION = 160;
  * space, negative); the shadow goes there along the lamp's direction and is as soft as it has come far.
  */
 export class PaperShadow {
-	/** What casts softly of itself: meshes whose materials, made with `uniforms`, lay them on the paper, white light to black. */
+	/**
+	 * Objects that draw soft shadows themselves: their materials, made with `uniforms`, draw onto the paper, from
+	 * white for light to black.
+	 */
 	readonly root = new Scene();
-	/** What casts as from a point, to be softened (`MeshShadow`). */
+	/** Objects that cast hard shadows, as from a point light; softened afterwards (`MeshShadow`). */
 	readonly hard = new Scene();
 	readonly uniforms = {
 		paper: { value: -1 },
@@ -28,7 +31,7 @@ export class PaperShadow {
 		minFilter: LinearFilter,
 	});
 
-	/** What has been drawn: the light that is left, in each channel. */
+	/** The remaining light, in each channel. */
 	get texture() {
 		return this.#target.texture;
 	}

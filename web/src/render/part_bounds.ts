@@ -5,7 +5,7 @@ import type { Bodies } from "./camera_fit";
 /** Of a mesh that stands where it is, so many points count, evenly picked; with fewer, all do. */
 const POINTS = 400;
 
-/** What parts take up: points of their meshes, and a ball about each instance. */
+/** Returns the bounds of parts: points of their meshes, and a sphere about each instance. */
 export function boundsOf(parts: Iterable<Part>): Bodies {
 	const points: number[] = [];
 	const balls: Float32Array[] = [];

@@ -50,7 +50,7 @@ function writeMatrix(transforms: Float32Array, from: number, into: { [index: num
 export class PartMeshes {
 	readonly objects: PartObject[] = [];
 	readonly #geometries = new Map<PartMesh, BufferGeometry>();
-	/** Those with something of their instances in them, which nobody shares. */
+	/** Geometries that contain data of their instances, and so are not shared. */
 	readonly #own: BufferGeometry[] = [];
 
 	/** @param materials whose materials they wear; it stays whose it is */
@@ -93,8 +93,9 @@ export class PartMeshes {
 }
 
 /**
- * One number for all vertices of all instances, where nobody has asked what they see of the sky: so what is in passing wears the
- * programs of what stays. None is shared, for whoever throws its geometry away throws it away on the graphics card.
+ * Attribute with a fully visible sky for all vertices of all instances, for parts without computed sky: previews then
+ * use the programs of the final parts. Each call makes an attribute of its own, because disposing of a geometry frees
+ * its attributes on the graphics card.
  */
 function openSky(instances?: Instances): InstancedBufferAttribute {
 	const count = (instances?.transforms.length ?? 0) / TRANSFORM;
@@ -112,7 +113,7 @@ function geometryOf({ positions, normals, colours, sky, indices }: PartMesh): Bu
 	return geometry;
 }
 
-/** Of very many vertices so many say how large a mesh is. */
+/** Largest number of vertices sampled for the size of a mesh. */
 const MOST_SAMPLED = 20_000;
 
 /** A ball that holds points, the first three of every so many numbers, about the middle of their box: three's own takes ten times as long. */

@@ -25,7 +25,7 @@ import { windyDepth } from "./standard_material";
 
 /** The light that marks a part. */
 const MARK = new Color(0.22, 0.18, 0.12);
-/** What is laid over a id, whatever is painted there: a colour that few plants have. */
+/** Overlay of the marked triangles: a colour that few plants have. */
 const CELL = {
 	color: 0x1f6fb0,
 	transparent: true,
@@ -38,8 +38,9 @@ const CELL = {
 const WHOLE = { ...CELL, opacity: 0.22, polygonOffsetFactor: -1, polygonOffsetUnits: -1 };
 
 /**
- * The figure of any model that gives parts: drawn in three's standard material under the stage's light. `pick` gives the id of
- * meshes with `pickIds`; what has none is counted in the order of the parts, each instance by itself, from behind the last id on.
+ * Renderer for models that consist of parts, with three's standard material and the stage's light. `pick` returns the
+ * pick id of meshes with `pickIds`; other parts are numbered from the largest pick id on, in the order of the parts,
+ * each instance separately.
  */
 export class PartRenderer<S, G> implements ModelRenderer<S, G> {
 	readonly modes = ["whole"];
@@ -160,7 +161,7 @@ export class PartRenderer<S, G> implements ModelRenderer<S, G> {
 		this.#stage.root.add(mark);
 	}
 
-	/** Lays another picture on a part that is drawn with one. */
+	/** Replaces a picture of a part that is drawn with one. */
 	setPicture(name: string, kind: TextureKind, picture: Picture): void {
 		const found = this.#shown.objects.find((object) => object.name === name);
 		if (found) this.#materials.setPicture(found.material, kind, picture);

@@ -6,8 +6,8 @@ const SLOW = 42;
 const FAST = 20;
 
 /**
- * Pixels per CSS pixel while something moves: coarser where frames come slowly, finer again where they come fast. At
- * rest the picture is always drawn at the device's own ratio, so what is looked at is never coarse.
+ * Pixels per CSS pixel during movements: coarser if frames are slow, finer again if they are fast. At rest the picture
+ * has the device's own ratio.
  */
 export class PixelRatio {
 	readonly rest: number;

@@ -4,7 +4,7 @@ import type { Lobe } from "./light";
 /** Steps of the integral over a lobe. */
 const STEPS = 64;
 
-/** ∫ P_l(x) exp(s (x − 1)) dx · 2π for the bands l = 0, 1, 2: what a lobe of sharpness s holds in each. */
+/** Integral of a lobe in the bands l = 0, 1, 2: ∫ P_l(x) exp(s (x − 1)) dx · 2π, with s the sharpness. */
 function bandsOf(sharpness: number): [number, number, number] {
 	const bands: [number, number, number] = [0, 0, 0];
 	for (let i = 0; i < STEPS; i++) {
@@ -18,9 +18,10 @@ function bandsOf(sharpness: number): [number, number, number] {
 }
 
 /**
- * The surroundings' light as spherical harmonics of three bands, for three's light probe: enough for what matt surfaces
- * gather (Ramamoorthi & Hanrahan 2001, "An efficient representation for irradiance environment maps").
- * @param cameraWorld the lobes are the viewer's: turned with the camera
+ * Returns the light of the surroundings as spherical harmonics of three bands, for three's light probe: sufficient for
+ * the diffuse light of matt surfaces (Ramamoorthi & Hanrahan 2001, "An efficient representation for irradiance
+ * environment maps").
+ * @param cameraWorld matrix of the camera, which turns the lobes
  */
 export function probeOf(lobes: readonly Lobe[], cameraWorld: Matrix4): SphericalHarmonics3 {
 	const harmonics = new SphericalHarmonics3();

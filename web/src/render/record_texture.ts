@@ -3,12 +3,12 @@ import { DataTexture, FloatType, NearestFilter, RGBAFormat, RGBAIntegerFormat, U
 /** Records side by side in one row of a texture; keeps the greatest plants inside every device's texture limits. */
 export const RECORDS_PER_ROW = 64;
 
-/** Of what a texel's four words are; shaders read `words` through a `usampler2D`. */
+/** Type of a texel's four words; shaders read `words` through a `usampler2D`. */
 export type TexelKind = "floats" | "words";
 
 /**
- * A growing array of records of four-word texels that shaders read by index. Memory is kept between plants and
- * grows by halves, so that dragging neither allocates nor rebuilds.
+ * Growing array of records of four-word texels, which shaders read by index. Memory is reused between plants and grows
+ * by half, so that dragging neither allocates nor rebuilds.
  */
 export class RecordTexture {
 	texture: DataTexture;

@@ -1,17 +1,17 @@
-/** The renderer, and what there is to know of the graphics card behind it. */
+/** The WebGL renderer, and properties of its graphics card. */
 import { NeutralToneMapping, type PerspectiveCamera, SRGBColorSpace, WebGLRenderer } from "three";
 import { NoWebGL2Error } from "./no_webgl2";
 import type { Size } from "./size";
 import { SmoothEdges } from "./smooth_edges";
 
-/** What can be drawn: a `Stage`. */
+/** Something that a renderer draws: a `Stage`. */
 export interface Drawable {
 	draw(renderer: WebGLRenderer, camera: PerspectiveCamera, paper: number): void;
 }
 
 /**
- * A context of the graphics card. Browsers keep only so many of them, about sixteen a page: a page with many views makes
- * one and gives it to all of them (`ViewerOptions.renderer`), each of which copies what was drawn for it to its own canvas.
+ * Context of the graphics card. Browsers allow about sixteen contexts per page. A page with many views makes one
+ * renderer for all of them (`ViewerOptions.renderer`), and each view copies its picture to its own canvas.
  */
 export class Renderer {
 	/** Whether pictures are drawn without a graphics card: the first ones then start coarse. */
@@ -21,10 +21,10 @@ export class Renderer {
 	readonly #fits: boolean;
 
 	/**
-	 * @param canvas is as large as what was drawn last, for the one view on it; a canvas of the renderer's own, which has room
-	 * for the largest view, where there is none
-	 * @param checked whether programs are checked for errors, which waits until they are built
-	 * @throws NoWebGL2Error where the browser has no WebGL 2
+	 * @param canvas canvas of the only view, resized to each picture; if absent, the renderer has a canvas of its own,
+	 * large enough for the largest view
+	 * @param checked whether programs are checked for errors, which waits until they are compiled
+	 * @throws NoWebGL2Error if the browser has no WebGL 2
 	 */
 	constructor(canvas?: HTMLCanvasElement, checked = false) {
 		this.#fits = canvas !== undefined;
@@ -52,7 +52,7 @@ export class Renderer {
 		return this.#three.domElement;
 	}
 
-	/** Whether the card has dropped everything; `webglcontextrestored` of the canvas tells when it is back. */
+	/** Whether the context is lost; the canvas's event `webglcontextrestored` announces its return. */
 	get lost(): boolean {
 		return this.#three.getContext().isContextLost();
 	}
@@ -80,14 +80,14 @@ export class Renderer {
 		this.#three.setViewport(0, 0, width, height);
 	}
 
-	/** Copies what was drawn last, at once, before the browser takes it. */
+	/** Copies the last picture; call it in the same task, before the browser clears the canvas. */
 	copy(onto: CanvasRenderingContext2D, { width, height }: Size): void {
 		const { canvas } = onto;
 		if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
 		onto.drawImage(this.canvas, 0, this.canvas.height - height, width, height, 0, 0, width, height);
 	}
 
-	/** Settles when the card has done all that was asked of it so far. */
+	/** Resolves when the graphics card has finished all commands so far. */
 	async done(): Promise<void> {
 		if (!this.lost) await gpuDone(this.#three.getContext() as WebGL2RenderingContext);
 	}
@@ -101,10 +101,12 @@ export class Renderer {
 	}
 }
 
-/** Whether WebGL 2 draws without a graphics card: known once a context has been asked, undefined where there is none. */
+/** Whether WebGL 2 runs in software; undefined before the first check. */
 let software: boolean | undefined;
 
-/** Asks a context of its own, once: whether edges are smooth must be said before there is the one to be drawn with. */
+/**
+ * Checks this once with a context of its own, because antialiasing must be chosen before the drawing context exists.
+ */
 function drawsBySoftware(): boolean {
 	if (software !== undefined) return software;
 	const gl = document.createElement("canvas").getContext("webgl2", { antialias: false });
@@ -117,7 +119,7 @@ function drawsBySoftware(): boolean {
 	return software;
 }
 
-/** Settles when the GPU has done all that was asked of it so far; asks now and then rather than block the page. */
+/** Resolves when the GPU has finished all commands so far; polls, so that the page is not blocked. */
 async function gpuDone(gl: WebGL2RenderingContext): Promise<void> {
 	const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
 	if (!fence) return;

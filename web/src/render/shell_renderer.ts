@@ -1,4 +1,4 @@
-/** What bounds a plant, in the 3-D view: faint, and its edges where it has any. */
+/** Draws the bounding shells of a plant: faint faces, and edges between them. */
 import {
 	type BufferAttribute,
 	BufferGeometry,
@@ -29,8 +29,8 @@ export interface Shell {
 const known = new WeakMap<readonly number[], number[]>();
 
 /**
- * Which points its edges join. To find them takes longer than to lay a plant on the stage, so a body that is moved or stretched keeps
- * those it had.
+ * Returns the points that edges join. Finding edges takes longer than showing a plant, so a body that is only moved or
+ * stretched reuses its edges.
  */
 function edgesOf(faces: BufferGeometry, triangles: readonly number[]): number[] {
 	const before = known.get(triangles);

@@ -44,8 +44,9 @@ void main() {
 `;
 
 /**
- * Smooth edges for a picture drawn without: a blur along what looks like one (Lottes 2009, "FXAA", the short form, with what the long one does of single pixels). Costs
- * the same whatever is in the picture, where more samples a pixel have software shade every triangle's edge again.
+ * Antialiasing after drawing: blurs along edges (Lottes 2009, "FXAA", the short form, with the long form's treatment
+ * of single pixels). The cost does not depend on the picture; with multisampling, software would shade every
+ * triangle's edge several times.
  */
 export class SmoothEdges {
 	readonly #screen = new FullScreen({
@@ -55,7 +56,7 @@ export class SmoothEdges {
 	});
 	#picture: FramebufferTexture | undefined;
 
-	/** Smooths what stands in the lower left corner of the canvas. */
+	/** Smooths the picture in the lower left corner of the canvas. */
 	draw(renderer: WebGLRenderer, size: Size): void {
 		const picture = this.#pictureOf(size);
 		renderer.copyFramebufferToTexture(picture);

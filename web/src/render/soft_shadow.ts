@@ -12,8 +12,9 @@ import { FullScreen } from "./full_screen";
 const RESOLUTION = 400;
 
 /**
- * Each place looks how far what hides it has come, first in the large and then nearer by, and takes the mean of the disc as
- * which the lamp is seen from there (Fernando 2005, "Percentage-closer soft shadows", on a picture of the shadow).
+ * Estimates for each pixel the distance to the objects that cast the shadow, first over a large area and then over
+ * smaller ones, and averages over the lamp's disc as seen from there (Fernando 2005, "Percentage-closer soft shadows",
+ * on an image of the shadow).
  */
 const FRAGMENT = /* glsl */ `
 varying vec2 place;
@@ -59,9 +60,10 @@ export class SoftShadow {
 	});
 
 	/**
-	 * Draws into `onto` how much light is left, 1 to 0.
-	 * @param hard what casts; draws 1 and, over half the paper's distance, how far the shadow has come
-	 * @param spread the tangent of the lamp's apparent radius
+	 * Draws the remaining light, 1 to 0, into `onto`.
+	 * @param hard scene of the casting objects; draws 1, and the distance between object and paper over half the
+	 * paper's distance
+	 * @param spread tangent of the lamp's apparent radius
 	 */
 	draw(renderer: WebGLRenderer, hard: Scene, camera: PerspectiveCamera, spread: number, onto: WebGLRenderTarget): void {
 		const height = camera.aspect >= 1 ? RESOLUTION : Math.round(RESOLUTION / camera.aspect);

@@ -1,6 +1,6 @@
 /**
- * Spheres sorted into the cells of a uniform grid, so that what is near a point is found without looking at all of
- * them. Built anew for each plant from its `4 × count` array (centre x y z, radius); nothing is copied.
+ * Uniform grid of spheres, for finding the spheres near a point. Built for each plant from its `4 × count` array
+ * (centre x y z, radius), which is not copied.
  */
 export class SphereIndex {
 	readonly count: number;

@@ -8,7 +8,7 @@ import type { Drawable } from "./renderer";
 import { StageLight } from "./stage_light";
 import { Wind } from "./wind";
 
-/** A figure, its light and the paper behind it: everything that is drawn, whatever it is drawn on. */
+/** The renderer of a model, its light and the paper behind it: the whole scene, for any canvas. */
 export class Stage<S, G> implements Drawable {
 	readonly scene = new Scene();
 	readonly wind = new Wind();
@@ -47,7 +47,7 @@ export class Stage<S, G> implements Drawable {
 		this.#empty();
 	}
 
-	/** Draws the paper alone, and in passing has every program built, while the first plant is still growing. */
+	/** Draws the paper alone, and compiles all programs while the first plant is still growing. */
 	readonly warmUp: Drawable = {
 		draw: (renderer, camera, paper) => {
 			this.#renderer?.warmUp?.();
@@ -57,7 +57,7 @@ export class Stage<S, G> implements Drawable {
 		},
 	};
 
-	/** How far above the horizon the figure is to be seen from at first, degrees, where it says so. */
+	/** Elevation of the first view over the horizon, degrees, if the renderer sets one. */
 	get elevation(): number | undefined {
 		return this.#renderer?.elevation;
 	}
@@ -67,7 +67,7 @@ export class Stage<S, G> implements Drawable {
 		return this.#filled;
 	}
 
-	/** @returns what the view is to hold */
+	/** @returns bounds that the view must contain */
 	show(grown: G, specimen: S): Bodies {
 		if (!this.#renderer) throw new Error("There is no figure to show a plant with: give the viewer one to use.");
 		this.#renderer.show(grown, specimen);
@@ -115,7 +115,7 @@ export class Stage<S, G> implements Drawable {
 	}
 
 	/**
-	 * Draws everything. What depends on where the viewer stands (light, shadows, order) is settled here.
+	 * Draws the scene, after updating the parts that depend on the camera: light, shadows, order.
 	 * @param paper distance of the paper from the eye
 	 */
 	draw(renderer: WebGLRenderer, camera: PerspectiveCamera, paper: number): void {

@@ -31,7 +31,7 @@ export class StandardLights {
 		this.group.add(this.#key, this.#rim, this.#sky);
 	}
 
-	/** Has what stands within a ball throw the key light's shadow on itself. Meshes say themselves that they do. */
+	/** Makes the key light cast shadows within a sphere. Meshes set `castShadow` and `receiveShadow` themselves. */
 	shade(ball: Ball): void {
 		this.#shaded = ball;
 		const { shadow } = this.#key;
@@ -56,8 +56,8 @@ export class StandardLights {
 	}
 
 	/**
-	 * Brings the lamps to the light, which turns with the viewer.
-	 * @param wind what moves what throws shadows, where something does
+	 * Aims the lamps with the stage's light, which turns with the viewer.
+	 * @param wind wind that moves the casting objects, if any
 	 */
 	aim({ rig, uniforms }: StageLight, camera: PerspectiveCamera, wind?: WindUniforms): void {
 		const beat = wind?.windBeat.value ?? this.#beat;

@@ -27,7 +27,7 @@ export interface LampShares {
 export interface PlainOptions {
 	/** Whether vertices have colours (`color`), in place of the material's. */
 	coloured?: boolean;
-	/** What stands for the material's textures; geometries that wear it have `uv`. */
+	/** Textures of the material; geometries that use them have `uv`. */
 	maps?: { colour?: Texture; normal?: Texture };
 }
 
@@ -36,11 +36,16 @@ export interface StandardOptions extends PlainOptions {
 	/** Whether vertices or instances have `sky`, 0 none … 1 all; where they have not, all of it is open. */
 	sky?: boolean;
 	shares?: LampShares;
-	/** What moves it; where absent it stands still. `userData.blown` of the material says which. */
+	/**
+	 * Wind that moves the material's parts; without it they do not move. `userData.blown` of the material has the
+	 * choice.
+	 */
 	wind?: WindUniforms;
 }
 
-/** What three's physically based material makes of one of ours in any scene. Light through sheets and flesh is left out. */
+/**
+ * Converts a material to three's physically based material, for any scene. Light through sheets and flesh is left out.
+ */
 export function plainMaterial(material: Material, { coloured = false, maps = {} }: PlainOptions): MeshStandardMaterial {
 	const made = isPlain(material) ? new MeshStandardMaterial() : physical(material);
 	made.name = material.name;
@@ -58,12 +63,12 @@ export function plainMaterial(material: Material, { coloured = false, maps = {} 
 }
 
 /**
- * The same lit by `StandardLights`, with what those leave out: what is hidden of the sky, the surroundings' mirror image, light
+ * Converts a material for a scene lit by `StandardLights`, with hidden sky, reflections of the surroundings, and light
  * through sheets.
  */
 export function standardMaterial(material: Material, options: StandardOptions): MeshStandardMaterial {
 	const made = plainMaterial(material, options);
-	// It is laid already, and would be made a second time.
+	// The map exists already, so setPicture must not make it again.
 	if (made.map) made.userData.picture = material.textures?.colour;
 	const sheet = material.sheet && sheetUniforms();
 	made.userData.sheet = sheet;
@@ -82,7 +87,7 @@ function sheetUniforms() {
 
 type SheetUniforms = ReturnType<typeof sheetUniforms>;
 
-/** Gives a sheet's material what another one says of its other side. */
+/** Sets the properties of a sheet's reverse side from another material. */
 export function setSheet({ userData }: MeshStandardMaterial, { sheet }: Material): void {
 	const uniforms = userData.sheet as SheetUniforms | undefined;
 	if (!uniforms || !sheet) return;
@@ -91,8 +96,8 @@ export function setSheet({ userData }: MeshStandardMaterial, { sheet }: Material
 }
 
 /**
- * Lays the picture of a material on one of three's, in place of the one it has, and nothing where they are the same. Who
- * draws with it gives its meshes `uv`, and throws the texture away (`map`).
+ * Replaces the picture of a three.js material, unless it is the same. The caller gives its meshes `uv`, and disposes
+ * of the texture (`map`).
  */
 export function setPicture(made: MeshStandardMaterial, { textures }: Material): void {
 	const picture = textures?.colour;

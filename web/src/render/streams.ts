@@ -44,7 +44,7 @@ function roomyAttribute(like: TypedArray, size: number): BufferAttribute {
 	return new BufferAttribute(array, size).setUsage(DynamicDrawUsage);
 }
 
-/** The same for what each instance has of its own: `size` numbers an instance. */
+/** Fills an instanced attribute, with `size` numbers per instance, in the same way. */
 export function fillInstances(
 	geometry: InstancedBufferGeometry,
 	name: string,

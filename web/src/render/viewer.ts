@@ -14,18 +14,18 @@ export interface ViewerOptions {
 	theme?: Theme;
 	/** Takes no pointer: for pictures. */
 	still?: boolean;
-	/** Checks shaders for errors, which takes time: for whoever works on them. */
+	/** Checks shaders for errors, which takes time: for developers. */
 	checked?: boolean;
 	/** Draws this view among others; where absent, the view has a renderer of its own on its canvas. Stays whose it is. */
 	renderer?: Renderer;
 	events?: ViewerEvents;
 }
 
-/** What a viewer tells. */
+/** Events of a viewer. */
 export interface ViewerEvents {
 	/** Once, when the first draw with a plant has been submitted. */
 	firstDraw?(): void;
-	/** After every draw: what lies over the canvas may have to follow the plant. */
+	/** After every draw: overlays may have to follow the plant. */
 	drawn?(): void;
 	/** The GPU has dropped the page's pictures; the canvas is blank until `contextRestored`. */
 	contextLost?(): void;
@@ -33,17 +33,17 @@ export interface ViewerEvents {
 }
 
 /**
- * A plant, lit, on a canvas: turned, looked at closely, pointed at, pictured. Draws only when something has changed. It
- * knows no model: `use` gives it a figure, which draws the plants.
+ * View of a lit plant on a canvas, with orbiting, zooming, picking and pictures. Draws only after changes. The viewer
+ * depends on no model: `use` sets the renderer that draws the plants.
  * @typeParam S the specimen
- * @typeParam G what it grows into
+ * @typeParam G the plant grown from it
  */
 export class Viewer<S, G> {
 	readonly #canvas: HTMLCanvasElement;
 	readonly #events: ViewerEvents;
 	#drawnFirst = false;
 	readonly #renderer: Renderer;
-	/** Of a canvas that what was drawn is copied to, by a renderer that serves others, too. */
+	/** Context of a canvas to which pictures of a shared renderer are copied. */
 	readonly #copied: CanvasRenderingContext2D | undefined;
 	readonly #stage = new Stage<S, G>(() => this.#loop.request());
 	readonly #cameraController: CameraController;
@@ -177,12 +177,15 @@ export class Viewer<S, G> {
 		return { x: (0.5 + 0.5 * at.x) * this.#size.width, y: (0.5 - 0.5 * at.y) * this.#size.height };
 	}
 
-	/** What is under a point of the canvas, CSS pixels from its top left corner, by the figure's number for it, if anything. */
+	/**
+	 * Returns the pick id at a point of the canvas (CSS pixels from its top left corner); undefined if there is
+	 * nothing.
+	 */
 	pick(x: number, y: number): number | undefined {
 		return this.#stage.pick(this.rayThrough(x, y));
 	}
 
-	/** Marks what is pointed at, by the number that `pick` gives; nothing where undefined. A new plant starts without. */
+	/** Marks the part with a pick id; undefined removes the mark. A new plant has no mark. */
 	mark(picked: number | undefined, whole?: ReadonlySet<number>): void {
 		if (this.#stage.mark(picked, whole)) this.#loop.request();
 	}

@@ -1,4 +1,4 @@
-/** Wind over what stands on a stage: plant/swing.ts for shaders, and its clock. */
+/** Wind on the stage: the shader code of plant/swing.ts, and its clock. */
 import { Vector2, Vector3, Vector4 } from "three";
 import { BEAT, BRANCH, FLUTTER, LEAF, type Sway, TRUNK, WAVE } from "../plant/sway";
 import { float } from "./glsl";
@@ -7,8 +7,9 @@ import { float } from "./glsl";
 const RISE = 1.5;
 
 /**
- * For vertex shaders: `vec3 blown(vec3 point, vec3 held)` is where a point of the plant is, of what is held at `held`; without wind it
- * is the point to the bit. `swung` is the same of any foot, form (as `windForm`) and beat, where many plants stand.
+ * For vertex shaders: `vec3 blown(vec3 point, vec3 held)` returns the position of a point of a part attached at
+ * `held`; without wind exactly `point`. `swung` does the same for any base point, form (as `windForm`) and beat, for
+ * many plants.
  */
 export const WIND_CHUNK = /* glsl */ `
 uniform vec3 windFoot;
@@ -57,7 +58,7 @@ export class Wind {
 	/** Whether it blows, or will. */
 	blowing = false;
 
-	/** What it blows on from now on: nothing where absent. */
+	/** Sets the plant that the wind moves; undefined for none. */
 	fit(sway: Sway | undefined): void {
 		this.#sway = sway;
 		if (!sway) return;

@@ -1,4 +1,4 @@
-/** The pure half of the store: what a control's change makes of the document. */
+/** Applies changes of controls to a document. Pure functions. */
 
 import { withLook, withParameters, withSeed } from "../specimen/edit";
 import type { ModelSchema } from "../specimen/model_schema";

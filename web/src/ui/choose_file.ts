@@ -3,14 +3,14 @@ import { html } from "lit";
 export interface FileChoice {
 	/** As an input's `accept`. */
 	readonly accept: string;
-	/** What the input is called for screen readers. */
+	/** Accessible name of the input. */
 	readonly label: string;
 	/** On the button. */
 	readonly words: string;
 	take(file: File): void;
 }
 
-/** A button that asks for a file. */
+/** Draws a button that opens the file picker. */
 export function chooseFile({ accept, label, words, take }: FileChoice): unknown {
 	const choose = (event: Event) => ((event.currentTarget as Element).previousElementSibling as HTMLElement).click();
 	const chosen = (event: Event) => {

@@ -3,7 +3,7 @@
 const STEPS = 10;
 const WAYS: Readonly<Record<string, number>> = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 };
 
-/** What a key adds to a slider's value; undefined where the browser knows best. */
+/** Returns the amount that a key adds to a slider's value; undefined if the browser handles the key. */
 export function coarseStep(
 	step: number,
 	{ key, shiftKey }: Pick<KeyboardEvent, "key" | "shiftKey">,

@@ -4,8 +4,8 @@ import type { EditorContext } from "./editor_context";
 import { EditorElement } from "./editor_element";
 
 /**
- * A control that belongs to one model. When another model is opened, it does nothing more until the page takes it away:
- * what it would draw is not there any more.
+ * Base class of controls that belong to one model. After another model is opened, the control no longer draws, because
+ * its entries no longer exist, until the page removes it.
  */
 export abstract class ControlElement<D extends EditorContext = EditorContext> extends EditorElement<D> {
 	/** The model that was open when the page last put the control to use. */

@@ -15,12 +15,12 @@ export abstract class EditorElement<D extends EditorContext = EditorContext> ext
 
 	readonly #serial = ++made;
 	#unsubscribe: (() => void) | undefined;
-	/** What `shows` gave when it was last drawn. */
+	/** Values of `shows` at the last drawing. */
 	#shown: readonly unknown[] | undefined;
-	/** Whether it is to look what has changed, as soon as the present task is through. */
+	/** Whether a comparison of `shows` is scheduled for the end of the current task. */
 	#looking = false;
 
-	/** Draws the state; called after changes of what it shows, at most once for those that come together. */
+	/** Draws the element; called after changes of its state, once for all changes of a task. */
 	protected abstract draw(context: D): unknown;
 
 	/**

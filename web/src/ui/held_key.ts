@@ -2,7 +2,10 @@ import { KeyRuns } from "./key_runs";
 
 const MOVING_KEYS = /^(Arrow|Page|Home|End)/;
 
-/** A slider's keys, told from its drags: a press ends when the key comes up, and presses that follow each other are one step. */
+/**
+ * Distinguishes a slider's keys from its drags: a press ends when the key is released, and consecutive presses are one
+ * undo step.
+ */
 export class HeldKey {
 	#held = false;
 	#run = "";
@@ -18,7 +21,7 @@ export class HeldKey {
 	down({ key }: KeyboardEvent): void {
 		if (!MOVING_KEYS.test(key)) return;
 		this.#held = true;
-		// Arrows go to and fro in one run; what jumps is by itself.
+		// Arrow keys in both directions form one run; other keys begin a run each.
 		this.#run = this.#runs.press(key.startsWith("Arrow") ? "arrows" : key);
 	}
 
@@ -33,7 +36,7 @@ export class HeldKey {
 		this.#held = false;
 	};
 
-	/** The slider says that it has changed: by a drag, if by no key. */
+	/** The slider's `change` event: ends a drag, if no key is held. */
 	readonly slid = (): void => {
 		if (!this.#held) this.#settle();
 	};

@@ -4,13 +4,16 @@ const PAUSE = 1000;
 /** How many runs there have been on the page, so that each has a name of its own. */
 let made = 0;
 
-/** Tells runs of key presses apart: one step for the undo list each, though every press is seen at once. */
+/** Groups key presses into runs. Each run is one undo step, though every press has an immediate effect. */
 export class KeyRuns {
 	#name = "";
 	#of: string | undefined;
 	#last = Number.NEGATIVE_INFINITY;
 
-	/** The name of the run that a press belongs to. @param of what is moved: another begins a run */
+	/**
+	 * Returns the name of a press's run.
+	 * @param of the moved object: another object begins a new run
+	 */
 	press(of: string, now = performance.now()): string {
 		if (of !== this.#of || now - this.#last > PAUSE) this.#name = `keys ${++made}`;
 		this.#of = of;

@@ -4,7 +4,7 @@ import type { Plant } from "../plant/plant";
 /** The life of a plant as one parameter runs through it, with names for its stages. */
 
 export interface LifeStage {
-	/** Where it is at its most typical: what its button sets. */
+	/** Typical age of the stage, which its button sets. */
 	readonly at: number;
 	/** From where on it is called so; from `at` where absent. */
 	readonly from?: number;
@@ -18,7 +18,7 @@ export interface Life {
 	readonly name?: string;
 	/** The parameter that runs. */
 	readonly parameter: string;
-	/** What it is called: "Age". */
+	/** Label of the parameter: "Age". */
 	readonly label: string;
 	/** By `at`; the first is at the parameter's least value. */
 	readonly stages: readonly LifeStage[];
@@ -28,9 +28,9 @@ export interface Life {
 	readonly height?: number;
 	/** How long a play of the whole takes, milliseconds. */
 	readonly milliseconds: number;
-	/** What playing does: "Play from flower to ripe bunch". */
+	/** Description of playing: "Play from flower to ripe bunch". */
 	readonly play: string;
-	/** For those who hear the slider: what the numbers mean. */
+	/** Help on the numbers, for screen readers. */
 	readonly help: string;
 	/** Of a parameter in percent: in how many even steps a plant's life runs from 0 to 100, where it runs in steps: they can then be taken one by one. */
 	steps?(plant: Plant): number;
@@ -46,7 +46,7 @@ export function nextStep({ end, stages }: Life, age: number, steps: number): num
 	return next >= steps ? end : Math.min(end, Math.ceil((10_000 * (next + 0.25)) / steps) / 100);
 }
 
-/** What a plant of that age is called. */
+/** Returns the stage at an age. */
 export function stageOf({ stages }: Life, age: number): LifeStage {
 	return stages.findLast(({ at, from = at }) => from <= age) ?? stages[0];
 }

@@ -1,6 +1,6 @@
 /**
- * Lets a life run from where it stands to its end. A frame asks for the age of its own moment, and the client answers
- * the newest question only, so that nothing queues however long a growth takes.
+ * Plays a life from the current age to its end. Each frame requests the age of its own moment, and the client answers
+ * only the newest request, so that requests do not queue.
  */
 import type { Specimen } from "../specimen/specimen";
 import type { EditorContext, Stateful } from "./editor_context";
@@ -10,7 +10,7 @@ import { type Life, nextStage } from "./life";
 const STAND = 1500;
 /** A page that was hidden or busy goes on where it was, not where it would be; milliseconds. */
 const LONGEST_FRAME = 500;
-/** Ages are told to this share of a life, and no finer than a link holds them, so that it stays short. */
+/** Ages are rounded to this share of a life, and to no more decimals than a link stores, so that links stay short. */
 const SHARES = 1000;
 const FINEST = 100;
 /** The gesture of a life that runs by itself: a drag meanwhile is a step of its own. */
@@ -40,10 +40,10 @@ export class LifePlayer {
 	#isFrameDue = false;
 	#age = 0;
 	#last = 0;
-	/** What the last frame made; anything else on the controls means that a hand has taken over. */
+	/** Specimen of the last frame; any other specimen means that the user has changed a control. */
 	#made: Specimen | undefined;
 
-	/** @param state where it stands whether the life runs: whoever wants it to run or to stop says so there */
+	/** @param state tool state with `playing`; setting it starts and stops the player */
 	constructor(context: EditorContext, life: Life, state: Stateful<PlayState>, clock: Clock = FRAMES) {
 		this.#context = context;
 		this.#life = life;
@@ -111,7 +111,10 @@ export class LifePlayer {
 		return this.#life.end - this.#life.stages[0].at;
 	}
 
-	/** Moves the age on to a moment; tells whether it has moved. */
+	/**
+	 * Advances the age to a moment.
+	 * @returns whether the age changed
+	 */
 	#advance(now: number): boolean {
 		const first = Number.isNaN(this.#last);
 		const passed = first ? 0 : now - this.#last;

@@ -4,11 +4,11 @@ import type { Table } from "../specimen/table";
 import type { ReadoutRow } from "./tool";
 
 /**
- * What was measured, group by group, each with its unit, its descriptor's class, and a sentence that unfolds. What does
- * not apply is left out.
+ * Draws the measures by group, each with its unit, its descriptor's class and an explanation that unfolds. Measures
+ * that do not apply are left out.
  * @param measures in the order of the table
- * @param more rows that close their groups; a group without a measure is not shown for them alone
- * @param request what stands below a measure that another value can be asked for of; undefined where none can
+ * @param more further rows at the end of their groups; groups without a measure are not shown
+ * @param request draws the form that searches for another value of a measure; undefined if it cannot be searched for
  */
 export function measured(
 	table: Table,

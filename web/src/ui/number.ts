@@ -15,7 +15,7 @@ import { refusal } from "./typed";
  * a held key.
  */
 export class NumberControl extends EntryElement<NumberEntry> {
-	/** What became of a value that could not be taken as typed. */
+	/** Message about a typed value that was not accepted as typed. */
 	#message: { text: string | undefined; value: number } | undefined;
 	readonly #held = new HeldKey(() => this.context.settle());
 
@@ -83,9 +83,9 @@ export class NumberControl extends EntryElement<NumberEntry> {
 	};
 }
 
-/** What to say where the number taken is not the one typed; undefined where it is. */
+/** Returns a message if the number accepted is not the one typed, else undefined. */
 function complaint(entry: NumberEntry, scale: Scale, text: string, typed: number, value: number): string | undefined {
-	// What is typed finer than it is read was taken all the same.
+	// More decimals than the field shows were accepted.
 	if (Math.abs(typed - scale.per * value) < (scale.per === 1 ? 1e-9 : 10 ** -scale.decimals)) return undefined;
 	return refusal(entry.label, rangeInWords(entry, scale), text, typed, readOf(entry, scale, value));
 }

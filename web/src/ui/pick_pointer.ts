@@ -1,9 +1,9 @@
 /**
- * A pointer that picks something of the plant in the 3-D view: it marks what it is over, and a click takes that. A pointer that moves
- * while it is down turns the plant, as ever, and takes nothing.
+ * Picks parts of the plant in the 3-D view: the pointer marks the part under it, and a click takes the part. A pointer
+ * that moves while it is pressed turns the plant and takes nothing.
  */
 
-/** What the pointer has of the view. */
+/** Used part of the view. */
 export interface PickView {
 	readonly canvas: HTMLElement;
 	/** Whether pointers turn the plant: where they do not, a handle has them. */
@@ -13,9 +13,9 @@ export interface PickView {
 export interface PickHost {
 	/** The canvas's class while it picks. */
 	readonly name: string;
-	/** What is at a point of the canvas, in CSS pixels from its top left corner, by a number of its own. */
+	/** Returns the id at a point of the canvas, in CSS pixels from its top left corner. */
 	at(x: number, y: number): number | undefined;
-	/** Whether what it is over is marked; absent: it is. */
+	/** False if parts under the pointer are not marked. */
 	readonly hovers?: false;
 	mark(id: number | undefined): void;
 	take(id: number): void;

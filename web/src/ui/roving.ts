@@ -5,7 +5,10 @@ export function stopAt(row: readonly HTMLElement[], stop: HTMLElement | undefine
 	for (const item of row) item.tabIndex = item === stop ? 0 : -1;
 }
 
-/** Goes where a key leads from the one in focus, and makes that the stop; tells whether it led anywhere. */
+/**
+ * Moves the focus within the row by a key, and makes the target the tab stop.
+ * @returns whether the focus moved
+ */
 export function rove(event: KeyboardEvent, row: readonly HTMLElement[]): boolean {
 	const at = row.indexOf(event.target as HTMLElement);
 	const next = destination(event.key, at, row.length);

@@ -1,4 +1,4 @@
-/** What bounds a plant, faint in the 3-D view, on and off: a tool of whatever model has such. */
+/** Tool that shows bounding shells of a plant faintly in the 3-D view, for any model. */
 import type { SVGTemplateResult } from "lit";
 import type { Object3D } from "three";
 import type { Plant } from "../plant/plant";
@@ -7,7 +7,7 @@ import type { Specimen } from "../specimen/specimen";
 import type { EditorContext, EditorState } from "./editor_context";
 import type { Tool, ToolInteraction, ToolView } from "./tool";
 
-/** What draws them: render/shell_renderer.ts. */
+/** Draws the shells; implemented by render/shell_renderer.ts. */
 export interface ShellDrawing {
 	readonly object: Object3D;
 	/** @param colour any CSS colour */
@@ -24,11 +24,14 @@ export interface ShownShells<S extends Specimen, G extends Plant = Plant> {
 	readonly label: string;
 	/** Whether they are shown at first; the default is no. */
 	readonly initial?: boolean;
-	/** What is said where the drawing does not come. */
+	/** Notice if the renderer fails to load. */
 	readonly fetchFailedMessage: string;
-	/** Fetches what draws them. */
+	/** Loads the renderer. */
 	renderer(): Promise<ShellDrawing>;
-	/** In the plant's metres; `grown` is the last plant, for those that it tells of. */
+	/**
+	 * Returns the shells in the plant's metres.
+	 * @param grown the last plant, if shells depend on it
+	 */
 	shells(specimen: S, grown: G | undefined): readonly ClosedMesh[];
 	/** Whether they are the last plant's as well as the specimen's; the default is no. */
 	ofPlant?: true;
@@ -56,7 +59,7 @@ class ShellInteraction<S extends Specimen, G extends Plant> implements ToolInter
 	readonly #context: EditorContext<S, G>;
 	readonly #options: ShownShells<S, G>;
 	readonly #tool: Tool<S, G, boolean>;
-	/** Loaded when first asked for. */
+	/** Loaded on first use. */
 	#renderer: Promise<ShellDrawing | undefined> | undefined;
 	#shown: { readonly specimen: S; readonly dark: boolean; readonly grown: G | undefined } | undefined;
 	#disposed = false;
@@ -106,7 +109,7 @@ class ShellInteraction<S extends Specimen, G extends Plant> implements ToolInter
 		this.#view.requestRender();
 	}
 
-	/** Where the script does not come, the tool is off again, and the next press asks for it anew. */
+	/** If the script fails to load, the tool is switched off, and pressing its button retries. */
 	async #fetch(): Promise<ShellDrawing | undefined> {
 		const renderer = await this.#options.renderer().catch(() => undefined);
 		if (!renderer) {

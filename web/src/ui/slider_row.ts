@@ -9,9 +9,9 @@ export interface SliderRow {
 	/** The slider's, on the page. */
 	readonly id: string;
 	readonly label: unknown;
-	/** What the slider is called, where its label leaves open of what it is one. */
+	/** Accessible name of the slider, if its label is not sufficient. */
 	readonly name?: string;
-	/** What the field is called. */
+	/** Accessible name of the field. */
 	readonly typedName: string;
 	readonly min: number;
 	readonly max: number;
@@ -20,14 +20,17 @@ export interface SliderRow {
 	/** The value as the field shows it. */
 	readonly text: string;
 	readonly unit?: string;
-	/** The value as it is spoken, where its number says too little. */
+	/** The value in words, if the number is not sufficient. */
 	readonly spoken?: string;
-	/** What it does and how far it goes. */
+	/** Effect and range of the number. */
 	readonly help: string;
 	readonly held: HeldKey;
 	/** While the hand moves: to any value, which may lie beyond the ends. */
 	readonly slide: (value: number) => void;
-	/** What is typed; NaN where it is no number. Returns what the field shows then. */
+	/**
+	 * Called with a typed number, NaN for other text.
+	 * @returns the text that the field shows then
+	 */
 	readonly type: (typed: number, text: string) => string;
 	/** By Delete, or a double click. */
 	readonly reset?: () => void;
@@ -37,8 +40,9 @@ const TYPED = "input.typed";
 const SLIDER = "input[type=range]";
 
 /**
- * What stands in a `.control` of its own: label, slider, the field beside it, its unit. One stop of the Tab key: Enter or a digit on
- * the slider goes to the field, Enter or Escape there goes back. What is half typed stays when it is drawn anew.
+ * Draws the content of a `.control`: label, slider, the field beside it, its unit. The row is one stop of the Tab key:
+ * Enter or a digit on the slider moves the focus to the field, and Enter or Escape there moves it back. Redrawing
+ * retains unfinished typing.
  */
 export function sliderRow(row: SliderRow): TemplateResult {
 	const { id, min, max, step, value, text, unit = "", held, reset } = row;

@@ -1,4 +1,4 @@
-/** Units as they are said. */
+/** Units as words. */
 
 const SPOKEN: Readonly<Record<string, string>> = {
 	px: "pixels",

@@ -1,8 +1,8 @@
 import { html, nothing } from "lit";
 
 /**
- * A symbol as the paper sets it: `α_y`, `w₃` and `b min` in italics, with what follows as a subscript. Decorative: the
- * words beside it say the same.
+ * Draws a symbol as in the paper: `α_y`, `w₃` and `b min` in italics, with the rest as a subscript. Decorative: the
+ * label beside it has the same meaning.
  */
 export function symbol(text: string): unknown {
 	if (text === "") return nothing;

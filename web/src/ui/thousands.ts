@@ -1,4 +1,4 @@
-/** "67108864 words" → "67,108,864 words": the core writes numbers bare, for whoever reads them by program. */
+/** "67108864 words" → "67,108,864 words": the core writes numbers without separators, for programs. */
 export function withThousands(text: string): string {
 	return text.replace(/[\d.,]+/g, (run) => {
 		const [digits] = run.split(/[.,]/, 1);

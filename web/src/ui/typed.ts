@@ -7,27 +7,29 @@ export function readTyped(text: string): number {
 }
 
 /**
- * What to say where the number taken is not what was typed.
- * @param range "1 … 21." @param typed NaN where the text is no number @param taken as the field shows it
+ * Returns a message if the number accepted is not what was typed.
+ * @param range "1 … 21."
+ * @param typed NaN if the text is no number
+ * @param taken as the field shows it
  */
 export function refusal(label: string, range: string, text: string, typed: number, taken: string): string {
 	if (!Number.isFinite(typed)) return `“${text.slice(0, 20)}” is not a number; ${label} stays ${taken}.`;
 	return `${label} takes ${range} ${typed} became ${taken}.`;
 }
 
-/** Whether a key on a slider is for the field beside it: Enter, or what a number begins with. */
+/** Whether a key on a slider belongs to the field beside it: Enter, or a character that begins a number. */
 export function isForField({ key, ctrlKey, metaKey, altKey }: KeyboardEvent): boolean {
 	return !ctrlKey && !metaKey && !altKey && (key === "Enter" || /^[-−.,\d]$/.test(key));
 }
 
-/** Takes the focus to the field; what was typed goes into it, in place of what is there. */
+/** Moves the focus to the field; a typed character replaces its content. */
 export function handOver(event: KeyboardEvent, field: HTMLInputElement | null): void {
 	if (event.key === "Enter") event.preventDefault();
 	field?.focus();
 	field?.select();
 }
 
-/** In the field: Enter takes what was typed, Escape leaves it, and both go back to the slider. */
+/** In the field, Enter accepts the text, Escape discards it, and both move the focus back to the slider. */
 export function handBack(event: KeyboardEvent, value: number | string, slider: HTMLInputElement | null): void {
 	if (event.key !== "Enter" && event.key !== "Escape") return;
 	event.preventDefault();

@@ -1,27 +1,31 @@
 /**
- * The drags going on in one view, one handle to a pointer: what comes between pointer events and a model's pure maths.
- * Live events are held to one a frame; the change is told once, when the last pointer lets go, so that one drag (even of
- * two fingers) is one undo step. It knows neither DOM nor three.js: flat views and handles in three dimensions share it.
+ * Drags in progress in one view, one handle per pointer: connects pointer events with a model's pure functions. Live
+ * events are limited to one per frame; the change is reported once, when the last pointer is released, so that one
+ * drag, even with two fingers, is one undo step. Independent of DOM and three.js, and so shared by flat and
+ * three-dimensional views.
  */
 import type { Point } from "./point";
 
-/** H names a handle, S is what drags change, K what is known of the keys held meanwhile. */
+/** H: name of a handle. S: state that drags change. K: modifier keys held during a drag. */
 export interface DragHost<H, S, K> {
-	/** What a drag changes, as it is now; others may have changed it since the last call. */
+	/** Returns the current state; other code may have changed it since the last call. */
 	get(): S;
 	/** Where a handle stands, in the units of the places that the session is given. */
 	place(handle: H): Point;
-	/** What comes of a handle taken to a place; `from` is where it stood when it was taken hold of. */
+	/**
+	 * Returns the state after dragging a handle to a position. `from` is the handle's position at the beginning of the
+	 * drag.
+	 */
 	pull(state: S, handle: H, to: Point, held: { readonly from: Point; readonly keys?: K }): S;
 	/** Whether two are the same in all that a drag here changes. */
 	same(one: S, other: S): boolean;
-	/** What a drag called off leaves of `now`; the default is all as it was before. */
+	/** Returns the state after cancelling a drag; the default is the whole state before the drag. */
 	restored?(now: S, before: S): S;
 	/** Whether a second finger has to wait. */
 	readonly alone?: boolean;
-	/** Live, at most once a frame; also with what was before, when a drag is called off. */
+	/** Reports a live state, at most once per frame; also the restored state when a drag is cancelled. */
 	input(state: S): void;
-	/** A drag of which anything was told is over. */
+	/** Ends a drag of which at least one state was reported. */
 	change(): void;
 	/** Calls back before the next frame; the default is the page's. */
 	schedule?(callback: () => void): void;
@@ -41,7 +45,7 @@ export class DragSession<H, S, K = undefined> {
 	readonly #host: DragHost<H, S, K>;
 	readonly #held = new Map<number, Held<H, K>>();
 	#before: { readonly state: S } | undefined;
-	/** Whether the host was told anything of this drag, and so must be told of its end. */
+	/** Whether a state of the current drag was reported, so that `change` must follow. */
 	#reported = false;
 	#scheduled = false;
 
@@ -94,7 +98,7 @@ export class DragSession<H, S, K = undefined> {
 		if (!this.active) this.#over();
 	}
 
-	/** Lets go of every handle and puts back what drags here change; what others changed meanwhile stays. */
+	/** Releases all handles and restores the dragged values; other changes since the beginning stay. */
 	cancel(): void {
 		if (!this.#before) return;
 		const { state } = this.#before;
@@ -103,7 +107,7 @@ export class DragSession<H, S, K = undefined> {
 		this.#over();
 	}
 
-	/** Lets go of every handle; what they have changed stays. */
+	/** Releases all handles and retains the dragged values. */
 	drop(): void {
 		if (!this.#before) return;
 		this.#held.clear();

@@ -1,4 +1,4 @@
-/** Escape while something is in hand: heard before the page, whatever has the focus. */
+/** Handles Escape during a drag before the rest of the page, independent of the focus. */
 export class EscapeKey {
 	readonly #pressed: () => void;
 

@@ -1,8 +1,8 @@
 import { css } from "lit";
 
 /**
- * The look of flat views: fine ink lines on the page's paper, one accent for what can be taken hold of. The page's theme
- * reaches in through --ink, --paper and --accent; what stands here is for a page without them.
+ * Style of flat views: ink lines on the page's paper, and an accent colour for draggable elements. The page's theme
+ * sets --ink, --paper and --accent; the defaults are for pages without a theme.
  */
 export const handleStyle = css`
 	:host {

@@ -1,6 +1,6 @@
 /**
- * A flat view with handles: hands, keys and voice. Subclasses say what is drawn, where the handles stand and what moving
- * them does; the document stays with the page.
+ * Base class of flat views with draggable handles, with pointer, keyboard and screen reader support. Subclasses define
+ * the drawing, the handles' positions, and the effect of moving them; the page owns the document.
  */
 import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { classMap } from "lit/directives/class-map.js";
@@ -13,7 +13,7 @@ import { nearest, type Point } from "./point";
 /** Radius within which a handle can be taken hold of, in CSS pixels: half of 44, the least for a thumb. */
 const REACH = 22;
 
-/** A session, of whatever it changes. */
+/** Drag session with any state. */
 type Drags<H, K> = Pick<DragSession<H, unknown, K>, "active" | "holds" | "begin" | "move" | "end" | "cancel" | "drop">;
 
 export interface HandleLook {
@@ -24,11 +24,11 @@ export interface HandleLook {
 	kind?: string;
 	/** Whether Tab comes to it. */
 	tab?: boolean;
-	/** Ids of what is said of its keys. */
+	/** Ids of elements that describe its keys. */
 	help?: string;
 }
 
-/** H: the names of handles. K: what a drag is told of the keys held meanwhile. */
+/** H: names of handles. K: modifier keys held during a drag. */
 export abstract class HandleView<H extends string, K = undefined> extends LitElement {
 	static override styles = [handleStyle];
 
@@ -36,13 +36,13 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 	protected size = { width: 240, height: 240 };
 	/** The handle the mouse is over or the keyboard is on. */
 	protected shown: H | undefined;
-	/** What a screen reader says after a key step. */
+	/** Announcement to screen readers after a key step. */
 	#spoken = "";
 	/** Whether the focus came from a pointer, which needs no ring nor numbers to be seen. */
 	#pointed = false;
 	#observed: Element | null = null;
 	readonly #runs = new KeyRuns();
-	/** The run of key presses that is being told of. */
+	/** Current run of key presses. */
 	#run: string | undefined;
 	readonly #escape = new EscapeKey(() => this.cancel());
 	readonly #resized = new ResizeObserver(([{ contentRect }]) => {
@@ -53,9 +53,9 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 		this.requestUpdate();
 	});
 
-	/** What the view is called. */
+	/** Accessible name of the view. */
 	protected abstract readonly heading: string;
-	/** What keys do, for those who hear the view. */
+	/** Description of the keys, for screen readers. */
 	protected abstract readonly help: string;
 	protected abstract readonly drags: Drags<H, K>;
 
@@ -67,7 +67,10 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 	protected abstract units(place: Point): Point;
 	/** Where a handle stands, in words. */
 	protected abstract words(handle: H): string;
-	/** What a key does on a handle; false for nothing. */
+	/**
+	 * Handles a key on a handle.
+	 * @returns whether the key had an effect
+	 */
 	protected abstract key(handle: H, event: KeyboardEvent): boolean;
 	/** A double click, on a handle where there is one within reach. */
 	protected abstract doubled(handle: H | undefined, at: Point): void;
@@ -77,7 +80,7 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 	/** A handle has the focus. */
 	protected focused(_handle: H): void {}
 	protected resized(): void {}
-	/** What stands below the field. */
+	/** Content below the field. */
 	protected below(): unknown {
 		return nothing;
 	}
@@ -245,7 +248,10 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 		this.show(handle);
 	}
 
-	/** Enter, the space bar or a screen reader presses a handle: where it stands is said. A pointer's click says nothing. */
+	/**
+	 * Announces a handle's position when Enter, the space bar or a screen reader presses it; a pointer's click
+	 * announces nothing.
+	 */
 	#onClick(event: MouseEvent): void {
 		const handle = handleOf<H>(event);
 		if (handle === undefined || event.detail > 0) return;

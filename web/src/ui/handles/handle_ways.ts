@@ -9,10 +9,16 @@ export interface Ray {
 
 /** Sine of the angle between sight and plane under which the plane counts as seen edge-on (about 10°). */
 const GRAZING = 0.17;
-/** Sine of the angle between sight and line under which the line counts as seen end-on; a pointer then says nothing. */
+/**
+ * Sine of the angle between ray and line below which the line counts as seen end-on, where a pointer's position is
+ * meaningless.
+ */
 const END_ON = 0.02;
 
-/** The ways of a handle that the eye can tell apart: taken once, when it is taken hold of, so that they do not change in mid-drag. */
+/**
+ * Returns the directions in which a handle can visibly move. Computed once at the beginning of a drag, so that they
+ * stay constant.
+ */
 export function visibleWays(along: readonly Vector[], ray: Ray): readonly Vector[] {
 	if (along.length < 2) return along;
 	const sight = unit(ray.direction);
@@ -27,7 +33,7 @@ export function visibleWays(along: readonly Vector[], ray: Ray): readonly Vector
 	return [one <= other ? along[0] : along[1]];
 }
 
-/** The place on those ways that is under the ray, or nearest to it; undefined where it says none. */
+/** Returns the position along the directions that is under the ray, or nearest to it; undefined if there is none. */
 export function placeUnder(at: Vector, ways: readonly Vector[], ray: Ray): Vector | undefined {
 	return ways.length === 2 ? onPlane(at, cross(ways[0], ways[1]), ray) : onLine(at, ways[0], ray);
 }

@@ -6,7 +6,7 @@ import type { ToolInteraction } from "../tool";
 
 export interface LazyInteractionOptions<S extends Specimen, G extends Plant> {
 	readonly context: EditorContext<S, G>;
-	/** Whether there is anything to take hold of; once there was, every change is told. */
+	/** Returns whether the script is needed; after the first time, every change is passed on. */
 	wanted(state: EditorState<S, G>): boolean;
 	fetch(): Promise<ToolInteraction<S, G>>;
 	/** Puts the tool back to where its button fetches them anew. */

@@ -1,12 +1,12 @@
-/** Handles on the plant itself, in three dimensions: what a model says of them. Types only. */
+/** Types of handles on the plant itself, in three dimensions. */
 import type { Change } from "../editor_context";
 
 export type Vector = readonly [x: number, y: number, z: number];
 
-/** Something to take hold of, and what hands do to it: changes of the specimen that it was made of. */
+/** A draggable handle. Its methods return changes of the specimen that it was made from. */
 export interface PlantHandle {
 	readonly id: string;
-	/** What it is: "Length". */
+	/** Name of the handle: "Length". */
 	readonly label: string;
 	/** Where it stands, in words: "14.2 mm". */
 	readonly value: string;
@@ -27,7 +27,7 @@ export interface PlantHandle {
 /** All that is shown of them. */
 export interface PlantHandles {
 	readonly handles: readonly PlantHandle[];
-	/** Lines that show what they shape, from end to end. */
+	/** Polylines that show the handles' shape. */
 	readonly lines: readonly (readonly Vector[])[];
 }
 

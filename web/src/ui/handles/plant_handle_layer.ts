@@ -9,18 +9,18 @@ import type { PlantHandle, PlantHandles, Vector } from "./plant_handle";
 import { HANDLES_STYLE } from "./plant_handles_style";
 import { ARROWS, nearest, type Point } from "./point";
 
-/** What it has of the picture and of the document. */
+/** View and document as the layer uses them. */
 export interface HandleHost {
 	readonly canvas: HTMLCanvasElement;
 	/** Where a place is seen: CSS pixels from the canvas's upper left corner. */
 	project(at: Vector): Point;
-	/** What a point of the canvas looks along. */
+	/** Returns the ray through a point of the canvas. */
 	rayThrough(x: number, y: number): Ray;
-	/** A handle is taken hold of: what a cancelled drag brings back. */
+	/** A drag begins; `cancel` must restore the state of this moment. */
 	begin?(): void;
-	/** What a hand does; the handles are laid anew of it, at once. */
+	/** Applies a change at once; the host then sets the handles again. */
 	change(change: Change): void;
-	/** A hand has come to rest. */
+	/** The drag or key press ends. */
 	settle(): void;
 	/** A drag is called off. */
 	cancel(): void;
@@ -54,7 +54,7 @@ export class PlantHandleLayer {
 	#handles: readonly PlantHandle[] = [];
 	#ends: readonly (readonly Vector[])[] = [];
 	#held: Held | undefined;
-	/** What a hand moved last, and where it was last said to stand; what it has moved may be laid later. */
+	/** Last moved handle, and its last announced value; the handles after its change may be set later. */
 	#announced: { readonly id: string; readonly value: string | undefined } | undefined;
 	#frame = 0;
 
@@ -112,7 +112,8 @@ export class PlantHandleLayer {
 
 	/** Puts the buttons over the handles as they are seen now. */
 	place(): void {
-		// All is asked first and written then: to ask the page for a size after each style would lay it out as often.
+		// All sizes are read before styles are written, because reading after each write would force a layout each
+		// time.
 		const { offsetLeft, offsetTop, clientWidth, clientHeight } = this.#host.canvas;
 		const places = this.#handles.map(({ id, at }) => [id, this.#host.project(at)] as const);
 		const seen = (point: Vector) => {
@@ -129,7 +130,7 @@ export class PlantHandleLayer {
 		this.#lines.setAttribute("d", lines);
 	}
 
-	/** Puts back what a hand holds. */
+	/** Cancels the drag in progress. */
 	cancel(): void {
 		const held = this.#held;
 		if (!held) return;
@@ -174,7 +175,7 @@ export class PlantHandleLayer {
 			moved: false,
 		};
 		const button = this.#buttons.get(id);
-		// Keys go on with the handle that is held, whichever button lay on top.
+		// The dragged handle gets the focus, even if another button is on top.
 		event.preventDefault();
 		button?.focus();
 		button?.setPointerCapture(event.pointerId);
@@ -241,21 +242,21 @@ export class PlantHandleLayer {
 		for (const button of this.#buttons.values()) button.tabIndex = button === stop ? 0 : -1;
 	}
 
-	/** Where what had the focus has gone: to what stands in its place, or else to the picture. */
+	/** Moves the focus after its handle was removed: to the handle at the same index, else to the canvas. */
 	#refocus(place: number): void {
 		const next = this.#handles[Math.min(place, this.#handles.length - 1)];
 		const to = next ? this.#buttonOf(next.id) : this.#host.canvas;
 		to.focus();
 	}
 
-	/** @param before where it was said to stand */
+	/** @param before value that was announced last */
 	#settle(id: string, before: string | undefined): void {
 		this.#host.settle();
 		this.#announced = { id, value: before };
 		this.#announce();
 	}
 
-	/** Where a handle stands once a hand has left it. */
+	/** Announces the value of a handle after it was moved. */
 	#announce(): void {
 		const announced = this.#announced;
 		const value = this.#handles.find(({ id }) => id === announced?.id)?.value;

@@ -1,4 +1,7 @@
-/** Handles of a model over the 3-D view, as a tool's hands: laid anew of every document, their drags called off whole. */
+/**
+ * Interaction of tools with a model's handles over the 3-D view: sets the handles of each document, and restores the
+ * document when a drag is cancelled.
+ */
 import type { Plant } from "../../plant/plant";
 import type { Specimen } from "../../specimen/specimen";
 import type { Change, EditorContext } from "../editor_context";
@@ -10,7 +13,7 @@ import { PlantHandleLayer } from "./plant_handle_layer";
 const WHOLE_SURFACE = "handles";
 
 export interface PlantInteractionOptions<S extends Specimen> {
-	/** What of a document handles change: what a cancelled drag brings back. */
+	/** Returns the details of a document that handles edit; a cancelled drag restores them. */
 	editedDetails(specimen: S): NonNullable<Change["details"]>;
 	/** A handle has the focus. */
 	focused?(id: string): void;

@@ -1,4 +1,4 @@
-/** The words beside a handle in hand: where it stands. Over all handles, clear of them, and off what is drawn. */
+/** Label with a dragged handle's value: above all handles, apart from them, and outside the drawing. */
 import { css, html, type TemplateResult } from "lit";
 import type { Point } from "./point";
 
@@ -10,9 +10,9 @@ export interface Extent {
 
 /** From a handle's middle to its words: clear of its ring. */
 const GAP = 15;
-/** What must be seen of a handle, from its middle. */
+/** Radius of a handle that labels must not cover. */
 const DOT = 9;
-/** Fingers and hands lie below what they hold. */
+/** Preference for labels above a handle, because fingers are below it. */
 const UPWARDS = 0.5;
 const AROUND: readonly Point[] = Array.from({ length: 8 }, (_, i) => ({
 	x: Math.round(Math.cos((i * Math.PI) / 4)),
@@ -51,7 +51,7 @@ function within(value: number, most: number): number {
 	return Math.max(0, Math.min(value, most));
 }
 
-/** Whether a label lies over what must be seen of a handle. */
+/** Whether a label covers the middle of a handle. */
 function covered(place: Point, { width, height }: Extent, dot: Point): boolean {
 	const x = Math.max(place.x, Math.min(dot.x, place.x + width));
 	const y = Math.max(place.y, Math.min(dot.y, place.y + height));
