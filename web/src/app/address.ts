@@ -1,4 +1,4 @@
-/** The address bar: always holds the specimen that is at rest. */
+/** Reads specimens from the page's address, and writes the current one to the address bar once it is at rest. */
 import { fromPreset } from "../specimen/from_preset";
 import {
 	decodeLink,
@@ -15,12 +15,12 @@ import type { Specimen } from "../specimen/specimen";
 
 type Address = Pick<Location, "search" | "hash">;
 
-/** The name of the model that the address says it is of. */
+/** The name of the model in the address; undefined where it names none. */
 export function modelInAddress({ search }: Pick<Location, "search">): string | undefined {
 	return modelInQuery(search);
 }
 
-/** What the address says, at once; a text in the fragment has to be unpacked and follows by `readWholeAddress`. */
+/** The specimen in the query, synchronously. `whole` is false where the fragment holds a packed text, which `readWholeAddress` reads. */
 export function readAddress<S extends Specimen>(
 	schema: ModelSchema<S>,
 	{ search, hash }: Address,
@@ -28,7 +28,7 @@ export function readAddress<S extends Specimen>(
 	return { ...decodeQuery(schema, search), whole: !hasPacked(schema, hash) };
 }
 
-/** What the address says, its fragment included. */
+/** The specimen in the query and in the fragment, which is unpacked. */
 export function readWholeAddress<S extends Specimen>(
 	schema: ModelSchema<S>,
 	{ search, hash }: Address,
@@ -36,31 +36,31 @@ export function readWholeAddress<S extends Specimen>(
 	return decodeLink(schema, search, hash);
 }
 
-/** The whole link, for copying and for files. */
+/** The absolute link to a specimen, for copying and for files. */
 export async function linkOf<S extends Specimen>(schema: ModelSchema<S>, specimen: S): Promise<string> {
 	return `${location.origin}${location.pathname}${await encodeLink(schema, specimen)}`;
 }
 
-/** What a link does not hold of a specimen, in words. */
+/** The parts of a specimen that its link cannot hold, a sentence each. */
 export function notInLink<S extends Specimen>(schema: ModelSchema<S>, specimen: S): string[] {
 	const preset = fromPreset(schema, specimen.preset);
 	return schema.details.flatMap(({ unlinked }) => unlinked?.keep(specimen, preset) ?? []);
 }
 
-/** Whether a fragment is none of a specimen's: an element's id, or whatever was typed. */
+/** Whether a fragment holds no specimen's text: an element's id, or any other typed text. */
 export function isForeign<S extends Specimen>(schema: ModelSchema<S>, { hash }: Pick<Location, "hash">): boolean {
 	return hash.length > 1 && !hasPacked(schema, hash);
 }
 
 /**
- * Writes specimens into the address bar. What is of another preset than the address gets an entry of its own in the
- * browser's history, so that Back brings the last preset; whatever is changed of one takes the place of what was there.
+ * Writes specimens to the address bar. Another preset adds an entry to the browser's history, so that Back returns to the last preset;
+ * a change of the same preset replaces the current entry.
  */
 export class AddressBar {
 	readonly #location: Pick<Location, "search" | "hash" | "pathname">;
 	readonly #history: Pick<History, "replaceState" | "pushState">;
 	#newest: Specimen | undefined;
-	/** What the address is of. */
+	/** Model and preset of the specimen in the address. */
 	#origin: string | undefined;
 
 	constructor(
@@ -71,7 +71,7 @@ export class AddressBar {
 		this.#history = past;
 	}
 
-	/** The browser has gone to another entry, which is of this specimen. */
+	/** Takes note that the browser has gone to another history entry, which holds this specimen. */
 	arrived(specimen: Specimen): void {
 		this.#origin = originOf(specimen);
 	}
@@ -80,7 +80,7 @@ export class AddressBar {
 		this.#newest = specimen;
 		const whole = isQueryWhole(schema, specimen);
 		const link = whole ? encodeQuery(schema, specimen) : await encodeLink(schema, specimen);
-		// Packing a text takes its time: a newer specimen may have come to rest meanwhile.
+		// Packing is asynchronous: a newer specimen may have come to rest meanwhile.
 		if (this.#newest !== specimen) return;
 		const origin = originOf(specimen);
 		const another = this.#origin !== undefined && this.#origin !== origin;
@@ -91,7 +91,7 @@ export class AddressBar {
 			if (another) this.#history.pushState(null, "", `${pathname}${link}`);
 			else this.#history.replaceState(null, "", `${pathname}${link}`);
 		} catch {
-			// Browsers forbid more than some hundred writes in a few seconds; the next one will hold.
+			// Browsers refuse more than about a hundred writes within seconds; the next write succeeds.
 		}
 	}
 }

@@ -1,15 +1,15 @@
-/** The app without a network, and its next version: what the page does of docs/offline.md. */
+/** Registers the service worker and offers new versions of the app: the page's side of docs/offline.md. */
 import { holdScripts } from "../core/hold_scripts";
 import type { ToWorker } from "../offline/messages";
 import { forgetWorker, registerWorker, tellOpened } from "../offline/register";
 import { hostSpecimens } from "../offline/specimen_host";
 
-/** A page that stays open asks for a new version when it is turned to, so often at the most; milliseconds. */
+/** Least time between two checks for a new version, each made when an open page becomes visible; milliseconds. */
 const CHECK_INTERVAL = 3_600_000;
-/** A worker that has come and nothing to wait for has begun after this; milliseconds. */
+/** Time within which an installed worker becomes active if no open page holds it back; milliseconds. */
 const ACTIVATION_TIME = 1000;
 
-/** The page's main script, which no two versions share. */
+/** Address of the page's main script, which differs in every version. */
 const mainScript = (): string => document.querySelector<HTMLScriptElement>("script[type=module]")?.src ?? "";
 const folder = () => new URL("./", document.baseURI);
 
@@ -19,13 +19,13 @@ export class AppUpdater {
 	#lastCheck = Date.now();
 	#looking = false;
 
-	/** @param offer says that there is a new version, and how to go over to it: the page is loaded again */
+	/** @param offer shows that a new version is available; `reload` loads the page in that version */
 	constructor(offer: (reload: () => void) => void) {
 		this.#offer = offer;
 		holdScripts(mainScript());
 	}
 
-	/** Registers the worker and has it keep the app. Rejects where that fails: then the app is what it was without. */
+	/** Registers the service worker, which stores the app for offline use. Rejects where that fails: the app then works online only. */
 	async start(): Promise<void> {
 		await new Promise((resolve) =>
 			"requestIdleCallback" in window ? requestIdleCallback(resolve) : setTimeout(resolve),
@@ -38,16 +38,16 @@ export class AppUpdater {
 		void this.#follow();
 		document.addEventListener("visibilitychange", () => this.#checkForUpdate());
 		await navigator.serviceWorker.ready;
-		// Who asks to be spared data has the app kept when that no longer holds.
+		// With the browser's data saver on, the app is not stored.
 		const { connection } = navigator as { connection?: { saveData?: boolean } };
 		tellOpened(registration, !connection?.saveData);
-		// A host whose next version cannot be kept must not be left with this one for ever.
+		// Check the host directly: where the worker cannot store the next version, it would serve this one permanently.
 		if (navigator.serviceWorker.controller) await this.look();
 	}
 
 	/**
-	 * Whether the host has another version by now, which is offered: where part of the page did not come, it never will. Asked again
-	 * while it looks, it looks once.
+	 * Checks whether the host has another version by now, and offers it. A script that could not be fetched may belong to a version that
+	 * the host no longer has. Calls during a check are ignored.
 	 */
 	async look(): Promise<void> {
 		if (this.#looking || !navigator.onLine) return;
@@ -55,23 +55,23 @@ export class AppUpdater {
 		try {
 			const page = await fetch(folder(), { cache: "no-store" });
 			if (!page.ok || (await page.text()).includes(new URL(mainScript()).pathname.split("/").at(-1) as string)) return;
-			// Where the worker keeps the page, it is the worker that brings the new one.
+			// Where a worker serves the page, the worker fetches the new version.
 			await this.#registration?.update().catch(() => {});
 			await this.#follow();
 			if (!this.#registration?.waiting) this.#offer(() => void this.#reloadFromHost());
 		} catch {
-			// There is no network, and what could not be fetched has been told of.
+			// No network: the failed fetch has been reported already.
 		} finally {
 			this.#looking = false;
 		}
 	}
 
-	/** Waits for the version that comes, and offers it where it waits for its turn. */
+	/** Waits until the new worker is installed, and offers it if it then waits to become active. */
 	async #follow(): Promise<void> {
 		const { installing, waiting, active } = this.#registration ?? {};
 		if (installing) await installed(installing);
 		const next = installing ?? waiting;
-		if (!active || !next) return; // The first is no new one.
+		if (!active || !next) return; // The first worker is no update.
 		await new Promise((resolve) => setTimeout(resolve, ACTIVATION_TIME));
 		if (this.#registration?.waiting === next) this.#offer(() => this.#switchToWaiting());
 	}
@@ -79,10 +79,10 @@ export class AppUpdater {
 	#checkForUpdate(): void {
 		if (document.hidden || Date.now() - this.#lastCheck < CHECK_INTERVAL) return;
 		this.#lastCheck = Date.now();
-		this.#registration?.update().catch(() => {}); // Without a network there is none.
+		this.#registration?.update().catch(() => {}); // Without a network there is no update.
 	}
 
-	/** To the version that waits, unless another tab has gone over to it already. */
+	/** Reloads the page in the waiting version; if another tab has activated it already, reloads at once. */
 	#switchToWaiting(): void {
 		const waiting = this.#registration?.waiting;
 		if (waiting) {
@@ -91,14 +91,14 @@ export class AppUpdater {
 		} else location.reload();
 	}
 
-	/** To the host's version, which is not kept: what is would come again. */
+	/** Reloads the page from the host. Unregisters the worker first, which would serve its stored version again. */
 	async #reloadFromHost(): Promise<void> {
 		if (this.#registration) await forgetWorker(this.#registration).catch(() => {});
 		location.reload();
 	}
 }
 
-/** Settles when a worker has all it needs, or has failed. */
+/** Resolves when a worker has finished installing, or has failed. */
 function installed(worker: ServiceWorker): Promise<void> {
 	return new Promise((resolve) => {
 		const look = () => {

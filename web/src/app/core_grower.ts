@@ -1,4 +1,4 @@
-/** Growing whatever model: the one place where the studio meets the core's client. */
+/** Grows plants of any model through the core's client; the studio's only access to it. */
 import { Client } from "../core/client";
 import type { Block } from "../core/container";
 import { Superseded, UnsupportedError } from "../core/errors";
@@ -11,13 +11,13 @@ import type { Specimen } from "../specimen/specimen";
 export interface GrowOptions extends GrowthOptions {
 	/** Cancels: the promise rejects with the signal's reason. */
 	signal?: AbortSignal;
-	/** Whether a sketch does for what besides the core it needs. */
+	/** Whether the model's sketch is enough in place of the full files that the growth needs besides the core. */
 	sketched?: boolean;
-	/** Told while those that stand in a plant still grow, with what there is so far. */
+	/** Called with the plant so far, while member plants of a stand still grow. */
 	grew?(grown: Plant): void;
 }
 
-/** What grows specimens; rejects as `Client.grow` does. */
+/** Grows specimens; rejects as `Client.grow` does. */
 export interface Grower {
 	grow(model: PageModel, specimen: Specimen, options?: GrowOptions): Promise<Plant>;
 }
@@ -28,7 +28,7 @@ export class CoreGrower implements Grower {
 	readonly #members = new MemberCache();
 	#calls = 0;
 
-	/** @param addressOf where a core's file lies; undefined where there is none of that name */
+	/** @param addressOf address of a core's file; undefined for unknown names */
 	constructor(
 		addressOf: (file: string) => string | undefined,
 		client: Pick<Client, "warm" | "grow" | "among"> = pageClient(),
@@ -37,7 +37,7 @@ export class CoreGrower implements Grower {
 		this.#client = client;
 	}
 
-	/** Starts fetching a core, so that it is warm when the first plant is asked for. */
+	/** Starts fetching a core, so that it is ready for the first growth. */
 	warm(file: string): void {
 		const wasm = this.#addressOf(file);
 		if (wasm !== undefined) this.#client.warm(wasm);
@@ -50,10 +50,10 @@ export class CoreGrower implements Grower {
 	): Promise<Plant> {
 		const wasm = this.#found(model.wasm, model.noun);
 		const call = ++this.#calls;
-		// What cannot be fetched is missing from the plant, and the core says so.
+		// Parts that cannot be fetched are missing from the plant; the core's notes list them.
 		const fetched = sketched && model.sketch ? model.sketch(specimen) : model.prepare?.(specimen);
 		await fetched?.catch(() => {});
-		// One that had less to wait for is under way: this would begin after it, and take its place.
+		// A newer call is running already: this older one must not replace it.
 		if (call !== this.#calls) throw new Superseded();
 		const order = { wasm, blocks: model.encode(specimen, wanted) };
 		const ending = signal ? { signal } : {};
@@ -84,10 +84,10 @@ export class CoreGrower implements Grower {
 	}
 }
 
-/** As many workers as a stand of plants is worth, each with cores of its own. */
+/** Number of workers for a stand of plants, each with its own core instances. */
 const seats = () => Math.max(1, Math.min(navigator.hardwareConcurrency, 4));
 
-/** Grows two side by side, where there is a second processor. */
+/** The page's client: grows two plants in parallel where there is a second processor. */
 function pageClient(): Client {
 	return new Client({
 		abreast: Math.min(navigator.hardwareConcurrency, 2),

@@ -1,4 +1,4 @@
-/** One sentence about whatever of the panel is under the pointer or in focus: a parameter or a measure. */
+/** Explains the parameter or measure of the panel that is under the pointer or in focus, in one sentence. */
 import { readIn, readOf, type Scale, scaleOf } from "../specimen/lengths";
 import type { ModelSchema } from "../specimen/model_schema";
 import type { Specimen } from "../specimen/specimen";
@@ -15,7 +15,7 @@ export interface Explained {
 export const FIRST_WORDS =
 	"What is under the pointer is explained here. Double-click a slider to bring its preset's value back.";
 
-/** What the panel's `data-key` stands for; measures have `measure-` before their key. */
+/** The explanation for a `data-key` of the panel: a parameter's key, or a measure's key after `measure-`. */
 export function explainedBy(schema: ModelSchema, specimen: Specimen, key: string): Explained | undefined {
 	const { table } = schema;
 	const entry = table.entry(key);
@@ -30,14 +30,14 @@ export function explainedBy(schema: ModelSchema, specimen: Specimen, key: string
 	return measure && { key, label: measure.label, symbol: "", text: measure.help };
 }
 
-/** What a tool's own slider says of itself (ui/slider_row.ts), for what lies in its row. */
+/** The explanation of the tool slider (ui/slider_row.ts) whose row contains an element. */
 export function explainedAt(place: Element): Explained | undefined {
 	const slider = place.closest(".control")?.querySelector<HTMLInputElement>("input[data-help]");
 	const label = slider?.labels?.[0]?.textContent?.trim() ?? "";
 	return slider ? { key: slider.id, label, symbol: "", text: slider.dataset.help ?? "" } : undefined;
 }
 
-/** The preset's value of a parameter as a person reads it; undefined for what is no parameter. */
+/** The preset's value of a parameter, formatted with its unit; undefined for keys that are no parameter. */
 export function presetInWords(schema: ModelSchema, preset: Specimen, key: string): string | undefined {
 	const entry = schema.table.entry(key);
 	if (!entry) return undefined;

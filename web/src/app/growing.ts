@@ -10,22 +10,22 @@ import { showFaultInPane } from "./show_fault";
 import type { Studio } from "./studio";
 import type { Failure, Remedy } from "./types";
 
-/** What takes longer than this shows that it grows, and can be cancelled; milliseconds. */
+/** Growths that take longer show progress and a Cancel button; milliseconds. */
 const PROGRESS_DELAY = 200;
 
-/** The measure from asking for a plant to having its buffers: the last one stands, an observer hears of all (`npm run bench`). */
+/** Name of the performance measure from a request to the plant's buffers: only the last entry is retained (`npm run bench`). */
 const REGROW = "regrow";
 
-/** Keeps the studio's plant in step with its specimen: asks the core, hands over what grew, says what went wrong. */
+/** Grows the studio's specimen: sends requests to the core, passes plants to the studio, and reports errors. */
 export class Growing {
 	readonly #grower: Grower;
 	readonly #studio: () => Studio;
-	/** The newest request; older answers are shown too while a drag goes on, so that every frame is the latest there is. */
+	/** Number of the newest request. During a drag older responses are shown, too, if they are newer than the plant in view. */
 	#newest = 0;
 	#shown = 0;
 	#cancel: AbortController | undefined;
 	#timer: ReturnType<typeof setTimeout> | undefined;
-	/** Whether the first picture is yet to come: it waits for nothing that it can do without. */
+	/** Whether the first picture is yet to be drawn: until then sketches replace files that take time to fetch. */
 	#opening = true;
 
 	constructor(grower: Grower, studio: () => Studio) {
@@ -33,7 +33,7 @@ export class Growing {
 		this.#studio = studio;
 	}
 
-	/** Grows a specimen, measured unless it says not; a newer call takes its place. */
+	/** Grows a specimen, with measures by default; a newer call supersedes it. */
 	async grow(model: PageModel, specimen: Specimen, options: GrowthOptions = {}): Promise<void> {
 		const turn = ++this.#newest;
 		this.#cancel ??= new AbortController();
@@ -60,33 +60,33 @@ export class Growing {
 		}
 	}
 
-	/** Those that stand in a plant come one after the other: what there is of the newest is shown, and that it still grows. */
+	/** Shows a stand of the newest request while its member plants still grow. */
 	#grewSome(turn: number, grown: Plant, specimen: Specimen): void {
 		if (turn < this.#newest) return;
 		this.#shown = turn;
 		this.#studio().grew(grown, specimen);
 	}
 
-	/** The first plant has been drawn: what was a sketch follows. */
+	/** Called once the first plant is drawn: grows again with the full files if a sketch was used. */
 	finish(): void {
 		this.#opening = false;
 		const studio = this.#studio();
 		const { model, specimen } = studio.state;
 		const sketch = model.sketch?.(specimen);
 		if (!sketch) return;
-		// Whether it came showed when it was asked for first.
+		// A failure of this fetch was reported by the first growth.
 		sketch.catch(() => {});
 		studio.growAgain();
 	}
 
-	/** Ends what is under way; the last plant stays, if there is one. */
+	/** Cancels the running growths; the last plant stays in view. */
 	cancel(): void {
 		this.#cancel?.abort(new Cancelled());
-		// What is asked for next is not meant.
+		// Later requests are not cancelled.
 		this.#cancel = undefined;
 	}
 
-	/** Patience is with the answer that is awaited, not with a whole drag. */
+	/** Restarts the progress timer at every response: it measures one growth, not a whole drag. */
 	#answered(turn: number): void {
 		clearTimeout(this.#timer);
 		this.#studio().setGrowing(false);
@@ -104,7 +104,7 @@ export class Growing {
 		const studio = this.#studio();
 		const { shown } = studio.state;
 		const failure = failureOf(error, noun);
-		// Where the place is at fault, no change of the specimen helps, so a notice beside the last plant would not do.
+		// If changing the specimen cannot help (no core, no network), the failure replaces the plant.
 		if (!shown || !failure.remedies.includes("other")) studio.fail(failure);
 		else if (fault && showFaultInPane(studio, fault)) return;
 		else if (error instanceof CoreError)
@@ -114,7 +114,7 @@ export class Growing {
 	}
 }
 
-/** What went wrong, in the words for a page without a plant. */
+/** Describes an error for a page without a plant. */
 function failureOf(error: unknown, noun: string): Failure {
 	if (error instanceof CoreError) {
 		return { title: "This cannot be grown", details: [where(error)], remedies: ["other"] };
@@ -135,7 +135,7 @@ class Cancelled extends Error {
 	override name = "Cancelled";
 }
 
-/** What the core said against the document, as plain data. */
+/** The core's error about the document, as plain data. */
 function faultOf(error: unknown): Fault | undefined {
 	if (!(error instanceof CoreError)) return undefined;
 	const { message, line, column } = error;

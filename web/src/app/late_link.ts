@@ -1,11 +1,11 @@
-/** Opens a link with a packed fragment, which is unpacked while the page is already in use. */
+/** Opens a link with a packed fragment, which is unpacked asynchronously while the page is in use. */
 import type { Restored } from "../specimen/restore";
 import type { Studio } from "./studio";
 
 /**
- * Opens a link once it is unpacked. Where the document has been changed meanwhile it stays, and a notice offers the link's in its place.
+ * Opens a link once it is unpacked. If the document has been changed meanwhile, it stays, and a notice offers to open the link.
  * @param whole the document of the link; rejects if the script that unpacks it cannot be fetched
- * @throws what opening the document throws: such a fault is no matter of the connection
+ * @throws errors of opening the document, which are no connection errors
  */
 export async function openLate(studio: Studio, whole: Promise<Restored>): Promise<void> {
 	const { history, model } = studio.state;

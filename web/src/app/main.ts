@@ -1,4 +1,4 @@
-/** The application's start: wires the store to the core, the address bar and the page, and nothing else. */
+/** Starts the application: connects the studio to the core, the address bar and the page. */
 
 import { Client } from "../core/client";
 import { coreAddress } from "../core/core_address";
@@ -55,21 +55,21 @@ const PARTS = [
 	"panicle-speaker",
 ].join();
 
-// The link's model, its core and the 3-D view's script start together; the page is drawn meanwhile.
+// Fetch the link's model, its core and the 3-D view's script in parallel; the page is drawn meanwhile.
 const requestedModel = modelInAddress(location) ?? DEFAULT_MODEL;
 const cores = new CoreGrower(coreAddress);
 cores.warm(`${isModel(requestedModel) ? requestedModel : DEFAULT_MODEL}.wasm`);
-loadScene().catch(() => {}); // The stage asks again, and says why not.
+loadScene().catch(() => {}); // The stage tries again and reports the error.
 const ui = loadUi(localStorageOr());
 applyTheme(ui.theme);
 modelNamed(requestedModel).then(start, refuse);
 
 function start(model: PageModel): void {
-	cores.warm(model.wasm); // Of a family it is not named after the model.
-	loadRenderer(model).catch(() => {}); // The stage asks again, and says why not.
-	// A core's client grows what it was asked last: what is looked for is not to take the place of what is shown.
+	cores.warm(model.wasm); // Models of a family share a core of another name.
+	loadRenderer(model).catch(() => {}); // The stage tries again and reports the error.
+	// A client drops all but the newest request: searches need a client of their own.
 	const searching = new CoreGrower(coreAddress, new Client());
-	// Its worker starts when something is first asked of it.
+	// The worker starts with the first request.
 	const offscreen = new CoreGrower(coreAddress, new Client());
 	const growing = new Growing(cores, () => studio);
 	const bar = new AddressBar();
@@ -91,7 +91,7 @@ function start(model: PageModel): void {
 			},
 		},
 	);
-	// Asked for before the parts are drawn, the plant grows meanwhile; a text in the fragment has to be unpacked first.
+	// Request the growth before the parts are drawn; a text in the fragment has to be unpacked first.
 	if (opened.whole) studio.open(opened, "link");
 	else void openLate(studio, readWholeAddress(model, location));
 	draw(studio);
@@ -107,7 +107,7 @@ function draw(studio: Studio): void {
 	document.addEventListener("panicle-help", help);
 	listenForShortcuts(studio, { help, saved: () => void openPart(studio, SAVED) });
 	onSystemTheme((dark) => studio.setSystemDark(dark));
-	// Tabs and bookmarks are told apart by what they hold.
+	// The tab's title names the plant.
 	let named: readonly unknown[] | undefined;
 	const nameTab = () => {
 		const { model, specimen, modelUi, tools } = studio.state;
@@ -120,7 +120,7 @@ function draw(studio: Studio): void {
 	studio.subscribe(nameTab);
 }
 
-/** What one tab chooses of the page holds in all. */
+/** Applies the theme and the keyboard setting that another tab has chosen. */
 function followOtherTabs(studio: Studio): void {
 	addEventListener("storage", ({ key }) => {
 		if (key !== null && key !== STORAGE_KEY) return;
@@ -128,14 +128,14 @@ function followOtherTabs(studio: Studio): void {
 	});
 }
 
-/** Keeps the built app for when there is no network, and offers its next version. What is worked on changes by the minute. */
+/** Stores the built app for offline use and offers new versions; not in development. */
 function startUpdater(studio: Studio): AppUpdater | undefined {
 	if (!import.meta.env.PROD) return undefined;
 	const details = ["Reload when it suits: the plant stays as it is, its steps of Undo go."];
 	const updater = new AppUpdater((reload) => {
 		studio.notify("A new version is here", details, { topic: "version", act: { words: "Reload", run: reload } });
 	});
-	// What can be tried again may be gone for good. Vite's own event is of the scripts, whoever asked for them.
+	// A script that cannot be fetched may belong to a version that the host no longer has. Vite's event reports every failed import.
 	addEventListener("vite:preloadError", () => void updater.look());
 	let before = studio.state;
 	studio.subscribe(() => {
@@ -147,7 +147,7 @@ function startUpdater(studio: Studio): AppUpdater | undefined {
 	return updater;
 }
 
-/** Once the first plant is drawn, or is known not to come, what was a sketch of it follows, and the gallery gets every model's presets. */
+/** After the first plant is drawn or has failed: replaces its sketch, fills the gallery with every model's presets, starts the updater. */
 function followFirst(studio: Studio, growing: Growing, updater: AppUpdater | undefined): void {
 	const end = studio.subscribe(async () => {
 		const { shown, failure } = studio.state;
@@ -157,15 +157,15 @@ function followFirst(studio: Studio, growing: Growing, updater: AppUpdater | und
 		growing.finish();
 		void Promise.allSettled(modelNames().map((name) => modelNamed(name))).then((models) => {
 			studio.list(models.flatMap((model) => (model.status === "fulfilled" ? [model.value] : [])));
-			updater?.start().catch(() => {}); // Then the app needs its network, as before.
+			updater?.start().catch(() => {}); // Then the app works online only.
 		});
 	});
 }
 
-/** Where nothing is drawn within this time the gallery waits no longer; milliseconds. */
+/** Longest time that the gallery waits for the first draw; milliseconds. */
 const LONGEST_WAIT = 3000;
 
-/** Settles when the view has drawn its first plant. */
+/** Resolves when the view has drawn its first plant, or after LONGEST_WAIT. */
 function drawn(): Promise<void> {
 	return new Promise((resolve) => {
 		new PerformanceObserver((list, observer) => {
@@ -179,14 +179,14 @@ function drawn(): Promise<void> {
 
 let followed = 0;
 
-/** The address is another one: by Back, Forward or by hand. */
+/** Follows a change of the address by Back, Forward or typing. */
 async function follow(studio: Studio, bar: AddressBar): Promise<void> {
 	const turn = ++followed;
 	const { search, hash } = location;
 	try {
 		const model = await modelNamed(modelInAddress({ search }));
 		if (isForeign(model, { hash })) {
-			// A place in the page, or nothing of ours: the document stays, and the address is again its own.
+			// The fragment is no document: keep the document and restore its address.
 			const { model: present, specimen } = studio.state;
 			await bar.write(present, specimen);
 			return;
@@ -202,7 +202,7 @@ async function follow(studio: Studio, bar: AddressBar): Promise<void> {
 	}
 }
 
-/** Not even the model has come, so there is nothing to draw the page from. */
+/** Reports that the model could not be fetched, without which the page cannot be drawn. */
 function refuse(): void {
 	const words = document.createElement("p");
 	words.className = "noscript";
@@ -211,7 +211,7 @@ function refuse(): void {
 	document.querySelector("main")?.append(words);
 }
 
-/** Storage that forgets, where the browser forbids it. */
+/** The browser's local storage; where it is forbidden, a storage that is always empty. */
 function localStorageOr(): Pick<Storage, "getItem" | "setItem"> {
 	try {
 		return localStorage;

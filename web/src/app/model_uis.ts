@@ -1,20 +1,20 @@
-/** Models' tools and words for the page, each fetched once. */
+/** Loads models' tools and texts for the page, each once. */
 
 import type { PageModel } from "../models/page_model";
 import type { ModelUi } from "../ui/tool";
 
-/** The page's side of a model that has none. */
+/** The UI of a model without tools. */
 export const EMPTY_MODEL_UI: ModelUi = { tools: [] };
 
 export class ModelUis {
 	readonly #modelUis = new Map<PageModel, ModelUi>();
 
-	/** The face of a model, if it has come. */
+	/** The UI of a model, if it is loaded. */
 	known(model: PageModel): ModelUi | undefined {
 		return this.#modelUis.get(model);
 	}
 
-	/** @throws what the fetching of its script throws; a later call fetches it again */
+	/** Loads the UI of a model. @throws errors of fetching its script; a later call fetches it again */
 	async of(model: PageModel): Promise<ModelUi> {
 		const modelUi = this.#modelUis.get(model) ?? (await model.ui?.()) ?? EMPTY_MODEL_UI;
 		this.#modelUis.set(model, modelUi);

@@ -1,4 +1,4 @@
-/** Which of a table's groups and parameters the panel shows: those that the specimen isActive, and what tools add. */
+/** Selects the groups and parameters that the panel shows: those active for the specimen, and the tools' additions. */
 
 import type { Specimen } from "../specimen/specimen";
 import type { Entry, Group, Table } from "../specimen/table";
@@ -13,12 +13,12 @@ export interface PanelGroup {
 }
 
 /**
- * The groups with anything in them: those that tools bring, then the table's in its order, then what tools have for the end.
- * @param tools those that mean anything to the specimen
+ * The groups that are not empty: tools' own groups, then the table's in its order, then the tools' groups marked `last`.
+ * @param tools the tools that apply to the specimen
  */
 export function groupsFor(table: Table, specimen: Specimen, tools: readonly Tool[]): readonly PanelGroup[] {
 	const elsewhere = new Set(tools.flatMap(({ parameters = [] }) => parameters));
-	const heeded = table.entries.filter((entry) => table.isActive(specimen, entry) && !elsewhere.has(entry.key));
+	const active = table.entries.filter((entry) => table.isActive(specimen, entry) && !elsewhere.has(entry.key));
 	const brought = tools.flatMap(({ panel }) => (typeof panel?.group === "object" ? [panel.group] : []));
 	const [last, first] = [true, false].map((end) =>
 		[...new Set(brought)].filter((group) => (group.last ?? false) === end),
@@ -28,7 +28,7 @@ export function groupsFor(table: Table, specimen: Specimen, tools: readonly Tool
 			const own = tools.filter(({ panel }) => panel?.group === group.key || panel?.group === group);
 			return {
 				group,
-				entries: heeded.filter((entry) => entry.group === group.key),
+				entries: active.filter((entry) => entry.group === group.key),
 				above: own.filter(({ panel }) => panel?.place === "above"),
 				below: own.filter(({ panel }) => panel?.place === "below"),
 			};
@@ -36,12 +36,12 @@ export function groupsFor(table: Table, specimen: Specimen, tools: readonly Tool
 		.filter(({ entries, above, below }) => entries.length + above.length + below.length > 0);
 }
 
-/** Parameters that a tool's bar runs through: what they do shows in the plant, and nowhere in the panel. */
+/** Parameters that a tool's bar animates: the panel shows no control for them. */
 export function runningBy(tools: readonly Tool[] = []): readonly string[] {
 	return tools.flatMap(({ bar, parameters = [] }) => (bar ? parameters : []));
 }
 
-/** The tools that mean anything to a specimen. */
+/** The tools that apply to a specimen. */
 export function applying(tools: readonly Tool[] = [], specimen: Specimen): readonly Tool[] {
 	return tools.filter(({ applies }) => applies?.(specimen) ?? true);
 }

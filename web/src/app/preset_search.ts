@@ -1,4 +1,4 @@
-/** Finding presets by words and by kind. */
+/** Searches presets by words and by kind. */
 import type { PageModel } from "../models/page_model";
 import type { Preset, PresetKind } from "../specimen/presets";
 
@@ -9,7 +9,7 @@ export interface PresetSection {
 	readonly presets: readonly Preset[];
 }
 
-/** A kind of one model, as a filter names it. */
+/** Key of a kind of one model, for the gallery's filter. */
 export function kindKey({ model, kind }: Pick<PresetSection, "model" | "kind">): string {
 	return `${model.name} ${kind.key}`;
 }
@@ -28,8 +28,8 @@ export function sectionsOf(models: readonly PageModel[]): readonly PresetSection
 }
 
 /**
- * What of the sections a search finds.
- * @param query words in any order, each to be found somewhere in what a preset is called or said to be
+ * The sections and presets that match a search.
+ * @param query words in any order; each must occur in a preset's title, name or description
  * @param kind the key of one kind; all where empty
  */
 export function findPresets(sections: readonly PresetSection[], query: string, kind = ""): readonly PresetSection[] {
@@ -47,16 +47,16 @@ function numberGroupsOf({ model, kind }: PresetSection, { name, title, about, fi
 	return [title, name, about, kind.title, model.title, figure].join(" ");
 }
 
-/** What is looked for, word by word. */
+/** The words of a query, without case and accents. */
 export const wordsOf = (query: string): string[] => plain(query).split(/\s+/).filter(Boolean);
 
-/** Whether each of the words is somewhere in a text. */
+/** Whether a text contains each of the words. */
 export function isIn(words: readonly string[], text: string): boolean {
-	const said = plain(text);
-	return words.every((word) => said.includes(word));
+	const simplified = plain(text);
+	return words.every((word) => simplified.includes(word));
 }
 
-/** Without case and accents: people do not type them. */
+/** The text without case and accents, which people do not type. */
 function plain(text: string): string {
 	return text.normalize("NFD").replace(/\p{M}/gu, "").toLowerCase();
 }

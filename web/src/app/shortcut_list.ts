@@ -1,4 +1,4 @@
-/** Keys in words, for the help. */
+/** The keyboard shortcuts that the help lists. */
 import type { ToolKey } from "../ui/tool";
 import type { StudioState } from "./studio_state";
 
@@ -23,7 +23,7 @@ const LAST: readonly Shortcut[] = [
 	{ keys: ["Delete"], does: "On a slider: the preset's value" },
 ];
 
-/** What the help lists, those of the views, controls and tools included; letters only while they are keys. */
+/** All shortcuts, those of views, controls and tools included; single letters only while they are enabled. */
 export function shortcuts({ modelUi, ui }: Pick<StudioState, "modelUi" | "ui">): readonly Shortcut[] {
 	const tools = modelUi?.tools ?? [];
 	const letter = ({ letter, does }: ToolKey) => ({ keys: [letter.toUpperCase()], does });

@@ -1,14 +1,14 @@
 import { applying } from "./panel_groups";
 import type { Studio } from "./studio";
 
-/** What keys open. */
+/** Dialogs that keys open. */
 export interface Opens {
 	help(): void;
 	saved(): void;
 }
 
 /**
- * Keys for the whole page. While text is typed or a list is open, they are the field's, and while a dialog is open, the dialog's.
+ * Handles the page's keyboard shortcuts. Text fields, lists and open dialogs keep their keys.
  * @returns a function that stops listening
  */
 export function listenForShortcuts(studio: Studio, opens: Opens): () => void {
@@ -47,7 +47,7 @@ function letterOf(event: KeyboardEvent, studio: Studio, { help }: Opens): (() =>
 	return tool && (() => tool.press?.(studio));
 }
 
-/** In a field that holds text, and in a list, Ctrl+Z and letters belong to it; sliders, switches and pictures of colour hold none. */
+/** Whether a text field or a list has the focus; these use Ctrl+Z and letters themselves. Sliders, switches and colour fields do not. */
 function isTyping(event: KeyboardEvent): boolean {
 	const target = event.composedPath()[0];
 	if (target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement) return true;

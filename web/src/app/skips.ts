@@ -1,6 +1,6 @@
 /**
- * Links to places in the page take the focus there and leave the address alone: its fragment may hold a document's text.
- * Returns what ends it.
+ * Makes links within the page move the focus without changing the address: its fragment may hold a document's text.
+ * @returns a function that stops listening
  */
 export function listenForSkips(page: Document = document): () => void {
 	const listener = (event: MouseEvent) => {

@@ -1,4 +1,4 @@
-/** The 3-D view as the studio's state wants it; the one place where the studio meets the scene. */
+/** The 3-D view of the studio's state; the studio's only access to the scene. */
 import type { Camera, Object3D } from "three";
 import type { PageModel } from "../models/page_model";
 import { loadRenderer, loadScene } from "../models/renderers";
@@ -12,17 +12,17 @@ import type { Studio } from "./studio";
 import { lookOf, type PictureOptions, type ShownPlant, type StudioState } from "./studio_state";
 import { TRY_AGAIN } from "./types";
 
-/** What the canvas has to tell besides the plant. */
+/** Events of the canvas. */
 export interface SolidViewEvents {
 	lost(): void;
 	restored(): void;
-	/** Less motion is wished for from now on, or no more. */
+	/** The user's preference for reduced motion has changed. */
 	motion(): void;
 }
 
-/** The measure of laying a plant on the stage, up to where three.js has it: the last one stands (`npm run bench`). */
+/** Name of the performance measure of building the scene of a plant: only the last entry is retained (`npm run bench`). */
 const SHOW_MEASURE = "laid";
-/** Pixels of a picture to one of the page. */
+/** Pixels of a picture per CSS pixel. */
 const PICTURE_SCALE = 2;
 
 export class SolidView implements ToolView {
@@ -31,25 +31,25 @@ export class SolidView implements ToolView {
 	readonly #studio: Studio;
 	readonly #reduced = matchMedia("(prefers-reduced-motion: reduce)");
 	#wind = false;
-	/** Who is told when the picture has been drawn. */
+	/** Called after every draw. */
 	readonly #drawListeners: Set<() => void>;
 	#orbiting = true;
 	#disposed = false;
 	readonly #lifetime = new AbortController();
-	/** Whose figure is on the stage, and whose is on its way. */
+	/** The model whose renderer is in use, and the model whose renderer is being loaded. */
 	#rendererModel: PageModel | undefined;
 	#loadingModel: PageModel | undefined;
 	/** The model whose script could not be fetched: it is fetched again on request, or after another model was shown. */
 	#failedModel: PageModel | undefined;
 	#shown: ShownPlant | undefined;
 	#look: StudioState["specimen"]["look"] | undefined;
-	/** What a tool shows, and what is shown of that. */
+	/** The plant that a tool shows in place of the document's, and the plant in view. */
 	#instead: SubstitutePlant | undefined;
 	#viewedPlant: Plant | undefined;
-	/** How many pictures are being taken. */
+	/** Number of pictures being taken. */
 	#picturesInProgress = 0;
 	#dark: boolean | undefined;
-	/** The hands of the tools of `#face`. */
+	/** Interactions of the tools of `#modelUi`. */
 	#interactions: ToolInteraction[] = [];
 	#modelUi: ModelUi | undefined;
 
@@ -65,10 +65,10 @@ export class SolidView implements ToolView {
 		this.#studio = studio;
 	}
 
-	/** @throws NoWebGL2Error where the browser has none, and whatever the loading of the script throws */
+	/** @throws NoWebGL2Error where the browser has no WebGL 2, and errors of loading the scripts */
 	static async create(canvas: HTMLCanvasElement, studio: Studio, events: SolidViewEvents): Promise<SolidView> {
 		const { model, dark } = studio.state;
-		// Both first: a canvas gives one context, so that nothing may fail once it is taken.
+		// Load both scripts first: a canvas gives one context, so nothing may fail after it is created.
 		const [{ Viewer }] = await Promise.all([loadScene(), loadRenderer(model)]);
 		const theme = dark ? "dark" : "light";
 		const drawListeners = new Set<() => void>();
@@ -91,7 +91,7 @@ export class SolidView implements ToolView {
 		return solid;
 	}
 
-	/** Brings the view to the state; what has not changed costs nothing. */
+	/** Updates the view to the state; unchanged parts cost nothing. */
 	update(state: StudioState): void {
 		const { shown, model, held, dark, modelUi } = state;
 		if (shown && shown.model !== this.#rendererModel) {
@@ -100,7 +100,7 @@ export class SolidView implements ToolView {
 		}
 		this.#failedModel = undefined;
 		const instead = this.#picturesInProgress > 0 ? undefined : this.#instead;
-		// What is compared with the plant is to be seen from where that is.
+		// A substitute plant is shown from the same camera position, for comparison.
 		this.#view.holdView(held || instead !== undefined);
 		const look = shown && lookOf(shown, state);
 		const { grown, from } = instead ?? shown ?? {};
@@ -115,12 +115,12 @@ export class SolidView implements ToolView {
 		this.#viewedPlant = grown;
 		if (dark !== this.#dark) this.#view.setTheme(dark ? "dark" : "light");
 		this.#dark = dark;
-		// What is in view may still be another model's.
+		// The plant in view may still belong to another model.
 		this.#setModelUi(shown && shown.model !== model ? undefined : modelUi);
 		for (const interaction of this.#interactions) interaction.update(state);
 	}
 
-	/** The present view as a PNG, of the document's plant. */
+	/** The current view of the document's plant, as a PNG. */
 	async picture(options: PictureOptions = {}): Promise<Blob> {
 		this.#picturesInProgress++;
 		this.update(this.#studio.state);
@@ -139,22 +139,22 @@ export class SolidView implements ToolView {
 		return alone ? this.#view.cutOut(width, tall) : this.#view.snapshot(width, tall);
 	}
 
-	/** Turns, moves and zooms by keys; tells whether the key was one of them. */
+	/** Turns, moves and zooms by keys. @returns whether the key does so */
 	press(event: KeyboardEvent): boolean {
 		return turnedBy(this.#view, event);
 	}
 
-	/** The whole plant again, as the page opens with it. */
+	/** Resets the camera to show the whole plant. */
 	reset(): void {
 		this.#view.resetView();
 	}
 
-	/** Whether anything may move by itself: less motion is wished for where not. */
+	/** Whether animation is allowed: false where the user prefers reduced motion. */
 	get movesByItself(): boolean {
 		return !this.#reduced.matches;
 	}
 
-	/** Whether a wind blows on the plant. */
+	/** Whether the wind animation is on. */
 	get wind(): boolean {
 		return this.#wind;
 	}
@@ -164,7 +164,7 @@ export class SolidView implements ToolView {
 		this.#view.wind = this.#wind;
 	}
 
-	/** The canvas has another size. */
+	/** Adapts to a new size of the canvas. */
 	resize(): void {
 		this.#view.resize();
 	}
@@ -240,26 +240,26 @@ export class SolidView implements ToolView {
 		this.#view.setMode(mode ?? this.#view.modes[0]);
 	}
 
-	/** Motion may become unwelcome, or welcome, while the page stands. */
-	#followMotion(tell: () => void): void {
+	/** Follows changes of the user's preference for reduced motion. */
+	#followMotion(changed: () => void): void {
 		const follow = ({ matches }: MediaQueryListEvent) => {
 			this.#view.reducedMotion = matches;
 			this.wind = false;
-			tell();
+			changed();
 		};
 		this.#reduced.addEventListener("change", follow, { signal: this.#lifetime.signal });
 	}
 
-	/** Puts a model's figure on the stage, in place of the last one's. */
+	/** Replaces the renderer by that of a model. */
 	async #useRenderer(model: PageModel): Promise<void> {
-		const figure = await loadRenderer(model);
+		const createRenderer = await loadRenderer(model);
 		if (this.#disposed) return;
-		this.#view.use(figure);
+		this.#view.use(createRenderer);
 		this.#rendererModel = model;
 		this.#shown = undefined;
 	}
 
-	/** The same while the page goes on; the newest that was asked for is the one that comes. */
+	/** Loads and uses the renderer of a model; the newest call wins. */
 	async #loadRenderer(model: PageModel): Promise<void> {
 		if (model === this.#loadingModel) return;
 		this.#loadingModel = model;
@@ -286,7 +286,7 @@ export class SolidView implements ToolView {
 		this.#studio.notify(`The ${model.noun} cannot be drawn`, details, { again });
 	}
 
-	/** Gives the canvas into the hands of a model's tools. */
+	/** Replaces the tools' interactions with the canvas by those of a model. */
 	#setModelUi(modelUi: ModelUi | undefined): void {
 		if (modelUi === this.#modelUi) return;
 		this.#instead = undefined;

@@ -16,31 +16,31 @@ import { stateOf, withState, withTools } from "./tool_states";
 import { type Failure, TRY_AGAIN } from "./types";
 import type { UiState } from "./ui_state";
 
-/** Confirmations stay this long, in milliseconds. */
+/** Time that brief notices stay, milliseconds. */
 const BRIEF = 4000;
 const DRAG = "drag";
 
 /**
- * The one place where the page's state lives. It flows one way: a part calls an action, the action replaces the state,
- * every part draws the new one. What models' tools keep is here too, and unknown.
+ * Holds the page's state. A part of the page calls an action, the action replaces the state, and every part draws the new state.
+ * The states of models' tools are here, too, as opaque data.
  */
 export class Studio implements EditorContext {
 	#state: StudioState;
-	/** What a specimen measures, and what it grows into, without showing it; the end of what grows now. */
+	/** Passed on from the services (studio_services.ts). */
 	readonly measure: StudioServices["measure"];
 	readonly growOffscreen: StudioServices["growOffscreen"];
 	readonly cancel: StudioServices["cancel"];
 	readonly #listeners = new Set<() => void>();
 	readonly #services: StudioServices;
-	/** Models of all specimens there have been. */
+	/** Models of all specimens of this session, by name. */
 	readonly #models = new Map<string, PageModel>();
 	readonly #modelUis = new ModelUis();
-	/** Whose a tool is. */
+	/** The name of the model of each tool. */
 	readonly #owners = new Map<Stateful<unknown>, string>();
-	/** What ends the tools that work by themselves. */
+	/** Functions that end the tools started by `Tool.start`. */
 	#ends: (() => void)[] = [];
 	#noticeId = 0;
-	/** Whether what was last asked for is all there is, and not what does in passing. */
+	/** Whether the last request was for a measured plant, not for a preview. */
 	#isMeasured = true;
 	#preset: Specimen | undefined;
 
@@ -89,7 +89,7 @@ export class Studio implements EditorContext {
 		this.#applyStep(histories.change(this.#state.history, specimen));
 	}
 
-	/** Starts with a document from outside, of the model it opened with: there is nothing before it to go back to. */
+	/** Starts a new history with a document from outside, of the model that the page opened with. @param from its source, for notices */
 	open(restored: Restored, from: string): void {
 		const { specimen } = restored;
 		this.#update({ specimen, history: histories.startHistory(specimen) });
@@ -98,7 +98,7 @@ export class Studio implements EditorContext {
 		this.#report(restored, from);
 	}
 
-	/** Takes a document from outside in place of this one, as one step. */
+	/** Replaces the document by one from outside, as one undo step. @param from its source, the topic of notices */
 	take(model: PageModel, restored: Restored, from: string): void {
 		this.#models.set(model.name, model);
 		this.replace(restored.specimen);
@@ -107,8 +107,8 @@ export class Studio implements EditorContext {
 	}
 
 	/**
-	 * Follows the browser's Back and Forward: where they lead to the step before this one or after it, that is undone or
-	 * done again; else it is a step as any document from outside.
+	 * Follows the browser's Back and Forward. If the document equals the previous or the next step, undoes or redoes; otherwise takes it
+	 * as a new step.
 	 */
 	visit(model: PageModel, restored: Restored, from: string): void {
 		const { past, future } = histories.settle(this.#state.history);
@@ -118,13 +118,13 @@ export class Studio implements EditorContext {
 		else this.take(model, restored, from);
 	}
 
-	/** A preset as it was published: of this model, or of another. */
+	/** Opens a published preset, of this model by default. */
 	choosePreset(name: string, model: PageModel = this.#state.model): void {
 		this.#models.set(model.name, model);
 		this.replace(fromPreset(model, name));
 	}
 
-	/** The preset as it was published. */
+	/** Resets the document to its published preset. */
 	reset(): void {
 		this.replace(this.preset);
 	}
@@ -154,17 +154,17 @@ export class Studio implements EditorContext {
 		if (growing !== this.#state.growing) this.#update({ growing });
 	}
 
-	/** The newest growth has ended, one way or the other. @param fault what the core said against the document */
+	/** The newest growth has ended, successfully or not. @param fault the core's error about the document */
 	caughtUp(fault?: Fault): void {
 		this.#update({ pending: false, fault });
 	}
 
-	/** There is no plant to show, and none comes without a remedy. */
+	/** Shows a failure in place of a plant. */
 	fail(failure: Failure): void {
 		this.#update({ failure });
 	}
 
-	/** Asks again, after a failure. */
+	/** Grows again, after a failure. */
 	growAgain(): void {
 		this.#requestGrowth();
 	}
@@ -181,7 +181,7 @@ export class Studio implements EditorContext {
 		this.#update({ notices: this.#state.notices.filter((notice) => notice.id !== id) });
 	}
 
-	/** Takes back what was said of something: it holds no more. */
+	/** Removes the notices about a topic. */
 	retract(topic: string): void {
 		const notices = withoutTopic(this.#state.notices, topic);
 		if (notices !== this.#state.notices) this.#update({ notices });
@@ -204,12 +204,12 @@ export class Studio implements EditorContext {
 		this.#update({ systemDark });
 	}
 
-	/** Models whose presets the gallery is to show. */
+	/** Sets the models whose presets the gallery shows. */
 	list(catalogue: readonly PageModel[]): void {
 		this.#update({ catalogue });
 	}
 
-	/** The 3-D view has come, and takes pictures from now on; or it has gone. */
+	/** Sets the function that takes pictures of the 3-D view; undefined while there is no view. */
 	showPicture(picture: StudioState["picture"]): void {
 		this.#update({ picture });
 	}
@@ -229,14 +229,14 @@ export class Studio implements EditorContext {
 		return this.#owners.get(tool) ?? this.#state.model.name;
 	}
 
-	/** Says what could not be used of a document. */
+	/** Notifies of the parts of a document that could not be used. */
 	#report({ notes }: Restored, from: string): void {
 		const texts = notes.map(({ text }) => text);
 		const options = { topic: from, untouched: true };
 		if (texts.length > 0) this.notify(`Not everything in the ${from} could be used`, texts, options);
 	}
 
-	/** The document with a change in it, and with what the tools let follow from it. */
+	/** The document after a change, and after the further changes that tools derive from it. */
 	#withFollowUps(change: Change): Specimen {
 		const { model, specimen, modelUi } = this.#state;
 		const whole = modelUi?.tools.reduce((done, tool) => tool.follow?.(done, this) ?? done, change);
@@ -263,7 +263,7 @@ export class Studio implements EditorContext {
 		if (!growsAlike(before, present) || (!this.#state.held && !this.#isMeasured)) this.#requestGrowth();
 	}
 
-	/** While the hand still moves, only the shape is asked for; what is measured follows when it rests. */
+	/** Requests growth: a preview without measures during a drag, everything else when it ends. */
 	#requestGrowth(): void {
 		const { model, specimen, held } = this.#state;
 		this.#isMeasured = !held;
@@ -271,7 +271,7 @@ export class Studio implements EditorContext {
 		this.#services.grow(model, specimen, { preview: held });
 	}
 
-	/** Puts the tools of a model on the controls, in place of the last one's. */
+	/** Loads the tools of a model and starts them; ends those of the last model. */
 	async #loadModelUi(model: PageModel): Promise<void> {
 		for (const end of this.#ends.splice(0)) end();
 		const modelUi = this.#modelUis.known(model) ?? (await this.#modelUiOf(model));

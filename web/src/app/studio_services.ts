@@ -4,18 +4,18 @@ import type { Specimen } from "../specimen/specimen";
 import type { OffscreenOptions } from "../ui/editor_context";
 import type { UiState } from "./ui_state";
 
-/** What the studio does outside itself; main.ts wires it. */
+/** The studio's access to the core, the address bar and storage; main.ts provides it. */
 export interface StudioServices {
-	/** Asks for growth, measured or not; the newest request wins. */
+	/** Requests growth for display; the newest request wins. */
 	grow(model: PageModel, specimen: Specimen, options: { preview: boolean }): void;
-	/** What a specimen measures, without showing it; rejects as growing does, and with the signal's reason. */
+	/** Measures a specimen without showing it. Rejects as growing does, and with the signal's reason. */
 	measure(model: PageModel, specimen: Specimen, signal: AbortSignal): Promise<Float32Array>;
 	/** Grows a specimen without showing it (EditorContext.growOffscreen). */
 	growOffscreen(specimen: Specimen, options: OffscreenOptions): Promise<Plant>;
-	/** Ends a long growth. */
+	/** Cancels the running growths. */
 	cancel(): void;
-	/** The document came to rest: the address bar is to hold it. */
+	/** Called when the document is at rest: writes it to the address bar. */
 	settled(model: PageModel, specimen: Specimen): void;
-	/** The interface changed: remember in what. */
+	/** Called when the interface state changes: stores the difference. */
 	remember(ui: UiState, before: UiState): void;
 }

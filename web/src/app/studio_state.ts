@@ -8,46 +8,46 @@ import type { ToolStates } from "./tool_states";
 import type { Failure, Notice } from "./types";
 import type { UiState } from "./ui_state";
 
-/** What is in the 3-D view: the last plant that grew, of whatever model. */
+/** The plant in the 3-D view: the last that grew, of any model. */
 export interface ShownPlant {
 	readonly model: PageModel;
 	readonly grown: Plant;
-	/** The specimen it grew from. */
+	/** The specimen that the plant grew from. */
 	readonly from: Specimen;
 }
 
 export interface StudioState extends EditorState {
 	readonly model: PageModel;
-	/** The model's tools and words; undefined until they have come. */
+	/** The model's tools and texts; undefined until they are loaded. */
 	readonly modelUi: ModelUi | undefined;
 	readonly history: History;
-	/** Stays whatever goes wrong. */
+	/** Stays when a later growth fails. */
 	readonly shown: ShownPlant | undefined;
-	/** Whether a growth is under way, so that what is shown is not yet what is on the controls. */
+	/** Whether a growth is running: the plant in view is older than the document. */
 	readonly pending: boolean;
-	/** Why there is no plant, in place of one. */
+	/** Shown in place of a plant. */
 	readonly failure: Failure | undefined;
 	readonly notices: readonly Notice[];
 	readonly ui: UiState;
-	/** What models' tools keep. */
+	/** States of models' tools. */
 	readonly tools: ToolStates;
 	/** Models whose presets the gallery shows. */
 	readonly catalogue: readonly PageModel[];
 	/** Takes a picture of the 3-D view, as PNG, while there is one. */
 	readonly picture: ((options?: PictureOptions) => Promise<Blob>) | undefined;
-	/** Whether the system is dark. */
+	/** Whether the system's colour scheme is dark. */
 	readonly systemDark: boolean;
 }
 
-/** What is wanted of a picture. */
+/** Options of a picture of the 3-D view. */
 export interface PictureOptions {
-	/** Pixels; twice the page's where absent. */
+	/** Pixels; by default twice the height of the view. */
 	readonly height?: number;
-	/** Whether nothing is to stand behind the plant. */
+	/** Whether the background is transparent. */
 	readonly alone?: boolean;
 }
 
-/** What the studio opens with. */
+/** The initial part of the studio's state. */
 export type Opening = Pick<StudioState, "model" | "specimen" | "ui" | "systemDark">;
 
 /** The state of a page that has just been opened. */
@@ -74,14 +74,14 @@ export function opened(opening: Opening): StudioState {
 }
 
 /**
- * The look of what is shown: that on the controls, since colours change without growing. While what is on them is another preset, which
- * has yet to grow, it is the look that the plant in view has grown with.
+ * The look of the plant in view: that on the controls, since colours change without growing. While another preset is on the controls and
+ * has yet to grow, the look that the plant in view grew with.
  */
 export function lookOf({ model, from }: ShownPlant, now: Pick<StudioState, "model" | "specimen">): Specimen["look"] {
 	return model === now.model && from.preset === now.specimen.preset ? now.specimen.look : from.look;
 }
 
-/** What follows from the rest of the state, brought into step with it. */
+/** The state with its derived fields computed anew. */
 export function inStep(state: StudioState): StudioState {
 	const { model, shown, history, ui, systemDark } = state;
 	const own = shown?.model === model ? shown : undefined;

@@ -1,4 +1,4 @@
-/** Asking for numbers: the page's side of targets/. Loaded when a measure that can be asked for is first unfolded. */
+/** Searches parameters that give a measure a requested value: the page's side of targets/. Loaded when such a measure is first unfolded. */
 import { aimed } from "../batch/aimed";
 import { growsAlike, sameSpecimen } from "../specimen/same";
 import type { Specimen } from "../specimen/specimen";
@@ -9,25 +9,25 @@ import type { Stateful } from "../ui/editor_context";
 import type { Studio } from "./studio";
 
 export interface TargetSearch {
-	/** What is being looked for. */
+	/** The search that is running. */
 	readonly now?: { readonly measure: string; readonly growths: number; cancel(): void };
-	/** What was found last, and where: while that is what is on the controls, what is asked next holds it too. */
+	/** The last result and its targets: while it is on the controls, the next search meets these targets, too. */
 	readonly found?: { readonly specimen: Specimen; readonly aims: readonly Aim[] };
 }
 
-/** One at a time, of the model that is open. */
+/** State of the search of the open model; one search runs at a time. */
 export const TARGET_SEARCH: Stateful<TargetSearch> = { name: "asking", initial: {} };
 
-/** What its notices are about: the next one takes them back, and so does the next change. */
+/** Topic of the search's notices: the next notice of the topic, or the next change, removes them. */
 const TOPIC = "asked";
 
-/** What is held of the document on the controls. */
+/** Targets that the document on the controls meets. */
 export function currentAims(studio: Studio): readonly Aim[] {
 	const { found } = studio.toolState(TARGET_SEARCH);
 	return found && sameSpecimen(found.specimen, studio.state.specimen) ? found.aims : [];
 }
 
-/** Looks for parameters that give a measure a value, and takes them as one step; a notice says what came of it. */
+/** Searches parameters that give a measure a value, and applies them as one undo step; a notice reports the result. */
 export async function searchTarget(studio: Studio, aim: Aim): Promise<void> {
 	studio.toolState(TARGET_SEARCH).now?.cancel();
 	const { model, specimen: from } = studio.state;
@@ -36,14 +36,14 @@ export async function searchTarget(studio: Studio, aim: Aim): Promise<void> {
 	const ending = new AbortController();
 	const cancel = () => ending.abort();
 	const report = (growths: number) => {
-		// Another may have taken its place.
+		// A newer search may have replaced this one.
 		if (ending.signal.aborted) return;
 		studio.setToolState(TARGET_SEARCH, {
 			...studio.toolState(TARGET_SEARCH),
 			now: { measure: aim.measure, growths, cancel },
 		});
 	};
-	// What a hand does meanwhile goes before.
+	// The user's own changes end the search.
 	const end = studio.subscribe(() => {
 		if (studio.state.model !== model || !growsAlike(studio.state.specimen, from)) cancel();
 	});
@@ -81,5 +81,5 @@ function take(studio: Studio, from: Specimen, aims: readonly Aim[], answer: Answ
 	});
 }
 
-/** How far a search is, from 0 to 1. */
+/** Progress of a search, from 0 to 1. */
 export const shareDone = ({ growths }: { readonly growths: number }): number => growths / MOST_GROWTHS;

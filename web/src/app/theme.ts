@@ -11,12 +11,12 @@ export function onSystemTheme(callback: (dark: boolean) => void): void {
 	darkSystem().addEventListener("change", ({ matches }) => callback(matches));
 }
 
-/** Puts the theme on the page; style/tokens.css does the rest. */
+/** Sets the theme of the page (`data-theme`, used by style/tokens.css) and of the browser's toolbar. */
 export function applyTheme(theme: UiState["theme"]): void {
 	const { dataset } = document.documentElement;
 	if (theme === "system") delete dataset.theme;
 	else dataset.theme = theme;
-	// The browser's own bar goes with the page.
+	// Colour of the browser's toolbar.
 	for (const meta of document.querySelectorAll<HTMLMetaElement>("meta[name=theme-color]")) {
 		const own = meta.dataset.theme;
 		meta.media = theme === "system" ? `(prefers-color-scheme: ${own})` : own === theme ? "all" : "not all";

@@ -1,4 +1,4 @@
-/** What a plant is called, on the page and in the tab. */
+/** The title of a plant, on the page and in the tab. */
 
 import type { PageModel } from "../models/page_model";
 import { withParameters } from "../specimen/edit";
@@ -8,7 +8,7 @@ import type { Specimen } from "../specimen/specimen";
 import type { Tool } from "../ui/tool";
 import { runningBy } from "./panel_groups";
 
-/** "Maple", or "Maple, altered"; what its model calls it, where that does. @param tools the model's */
+/** "Maple", or "Maple, altered"; the model's own title where it has one. @param tools of the model */
 export function titleOf(specimen: Specimen, model: PageModel, tools: readonly Tool[] = []): string {
 	const own = model.titled?.(specimen);
 	if (own !== undefined) return own;
@@ -16,16 +16,16 @@ export function titleOf(specimen: Specimen, model: PageModel, tools: readonly To
 	return isAltered(specimen, model, tools) ? `${title}, altered` : title;
 }
 
-/** Whether it is of another shape than its preset. Another seed is none, nor what a tool's bar runs through. */
+/** Whether the shape differs from the preset's. The seed and parameters that a tool's bar animates do not count. */
 export function isAltered(specimen: Specimen, model: PageModel, tools: readonly Tool[] = []): boolean {
 	const preset = presetOf(model, specimen.preset);
 	const values = Object.fromEntries(runningBy(tools).map((key) => [key, preset.parameters[key]]));
-	// A name that no preset has stands for the first.
+	// An unknown preset name means the first preset.
 	const named = { ...specimen, seed: preset.seed, preset: preset.preset };
 	return !growsAlike(withParameters(model, named, values), preset);
 }
 
-/** The last one: a life that runs asks for it at every frame. */
+/** The last preset, cached: a playing life needs it at every frame. */
 let known: { model: PageModel; name: string; preset: Specimen } | undefined;
 
 function presetOf(model: PageModel, name: string): Specimen {

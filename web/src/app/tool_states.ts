@@ -1,11 +1,11 @@
-/** What models' tools keep on the page: plain data by the names of model and tool. */
+/** States of models' tools: plain data by the names of model and tool. */
 import type { Stateful } from "../ui/editor_context";
 
 export type ToolStates = Readonly<Record<string, Readonly<Record<string, unknown>>>>;
 
 /**
- * The states with those of a model's tools in them: as they were, else as a former visit left them, else as at first.
- * @param remembered what former visits left
+ * Adds the states of a model's tools: the current state, else the remembered one, else the initial one.
+ * @param remembered states of former visits
  */
 export function withTools(
 	states: ToolStates,

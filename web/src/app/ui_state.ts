@@ -1,13 +1,13 @@
-/** What the page remembers between visits; nothing of it is part of the document. */
+/** The interface state that the page remembers between visits; not part of the document. */
 export interface UiState {
 	theme: "system" | "light" | "dark";
-	/** Whether single letters are keys for the whole page. */
+	/** Whether single-letter keyboard shortcuts are enabled. */
 	letters: boolean;
-	/** The one view that a phone shows: `SOLID`, or the name of a model's flat view. */
+	/** The view that a phone shows: `SOLID`, or the name of a model's flat view. */
 	view: string;
-	/** Groups of the panel that a person has opened or closed, by key; the others are as the table says. */
+	/** Groups of the panel that the user has opened or closed, by key; the others follow the table. */
 	groups: Readonly<Record<string, boolean>>;
-	/** What models' tools remember, by model and tool, as they left it. */
+	/** States that models' tools remember, by model and tool. */
 	tools: Readonly<Record<string, Readonly<Record<string, unknown>>>>;
 }
 
@@ -18,7 +18,7 @@ export const STORAGE_KEY = "panicle.ui";
 
 export const FIRST_VISIT: UiState = { theme: "system", letters: true, view: SOLID, groups: {}, tools: {} };
 
-/** Reads what was remembered. Anything missing, foreign or unreadable gives the first visit's value. */
+/** Reads the stored state. Missing or unreadable parts get the defaults of a first visit. */
 export function loadUi(storage: Pick<Storage, "getItem">): UiState {
 	try {
 		const stored: unknown = JSON.parse(storage.getItem(STORAGE_KEY) ?? "{}");
@@ -29,8 +29,8 @@ export function loadUi(storage: Pick<Storage, "getItem">): UiState {
 }
 
 /**
- * Remembers what has changed, and leaves the rest as it is kept: another tab may have changed that. A full or forbidden
- * storage is no reason to stop.
+ * Stores the changed parts; the rest of the stored state stays, since another tab may have changed it. Does nothing where storage is
+ * full or forbidden.
  */
 export function saveUi(storage: Pick<Storage, "getItem" | "setItem">, ui: UiState, before: UiState): void {
 	try {
@@ -45,16 +45,16 @@ export function saveUi(storage: Pick<Storage, "getItem" | "setItem">, ui: UiStat
 		};
 		storage.setItem(STORAGE_KEY, JSON.stringify(next));
 	} catch {
-		// Private windows may forbid it: the page works, it only forgets.
+		// Private windows may forbid storage: the page works without.
 	}
 }
 
-/** What is the same in every tab: of the rest each tab keeps its own, so that nothing moves under a hand. */
+/** The parts that all tabs share; of the rest each tab has its own, so that no layout shifts during use. */
 export function pageOf({ theme, letters }: UiState): Pick<UiState, "theme" | "letters"> {
 	return { theme, letters };
 }
 
-/** What is kept, with what has changed since before. */
+/** The stored entries, updated by those that have changed. */
 function merged<T>(
 	stored: Readonly<Record<string, T>> = {},
 	now: Readonly<Record<string, T>>,
@@ -72,7 +72,7 @@ function restoreUi(stored: unknown): UiState {
 		groups: Object.fromEntries(
 			Object.entries(recordOf(groups)).filter((group): group is [string, boolean] => typeof group[1] === "boolean"),
 		),
-		// What is in them is for the tools to judge.
+		// Tools validate their own states (`recall`).
 		tools: Object.fromEntries(Object.entries(recordOf(tools)).map(([model, each]) => [model, recordOf(each)])),
 	};
 }

@@ -6,7 +6,7 @@ import { plantToSave } from "./plant_to_save";
 const TOPIC = "picture";
 const INSTEAD = "Download, Picture gives it as a file.";
 
-/** Puts the 3-D view's picture on the clipboard, and says so, or why not. */
+/** Copies the 3-D view's picture to the clipboard, and notifies of the result. */
 export async function copyPicture(studio: Studio): Promise<void> {
 	const { picture } = studio.state;
 	const refuse = (why: string) => studio.notify("The picture was not copied", [why, INSTEAD], { topic: TOPIC });
@@ -16,7 +16,7 @@ export async function copyPicture(studio: Studio): Promise<void> {
 		return refuse("This browser lets no page copy pictures.");
 	const taken = pictureOf(studio, picture);
 	try {
-		// As a promise: some browsers hold a page to the moment of the press, and by the time the picture is taken that is over.
+		// Pass a promise: some browsers accept a write only during the click's event, and taking the picture takes longer.
 		await navigator.clipboard.write([new ClipboardItem({ "image/png": taken })]);
 		studio.notify("Picture copied", [], { topic: TOPIC, brief: true });
 	} catch {

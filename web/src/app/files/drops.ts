@@ -1,18 +1,18 @@
-/** Files that come to the page. What opens them is fetched with the first. */
+/** Takes files that are opened or dropped. The script that opens them is fetched with the first file. */
 import { FILE_TOPIC, type ToolDrop } from "../../ui/tool";
 import { applying } from "../panel_groups";
 import type { Studio } from "../studio";
 import { TRY_AGAIN } from "../types";
 
-/** What tools of the model take of files, those that mean nothing to the specimen left out. */
+/** The kinds of files that the tools of the specimen take. */
 export function dropsOf({ state: { modelUi, specimen } }: Studio): ToolDrop[] {
 	return applying(modelUi?.tools, specimen).flatMap(({ drop }) => drop ?? []);
 }
 
-/** The files that the picker offers. */
+/** File types that the file picker offers. */
 export const ACCEPT = ".glb,.json,.png,.lsys,.gl3,.growth,.stand,.xml,model/gltf-binary,application/json,image/png";
 
-/** Opens a file (open.ts); whatever is wrong is said, and the plant stays. */
+/** Opens a file (open.ts). Errors are shown as notices, and the plant stays. */
 export async function takeFile(studio: Studio, file: File): Promise<void> {
 	const opener = await import("./open").catch(() => undefined);
 	if (opener) await opener.openFile(studio, file);

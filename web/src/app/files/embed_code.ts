@@ -1,57 +1,57 @@
-/** Code that puts a plant in somebody's page. Text in, text out: nothing of the page is looked at. */
+/** Writes HTML code that embeds a plant in another page. Pure text functions, without access to the page. */
 import { linkParts } from "../../specimen/link";
 
-/** By a script of ours, in a frame, or as a file in a viewer of others. */
+/** Panicle's own element, a frame, or a GLB in model-viewer. */
 export const EMBED_FORMS = ["element", "frame", "model-viewer"] as const;
 export type EmbedForm = (typeof EMBED_FORMS)[number];
 
-/** What a person chooses. */
+/** Options that the user chooses. */
 export interface EmbedChoice {
 	readonly form: EmbedForm;
 	/** CSS pixels. */
 	readonly width: number;
 	readonly height: number;
-	/** Whether it turns by itself. */
+	/** Whether the plant turns by itself. */
 	readonly autorotate: boolean;
-	/** Whether it sways in the wind, where readers wish for no less motion. */
+	/** Whether the plant sways in the wind, unless the reader prefers reduced motion. */
 	readonly wind: boolean;
 	readonly controls: boolean;
 	readonly handles: boolean;
-	/** Whether it waits until it is near the screen. */
+	/** Whether the plant is loaded only when it is near the screen. */
 	readonly lazy: boolean;
 }
 
-/** What is to be put there. */
+/** The plant to embed. */
 export interface Embedded {
-	/** The folder that holds `panicle.js` and `embed.html`; an address with its last slash. */
+	/** Address of the folder with `panicle.js` and `embed.html`, ending in a slash. */
 	readonly app: string;
-	/** From its `?` on. */
+	/** The link from its `?` on. */
 	readonly link: string;
-	/** What it is, for those who do not see it. */
+	/** Text alternative for the plant. */
 	readonly words: string;
-	/** Of the GLB, which lies beside the page. */
+	/** Name of the GLB, in the folder of the page. */
 	readonly file: string;
 }
 
-/** Most of what is asked of a side, CSS pixels. */
+/** Greatest width and height, CSS pixels. */
 export const LONGEST_SIDE = 4096;
 
-/** The viewer that model-viewer's own pages name, of a release that was looked at. */
+/** Address of model-viewer's script, of a release that has been reviewed. */
 export const MODEL_VIEWER = "https://cdn.jsdelivr.net/npm/@google/model-viewer@4.4.0/dist/model-viewer.min.js";
 
-/** HTML to be copied into a page. */
+/** The HTML to copy into a page. */
 export function embedCode(of: Embedded, choice: EmbedChoice): string {
 	return CODE[choice.form](of, choice);
 }
 
-/** The address of a frame with the plant. */
+/** The address of the frame that shows the plant. */
 export function frameAddress({ app, link }: Pick<Embedded, "app" | "link">, choice: Partial<EmbedChoice>): string {
 	const { query, fragment } = linkParts(link);
 	const own = OWN.filter((key) => choice[key]).map((key) => `&${key}=`);
 	return `${app}embed.html${query}${own.join("")}${fragment}`;
 }
 
-/** Attributes of the element, and keys of the frame's address, that are there or not. */
+/** Boolean attributes of the element, and keys of the frame's address. */
 const OWN = ["autorotate", "wind", "controls", "handles"] as const;
 
 const CODE: Readonly<Record<EmbedForm, (of: Embedded, choice: EmbedChoice) => string>> = {

@@ -1,4 +1,4 @@
-/** What `Download` gives. Files are made in a worker (files/), which is loaded when the first is asked for. */
+/** Lists the formats of the `Download` menu. Files are made in a worker, which is loaded for the first file. */
 
 import { coreAddress } from "../../core/core_address";
 import type { FileOptions } from "../../formats/file_options";
@@ -13,19 +13,19 @@ export interface DownloadFormat {
 	readonly key: string;
 	readonly title: string;
 	readonly about: string;
-	/** After the plant's name. */
+	/** The end of the file's name, after the plant's name. */
 	readonly suffix: string;
-	/** Whether its size is told, which takes making it. */
+	/** Whether the menu shows its size, which requires making the file. */
 	readonly sized: boolean;
-	/** Whether that takes seconds. */
+	/** Whether making it takes seconds. */
 	readonly slow?: boolean;
 	make(request: DownloadRequest, signal?: AbortSignal): Promise<Blob>;
 }
 
-/** What is to be made into a file. */
+/** A plant to be made into a file. */
 export interface DownloadRequest {
 	readonly plant: ShownPlant;
-	/** The whole address that brings it back. */
+	/** The absolute link to the plant. */
 	readonly link: string;
 	/** Without extension. */
 	readonly name: string;
@@ -40,9 +40,9 @@ const OF_EVERY_PLANT: readonly FormatEntry[] = [
 ];
 
 /**
- * What there is of a plant.
- * @param picture takes one of the 3-D view, where there is a view
- * @param write makes all the others; cancelled by its signal, it rejects with the signal's reason
+ * The formats available for a plant.
+ * @param picture takes a picture of the 3-D view; undefined without a view
+ * @param write makes all other files; rejects with the signal's reason when cancelled
  */
 export function downloadFormats(
 	shown: ShownPlant,
@@ -51,7 +51,7 @@ export function downloadFormats(
 ): readonly DownloadFormat[] {
 	const { model, grown } = shown;
 	const own = (model.formats ?? []).filter(({ applies }) => applies?.(grown) ?? true);
-	// What grows the plant again, otherwise.
+	// These formats grow the plant again, at other ages or in other detail.
 	const core = coreAddress(model.wasm);
 	const ages = core !== undefined && hasAges(model, shown.from);
 	const levels = core !== undefined && model.levels !== undefined;
@@ -93,12 +93,12 @@ function picturesBy(take: NonNullable<StudioState["picture"]>): DownloadFormat[]
 	];
 }
 
-/** Whether some parts are one mesh many times, so that instances make the file another one. */
+/** Whether some parts share a mesh, so that a file with instances differs. */
 function hasInstances({ model, grown }: ShownPlant): boolean {
 	return model.instanced?.(grown) ?? grown.organs.mesh.some((mesh) => mesh >= 0);
 }
 
-/** "long-conical-7", or "long-conical-altered-7": what a file of this plant is called. */
+/** The name of a plant's files, without ending: "long-conical-7", or "long-conical-altered-7". */
 export function fileName({ preset, seed }: Specimen, altered = false): string {
 	return altered ? `${preset}-altered-${seed}` : `${preset}-${seed}`;
 }

@@ -1,4 +1,4 @@
-/** Many plants of what is on the controls, as one archive: asked for in the words of the command line. */
+/** Makes a batch of plants from the document on the controls, as one archive; with the command line's syntax. */
 import { independentDraws } from "../../batch/draws";
 import { readPlantNumbers } from "../../batch/plant_numbers";
 import { formatsOf as formatsOfSeries, type Series } from "../../batch/series";
@@ -12,22 +12,22 @@ import type { ShownPlant, StudioState } from "../studio_state";
 import { type DownloadFormat, downloadFormats } from "./formats";
 
 export interface Many {
-	/** Numbers of the plants, as `--seeds` has them. */
+	/** Numbers of the plants, in the syntax of `--seeds`. */
 	readonly numbers: string;
-	/** As `--vary`; empty: only the seed. */
+	/** Parameters to vary, in the syntax of `--vary`; empty: only the seed. */
 	readonly vary: string;
-	/** The key of a kind of file. */
+	/** Key of the file format. */
 	readonly format: string;
 }
 
-/** Which files there can be of many: of those of the plant that is shown, what a series makes. */
+/** Formats available for a batch: those of the plant in view that a series can make. */
 export function formatsOfMany(shown: ShownPlant): readonly DownloadFormat[] {
 	const made = formatsOfSeries(shown.model);
 	return downloadFormats(shown, undefined).filter(({ key }) => made.includes(key));
 }
 
 /**
- * What is asked for, read.
+ * Reads the fields of the batch dialog.
  * @throws Unusable
  */
 export function readMany(
@@ -40,8 +40,8 @@ export function readMany(
 }
 
 /**
- * Grows them with a worker of their own, so that the page goes on.
- * @throws Unusable, the signal's reason, and what the workers say
+ * Grows the plants in a worker of their own, beside the page's.
+ * @throws Unusable, the signal's reason, and errors of the workers
  */
 export async function growMany({ series, numbers }: ReturnType<typeof readMany>, watch: Watch): Promise<Blob> {
 	await checkVaried(series.model, series.varied, series.from);

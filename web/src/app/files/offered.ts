@@ -1,4 +1,4 @@
-/** What `Download` offers and how it is made: fetched when the menu is opened for the first time. */
+/** Modules of the download menu, fetched when it is opened for the first time. */
 
 export { NotFetched } from "../../generate/files/exporter";
 export { saveFile } from "../../ui/save_file";

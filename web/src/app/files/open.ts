@@ -17,8 +17,8 @@ import { TRY_AGAIN } from "../types";
 import { dropsOf } from "./drops";
 
 /**
- * Brings back the specimen of a GLB, a JSON or a picture with its link, of whatever model; a file of saved ones goes into the library, one without any to the tool that takes it. Whatever
- * is wrong with the file is said, and the plant stays.
+ * Opens the specimen of a GLB, a JSON or a picture with a link, of any model. A file of saved specimens goes to the library, a file
+ * without a specimen to the tool that takes it. Errors are shown as notices, and the plant stays.
  */
 export async function openFile(studio: Studio, file: File): Promise<void> {
 	if (TEXT_FILE.test(file.name)) return openText(studio, file);
@@ -51,19 +51,19 @@ export async function openFile(studio: Studio, file: File): Promise<void> {
 	}
 }
 
-/** Files of grammars by their names: what is in them decides which model they are for. */
+/** File names of grammars; the content decides the model. */
 const TEXT_FILE = /\.(?:lsys|gl3|growth|stand|xml)$/i;
 
-/** Grows a grammar's text, as the model that it is for. */
+/** Opens a grammar's text in the model that it is written for. */
 async function openText(studio: Studio, file: File): Promise<void> {
 	const refuse = (why: string) => studio.notify("The file was not opened", [why], { topic: FILE_TOPIC });
 	try {
 		const long = overlongFile(file.size, await file.slice(0, 64).text());
 		if (long) return refuse(`${file.name} is ${long}.`);
-		const said = new TextDecoder("utf-8", { fatal: true }).decode(await file.arrayBuffer());
-		if (said.trim() === "") return refuse(`${file.name} is empty.`);
-		const { model, text: grammar, specimen } = await readText(said, file.name);
-		// XML may be long and its text is not, or is: then the plant stays.
+		const decoded = new TextDecoder("utf-8", { fatal: true }).decode(await file.arrayBuffer());
+		if (decoded.trim() === "") return refuse(`${file.name} is empty.`);
+		const { model, text: grammar, specimen } = await readText(decoded, file.name);
+		// An XML file may be longer than the grammar in it: check the grammar's own length, too.
 		const longText = overlongText(grammar);
 		if (longText) return refuse(`${file.name} is ${longText} as a grammar’s text.`);
 		if (model) studio.take(model, restore(model, { v: SPECIMEN_VERSION, grammar }, specimen), FILE_TOPIC);
@@ -74,9 +74,9 @@ async function openText(studio: Studio, file: File): Promise<void> {
 	}
 }
 
-/** What this model takes of files, that the message does not name. */
+/** Files that the present model takes, for the message about a refused file. */
 function here(studio: Studio, { name }: File): string[] {
-	// What is meant to be one of Panicle's own is not well yet.
+	// A GLB or JSON was meant to hold a specimen: other kinds do not matter.
 	if (/\.(glb|json)$/i.test(name)) return [];
 	const taken = dropsOf(studio).map(({ words }) => words);
 	const { title } = studio.state.model;
@@ -86,7 +86,7 @@ function here(studio: Studio, { name }: File): string[] {
 	];
 }
 
-/** What tools of other models would do with the file: "Tree: a closed mesh (OBJ, GLB) becomes the boundary." */
+/** Uses of the file by tools of other models: "Tree: a closed mesh (OBJ, GLB) becomes the boundary." */
 async function elsewhere(studio: Studio, file: File): Promise<string[]> {
 	const others = modelNames().filter((name) => name !== studio.state.model.name);
 	const taken = others.map(async (name) => {

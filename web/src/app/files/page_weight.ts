@@ -1,4 +1,4 @@
-/** What a page has fetched, as a host sends it: each file packed by gzip, whatever this one does. */
+/** Sums the size of the files that a page has fetched, each compressed by gzip as hosts send them. */
 
 export interface PageWeight {
 	/** Bytes of pages, styles and scripts. */
@@ -7,12 +7,12 @@ export interface PageWeight {
 	readonly cores: number;
 }
 
-/** Packed sizes of files by their addresses, which hold what they hold. */
+/** Compressed sizes by address; files at an address never change. */
 const known = new Map<string, Promise<number>>();
 
 /**
- * @param addresses of files that were fetched, of any origin
- * @param origin whose are counted
+ * @param addresses addresses of the fetched files, of any origin
+ * @param origin only files of this origin count
  */
 export async function pageWeight(addresses: Iterable<string>, origin: string): Promise<PageWeight> {
 	const own = [...new Set(addresses)].filter((address) => address.startsWith(`${origin}/`));
@@ -24,7 +24,7 @@ export async function pageWeight(addresses: Iterable<string>, origin: string): P
 
 const isCore = (address: string) => new URL(address).pathname.endsWith(".wasm");
 
-/** 0 where it cannot be had. */
+/** Compressed size of a file in bytes; 0 if it cannot be fetched. */
 function packed(address: string): Promise<number> {
 	const before = known.get(address);
 	if (before) return before;

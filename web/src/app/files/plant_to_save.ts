@@ -2,9 +2,9 @@ import type { Studio } from "../studio";
 import { lookOf, type ShownPlant } from "../studio_state";
 
 /**
- * What a download is of: the plant that is on the controls at the time of asking, in the look it has then. Where it still grows,
- * its growth is waited for; where that fails, it is the plant that stays in view.
- * @throws the signal's reason where it is cancelled, and an Error where there is no plant
+ * The plant to save: the document on the controls at the time of the call, in its look of that time. Waits for a running growth; if the
+ * growth fails, returns the plant that stays in view.
+ * @throws the signal's reason when cancelled, and an Error if there is no plant
  */
 export async function plantToSave(studio: Studio, signal?: AbortSignal): Promise<ShownPlant> {
 	const requested = studio.state;
@@ -14,7 +14,7 @@ export async function plantToSave(studio: Studio, signal?: AbortSignal): Promise
 	return { ...shown, from: { ...shown.from, look: lookOf(shown, requested) } };
 }
 
-/** Resolves once no growth is under way. */
+/** Resolves once no growth is running. */
 export function caughtUp(studio: Studio, signal?: AbortSignal): Promise<void> {
 	return new Promise((resolve, reject) => {
 		signal?.throwIfAborted();

@@ -4,7 +4,7 @@ import { applying } from "../panel_groups";
 import type { Studio } from "../studio";
 import { StudioPart } from "./studio_part";
 
-/** The bars below the 3-D view that the model's tools bring. */
+/** The tools' bars below the 3-D view. */
 export class Bars extends StudioPart {
 	protected override shows({ state: { modelUi, specimen, model } }: Studio): readonly unknown[] {
 		return [model, ...applying(modelUi?.tools, specimen)];

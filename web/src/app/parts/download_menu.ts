@@ -9,7 +9,7 @@ import { TRY_AGAIN } from "../types";
 import type { MenuAction } from "./menu_actions";
 import { StudioPart } from "./studio_part";
 
-/** What takes longer than this shows that it is being made, and can be cancelled; milliseconds. */
+/** Files that take longer show progress and a Cancel button; milliseconds. */
 const PROGRESS_DELAY = 200;
 
 type Offered = typeof import("../files/offered");
@@ -20,17 +20,17 @@ interface Making {
 	slow: boolean;
 }
 
-/** `Download` and its menu of formats. One file is made at a time: the next takes the place of one that still is. */
+/** The `Download` button and its menu of formats. One file is made at a time: choosing another cancels the running one. */
 export class DownloadMenu extends StudioPart {
-	/** What can be had, while the menu is open. */
+	/** The menu's modules, while the menu is open. */
 	#offered: Offered | undefined;
 	/** The file that is being made. */
 	#making: Making | undefined;
 	#options: DownloadRequest["options"] = {};
-	/** What the sizes are of, while the menu is open. */
+	/** The request that the menu's sizes belong to, while the menu is open. */
 	#request: DownloadRequest | undefined;
 	#ahead: MadeAhead | undefined;
-	/** The plant that sizes were last asked of. */
+	/** The plant whose sizes were computed last. */
 	#sizedPlant: Plant | undefined;
 
 	protected override shows({ state: { shown, picture } }: Studio): readonly unknown[] {
@@ -76,7 +76,7 @@ export class DownloadMenu extends StudioPart {
 		</button>`;
 	}
 
-	/** Sizes are those of the plant in view: they follow it while the menu is open. */
+	/** Computes the sizes anew when the plant in view changes while the menu is open. */
 	protected override updated(): void {
 		const grown = this.context.state.shown?.grown;
 		if (!this.#offered || grown === this.#sizedPlant) return;
@@ -84,13 +84,13 @@ export class DownloadMenu extends StudioPart {
 		void this.#updateSizes(this.#offered);
 	}
 
-	/** The button with Cancel on it goes: the focus stays near. */
+	/** Cancels the running file; the focus moves to the menu's button, since the Cancel button disappears. */
 	#cancel(): void {
 		this.#making?.cancel.abort();
 		this.querySelector<HTMLElement>("button")?.focus();
 	}
 
-	/** Makes what the menu offers, to tell how large it is. */
+	/** Makes the menu's files ahead, to show their sizes. */
 	async #updateSizes(offered: Offered): Promise<void> {
 		const request = await this.#requestFor(offered).catch(() => undefined);
 		if (!request || !this.#offered) return;
@@ -126,7 +126,7 @@ export class DownloadMenu extends StudioPart {
 		}
 		this.#offered = offered;
 		this.requestUpdate();
-		// What is saved is at rest, and measured.
+		// A saved plant must be at rest, with measures: stop animations.
 		const { modelUi } = this.context.state;
 		for (const tool of modelUi?.tools ?? []) tool.rest?.(this.context);
 		void this.updateComplete.then(() => this.#items()[0]?.focus());
@@ -141,7 +141,7 @@ export class DownloadMenu extends StudioPart {
 		window.removeEventListener("pointerdown", this.#outside, { capture: true });
 	}
 
-	/** Closes the menu; the focus goes back to its button. */
+	/** Closes the menu; the focus returns to its button. */
 	#leave(): void {
 		this.#close();
 		this.querySelector<HTMLElement>("button")?.focus();
@@ -160,7 +160,7 @@ export class DownloadMenu extends StudioPart {
 		const at = items.indexOf(document.activeElement as HTMLElement);
 		const next = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: -1 }[event.key];
 		if (event.key === "Escape") {
-			// So that it closes nothing else, nor lets go of what is chosen.
+			// Escape must not close anything else or clear a selection.
 			event.preventDefault();
 			this.#leave();
 		} else if (at >= 0 && next !== undefined) {

@@ -4,7 +4,7 @@ import { applying } from "../panel_groups";
 import type { Studio } from "../studio";
 import { StudioPart } from "./studio_part";
 
-/** Takes files dropped anywhere on the page; while one hovers, says what will happen. */
+/** Opens files dropped anywhere on the page; while a file hovers, shows which files can be used. */
 export class Drop extends StudioPart {
 	#hovering = false;
 
@@ -42,20 +42,20 @@ export class Drop extends StudioPart {
 
 	readonly #over = (event: DragEvent): void => {
 		if (!event.dataTransfer?.types.includes("Files")) return;
-		// Where a part of the page takes what is over it, this one does not.
+		// Another part of the page takes the file.
 		this.#hover(!event.defaultPrevented);
 		event.preventDefault();
 	};
 
 	readonly #leave = (event: DragEvent): void => {
-		// Leaving one element for another inside the page is no leaving.
+		// Ignore moves between elements of the page.
 		if (event.relatedTarget === null) this.#hover(false);
 	};
 
 	readonly #drop = (event: DragEvent): void => {
 		this.#hover(false);
 		const file = event.dataTransfer?.files[0];
-		// Some part of the page has taken it.
+		// Another part of the page has taken the file.
 		if (!file || event.defaultPrevented) return;
 		event.preventDefault();
 		void takeFile(this.context, file);

@@ -13,13 +13,13 @@ export function editorsOf({ modelUi, specimen }: Pick<StudioState, "modelUi" | "
 	return applying(modelUi?.tools, specimen).filter(({ editor }) => editor);
 }
 
-/** The one view that a phone shows. */
+/** The view that a phone shows. */
 export function viewOf(state: Pick<StudioState, "modelUi" | "specimen" | "ui">): string {
 	const { view } = state.ui;
 	return editorsOf(state).some(({ name }) => name === view) ? view : SOLID;
 }
 
-/** The model's flat views with their handles, at the left of the 3-D view; on a phone one of them in its place. */
+/** The model's flat views with their handles, at the left of the 3-D view; on a phone one of them replaces it. */
 export class Editors extends StudioPart {
 	protected override shows({ state }: Studio): readonly unknown[] {
 		const { model, modelUi, tools, grown, grownFrom } = state;

@@ -20,7 +20,7 @@ import type { Studio } from "../studio";
 import { StudioPart } from "./studio_part";
 import "../style/embed.css";
 
-/** The preview is no larger than this, CSS pixels: what is larger is shown smaller. */
+/** Greatest size of the preview, CSS pixels; larger frames are scaled down. */
 const PREVIEW = { width: 300, height: 320 };
 
 const FORMS: readonly { readonly form: EmbedForm; readonly title: string; readonly about: string }[] = [
@@ -33,23 +33,23 @@ const FORMS: readonly { readonly form: EmbedForm; readonly title: string; readon
 	},
 ];
 
-/** Files that model-viewer opens as it comes. */
+/** Keys of the formats that model-viewer opens. */
 const FILES = ["glb-low", "glb"];
 
-/** What is chosen by a box. */
+/** Options with a checkbox. */
 type Switch = "autorotate" | "wind" | "controls" | "handles" | "lazy";
 
-/** What the dialog is about while it is open. */
+/** The plant that the dialog was opened for. */
 interface Opened {
 	readonly request: DownloadRequest;
 	readonly of: Embedded;
-	/** What the link does not hold. */
+	/** Parts of the specimen that the link does not hold, a sentence each. */
 	readonly lost: readonly string[];
 	readonly hasHandles: boolean;
 	readonly sways: boolean;
 }
 
-/** Code that puts the plant in a page, with a preview of just that and what it weighs. */
+/** The dialog with the embed code of a plant, a preview and its download size. */
 export class EmbedDialog extends StudioPart {
 	#choice: EmbedChoice = {
 		form: "element",
@@ -77,7 +77,7 @@ export class EmbedDialog extends StudioPart {
 		</dialog>`;
 	}
 
-	/** Opens the dialog about the plant that is on the controls; the browser keeps the focus in it and gives it back. */
+	/** Opens the dialog for the plant on the controls; the browser traps the focus and restores it. */
 	async open(): Promise<void> {
 		this.#opened = await openedOn(this.context);
 		this.#message = "";
@@ -147,10 +147,10 @@ export class EmbedDialog extends StudioPart {
 			</button>`;
 	}
 
-	/** The page that a frame holds, shown as large as there is room. */
+	/** A live preview of the frame, scaled to fit. */
 	#preview(of: Embedded): TemplateResult {
 		const { form, width, height, autorotate } = this.#choice;
-		// Another address gets another frame: it leaves no step for the browser's Back.
+		// A new address gets a new frame: navigating the old one would add a history entry.
 		const address = frameAddress(of, form === "model-viewer" ? { autorotate } : this.#choice);
 		return html`<figure>
 			<div class="preview">${keyed(address, html`<iframe title="Preview" src=${address} width=${width} height=${height} @load=${this.#loaded}></iframe>`)}</div>
@@ -181,7 +181,7 @@ export class EmbedDialog extends StudioPart {
 		void this.#make();
 	}
 
-	/** Weighs what the preview fetches, and again what it fetches later. */
+	/** Sums the size of the files that the preview fetches, again after later fetches. */
 	readonly #loaded = ({ target }: Event): void => {
 		const { contentWindow: page } = target as HTMLIFrameElement;
 		if (!page) return;
@@ -207,7 +207,7 @@ export class EmbedDialog extends StudioPart {
 		return `A visitor downloads ${sizeInWords(scripts + cores)} packed, once for all plants of a page: ${sizeInWords(scripts)} of scripts and ${sizeInWords(cores)} of core.`;
 	}
 
-	/** Makes the file, where one is wanted and not there. */
+	/** Makes the GLB, if the form needs it and it is missing. */
 	async #make(): Promise<void> {
 		const opened = this.#opened;
 		if (!opened || this.#file || this.#choice.form !== "model-viewer") return;
@@ -226,7 +226,7 @@ export class EmbedDialog extends StudioPart {
 		this.requestUpdate();
 	}
 
-	/** Where the clipboard is denied, the code is selected for copying by hand. */
+	/** Copies the code; if the clipboard is denied, selects the code for copying by hand. */
 	async #copy(code: string): Promise<void> {
 		try {
 			await navigator.clipboard.writeText(code);
@@ -238,7 +238,7 @@ export class EmbedDialog extends StudioPart {
 		this.requestUpdate();
 	}
 
-	/** What it was about goes, and with it the preview. */
+	/** Clears the dialog's state, and with it the preview. */
 	#closed(): void {
 		this.#making?.abort();
 		this.#opened = undefined;
@@ -270,7 +270,7 @@ async function openedOn(studio: Studio): Promise<Opened> {
 const filesOf = ({ plant }: DownloadRequest): DownloadFormat[] =>
 	downloadFormats(plant, undefined).filter(({ key }) => FILES.includes(key));
 
-/** What whoever copies ought to know. */
+/** Remarks for the user who copies the code. */
 function remarks({ app }: Embedded, lost: readonly string[], { state: { model } }: Studio): string[] {
 	const { hostname } = new URL(app);
 	const local = /^(localhost|127\.|\[::1\])/.test(hostname)

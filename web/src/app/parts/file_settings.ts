@@ -1,4 +1,4 @@
-/** What a person may say of files before choosing one. */
+/** Settings for files, in the download menu. */
 import { html } from "lit";
 import { NUMERIC_FILE_OPTIONS } from "../../formats/file_options";
 import { LOW_TRIANGLES, THICKNESS } from "../../formats/plant_files";
@@ -6,14 +6,14 @@ import type { DownloadRequest } from "../files/formats";
 
 type Options = DownloadRequest["options"];
 
-/** @param changed called with all of them once one has another value that can be used */
+/** @param changed called with all options after a valid change */
 export function fileSettings(options: Options, changed: (options: Options) => void): unknown {
 	const number = ({ target }: Event) => {
 		const field = target as HTMLInputElement;
-		// The browser says what is wrong with a number that cannot be used.
+		// The browser reports invalid numbers.
 		if (!field.reportValidity()) return;
 		const { [field.name as keyof Options]: _, ...others } = options;
-		// An empty field is what nobody has said.
+		// An empty field means the default.
 		changed(field.value === "" ? others : { ...options, [field.name]: field.valueAsNumber });
 	};
 	const check = ({ target }: Event) => {

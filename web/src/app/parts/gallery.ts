@@ -10,7 +10,7 @@ import { SAVED } from "./late_parts";
 import { openPart } from "./open_part";
 import { StudioPart } from "./studio_part";
 
-/** Rendered by the app itself on the paper of each theme (`npm run pictures -- gallery`). */
+/** Address of a preset's picture, rendered by the app for each theme (`npm run pictures -- gallery`). */
 const pictureOf = (model: PageModel, { name }: Preset, dark: boolean) =>
 	`${import.meta.env.BASE_URL}gallery/${model.name}/${name}-${dark ? "dark" : "light"}.webp`;
 
@@ -18,14 +18,14 @@ const picture = (src: string) =>
 	html`<img src=${src} alt="" width="60" height="75" loading="lazy" fetchpriority="low" decoding="async">`;
 
 /**
- * The presets of every model as small pictures, by kind, to be searched and filtered; choosing one is one undo step. The
- * strip is one stop of the Tab key: arrow keys go from preset to preset.
+ * The presets of every model as small pictures, by kind, with a search and a filter; choosing one is one undo step. The strip is one
+ * stop of the Tab key: arrow keys move between presets.
  */
 export class Gallery extends StudioPart {
 	#query = "";
-	/** Key of the one kind shown; empty for all. */
+	/** Key of the kind shown; empty for all. */
 	#kind = "";
-	/** The preset last brought into sight, and among how many models. */
+	/** The preset last scrolled into view, with the number of models then. */
 	#revealed: string | undefined;
 
 	protected override shows({ state: { catalogue, dark, specimen } }: Studio): readonly unknown[] {
@@ -102,7 +102,7 @@ export class Gallery extends StudioPart {
 		</li>`;
 	}
 
-	/** The chosen preset is in sight, also when a link or a file has chosen it; where it is not found, the first is. */
+	/** Scrolls the chosen preset into view, also when a link or a file has chosen it. */
 	protected override updated(_changed: PropertyValues): void {
 		const { specimen, catalogue } = this.context.state;
 		const wanted = `${catalogue.length} ${specimen.model} ${specimen.preset}`;
@@ -165,10 +165,10 @@ function described({ about, figure }: Preset): string {
 	return figure === undefined ? about : `${about} (figure ${figure})`;
 }
 
-/** What of its neighbours is to be seen, so that the strip does not seem to end there; CSS pixels. */
+/** Visible part of a neighbour, which shows that the strip goes on; CSS pixels. */
 const NEIGHBOUR = 48;
 
-/** Scrolls the strip, and nothing else, until the preset is well in it. */
+/** Scrolls the strip alone until the preset is well in view. */
 function reveal(strip: HTMLElement, preset: HTMLElement): void {
 	const box = preset.getBoundingClientRect();
 	const shown = strip.getBoundingClientRect();

@@ -4,7 +4,7 @@ import type { Studio } from "../studio";
 import { VERSION } from "../version";
 import { StudioPart } from "./studio_part";
 
-/** What this is, what the model says of itself, and the keys. */
+/** The help dialog: about the app and the model, keyboard shortcuts, files. */
 export class Help extends StudioPart {
 	protected override shows({ state: { model, modelUi, ui } }: Studio): readonly unknown[] {
 		return [model, modelUi, ui.letters];
@@ -29,12 +29,12 @@ export class Help extends StudioPart {
 		</dialog>`;
 	}
 
-	/** Some press letters without meaning to: speech input does. */
+	/** Single-letter shortcuts can be disabled: speech input triggers them by accident. */
 	#switchLetters(event: Event): void {
 		this.context.setUi({ letters: (event.target as HTMLInputElement).checked });
 	}
 
-	/** Opens the dialog at its heading, for the first thing to press is far below; the browser keeps the focus in it and gives it back. */
+	/** Opens the dialog with the focus on its heading, since the first control is far below; the browser traps and restores the focus. */
 	open(): void {
 		this.querySelector("dialog")?.showModal();
 	}

@@ -5,7 +5,7 @@ import { icon } from "../../ui/icons";
 import type { Studio } from "../studio";
 import { StudioPart } from "./studio_part";
 
-/** Undo, redo, and back to the preset. */
+/** The buttons Undo, Redo and Reset. */
 export class HistoryBar extends StudioPart {
 	protected override shows(studio: Studio): readonly unknown[] {
 		const { history, specimen } = studio.state;

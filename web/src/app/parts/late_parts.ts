@@ -1,4 +1,4 @@
-/** Parts that the whole page may open. */
+/** Parts that are loaded on demand and opened from anywhere on the page. */
 import type { LatePart } from "./open_part";
 
 export const HELP: LatePart = {

@@ -5,7 +5,7 @@ import { formatsOfMany, growMany, type Many, readMany } from "../files/many";
 import type { Studio } from "../studio";
 import { StudioPart } from "./studio_part";
 
-/** How many plants are asked for before anyone has said. */
+/** The default number of plants. */
 const FEW = 10;
 
 interface Making {
@@ -14,7 +14,7 @@ interface Making {
 	done: number;
 }
 
-/** Asks which plants are wanted, grows them, and gives them as one archive. */
+/** The dialog that grows a batch of plants and downloads them as one archive. */
 export class ManyDialog extends StudioPart {
 	#making: Making | undefined;
 	#problem = "";
@@ -44,7 +44,7 @@ export class ManyDialog extends StudioPart {
 		</dialog>`;
 	}
 
-	/** Opens the dialog; the browser keeps the focus in it and gives it back. */
+	/** Opens the dialog; the browser traps the focus and restores it. */
 	async open(): Promise<void> {
 		await this.updateComplete;
 		this.querySelector("dialog")?.showModal();
@@ -71,7 +71,7 @@ export class ManyDialog extends StudioPart {
 			const series = readMany(this.context.state, many);
 			const making: Making = { cancel, total: series.numbers.length, done: 0 };
 			this.#setProgress("", making);
-			// The button that was pressed has gone.
+			// The pressed button has disappeared: move the focus to the next one.
 			await this.updateComplete;
 			this.querySelector<HTMLElement>(".choices button")?.focus();
 			const archive = await growMany(series, {
@@ -102,7 +102,7 @@ export class ManyDialog extends StudioPart {
 	}
 }
 
-/** What could be varied of this plant: the middle half of the first everyday number. */
+/** An example for `--vary`: the middle half of the range of the first everyday parameter. */
 function exampleFor({ state: { model } }: Studio): string {
 	const everyday = model.table.groups.filter((group) => group.everyday).map(({ key }) => key);
 	const entry = model.table.core.find(({ kind, group }) => kind !== "choice" && everyday.includes(group));

@@ -1,4 +1,4 @@
-/** What the download menu offers besides files. */
+/** Actions of the download menu besides files. */
 import { copyPicture } from "../files/copy_picture";
 import type { Studio } from "../studio";
 import { SAVED } from "./late_parts";
@@ -8,7 +8,7 @@ export interface MenuAction {
 	readonly key: string;
 	readonly title: string;
 	readonly about: string;
-	/** @param menu where dialogs stand; the focus is back in it when they close */
+	/** @param menu contains the dialogs; the focus returns to it when they close */
 	run(studio: Studio, menu: HTMLElement): Promise<void>;
 }
 
@@ -37,7 +37,7 @@ const EMBED: MenuAction = {
 	run: dialog("panicle-embed", () => import("./embed_dialog"), "The code could not be shown"),
 };
 
-/** What there is now: pictures only while there is a view. */
+/** The available actions: pictures only while there is a 3-D view. */
 export const menuActions = ({ state: { picture } }: Studio): readonly MenuAction[] =>
 	picture ? [SAVE, MANY, PICTURE, EMBED] : [SAVE, MANY, EMBED];
 

@@ -4,7 +4,7 @@ import type { Studio } from "../studio";
 import type { Notice } from "../types";
 import { StudioPart } from "./studio_part";
 
-/** What the page has to say, one below the other, until dismissed. */
+/** The notices, one below the other. */
 export class Notices extends StudioPart {
 	protected override shows({ state }: Studio): readonly unknown[] {
 		return [state.notices];

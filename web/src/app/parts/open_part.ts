@@ -2,11 +2,11 @@ import type { LitElement } from "lit";
 import type { Studio } from "../studio";
 import { TRY_AGAIN } from "../types";
 
-/** A part of the page that comes when it is first asked for: its tag stands in the page, its script is fetched. */
+/** A part of the page that is loaded when first opened: its tag is in the page, its script is fetched. */
 export interface LatePart {
 	readonly tag: string;
 	load(): Promise<unknown>;
-	/** What is said where it does not come: "The help could not be fetched". */
+	/** Title of the notice if loading fails: "The help could not be fetched". */
 	readonly failed: string;
 }
 
@@ -14,7 +14,7 @@ interface Openable extends LitElement {
 	open(): void | Promise<void>;
 }
 
-/** Opens it; whatever is wrong is said. @param place what it stands in */
+/** Opens a part; errors are shown as notices. @param place contains its element */
 export async function openPart(studio: Studio, part: LatePart, place: ParentNode = document): Promise<void> {
 	try {
 		await part.load();

@@ -5,13 +5,13 @@ import { applying, runningBy } from "../panel_groups";
 import type { Studio } from "../studio";
 import { StudioPart } from "./studio_part";
 
-/** The tool whose pane is open; one at the most. */
+/** The tool whose pane is open; at most one. */
 function openIn(studio: Studio): Tool | undefined {
 	const { modelUi, specimen } = studio.state;
 	return applying(modelUi?.tools, specimen).find(({ pane }) => pane?.open(studio));
 }
 
-/** What is to be read and written beside the plant. */
+/** The open pane of a tool, beside the plant. */
 export class Pane extends StudioPart {
 	protected override shows(studio: Studio): readonly unknown[] {
 		const { model, modelUi, tools, specimen } = studio.state;

@@ -17,9 +17,9 @@ interface Section {
 	readonly body: unknown;
 }
 
-/** The controls in their groups, made from the model's table; which groups are closed is remembered. */
+/** The controls in their groups, from the model's table; the page remembers which groups are closed. */
 export class Panel extends StudioPart {
-	/** What is under the pointer or in focus. */
+	/** The explanation of the control under the pointer or in focus. */
 	#explained: Explained | undefined;
 
 	protected override shows({ state: { model, modelUi, tools, ui, specimen } }: Studio): readonly unknown[] {
@@ -33,7 +33,7 @@ export class Panel extends StudioPart {
 		const groups = groupsFor(model.table, specimen, applying(modelUi.tools, specimen));
 		const everyday = groups.filter(({ group }) => group.everyday).map((group) => sectionOf(studio, group));
 		const constants = groups.filter(({ group }) => !group.everyday).map((group) => sectionOf(studio, group));
-		// The numbers stand between what most people touch and the rest.
+		// The numbers come between the everyday groups and the rest.
 		const numbers = {
 			key: "numbers",
 			title: "Numbers",
@@ -61,7 +61,7 @@ export class Panel extends StudioPart {
 		</details>`;
 	}
 
-	/** The state opens and closes, not the element of itself; a search in the page still may (`toggle`). */
+	/** Opens or closes a group through the state; the element itself only does so for the browser's find in page (`toggle`). */
 	#flip(event: Event, key: string, open: boolean): void {
 		event.preventDefault();
 		this.context.setGroup(key, open);

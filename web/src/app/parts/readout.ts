@@ -13,9 +13,9 @@ import { VERSION } from "../version";
 import { StudioPart } from "./studio_part";
 import type { TargetForm } from "./target_form";
 
-/** The numbers of the plant on screen: what was measured, the model's own, and its marks. */
+/** The numbers of the plant in view: measures, the model's own, growth time, version and fingerprint. */
 export class Readout extends StudioPart {
-	/** Unfolded by a press on its number: the field below it gets the focus. */
+	/** The measure that a click on its number has unfolded: the field below gets the focus. */
 	#pressed: Element | undefined;
 
 	protected override shows({ state }: Studio): readonly unknown[] {
@@ -28,12 +28,12 @@ export class Readout extends StudioPart {
 		if (!grown) return html`<div class="readout"><p>Nothing has grown yet.</p></div>`;
 		const { timings, fingerprint, notes } = grown;
 		const stale = grown.measures === undefined;
-		const asked = model.targets?.measures(specimen) ?? [];
-		const ask = (info: MeasureInfo, value: number) =>
-			asked.includes(info.key)
+		const searchable = model.targets?.measures(specimen) ?? [];
+		const targetForm = (info: MeasureInfo, value: number) =>
+			searchable.includes(info.key)
 				? html`<panicle-ask .context=${studio} .info=${info} .value=${value}></panicle-ask>`
 				: undefined;
-		const rows = () => measured(model.table, measures ?? NONE, modelUi?.rows?.(specimen), ask);
+		const rows = () => measured(model.table, measures ?? NONE, modelUi?.rows?.(specimen), targetForm);
 		return html`<div class="readout" @click=${this.#press} @toggle=${this.#unfold}>
 			${measures && measures.length > 0 ? html`<div class=${stale ? "stale" : ""} aria-busy=${stale}>${guard([...measuredFrom(state)], rows)}</div>` : nothing}
 			${modelUi?.readout ? modelUi.readout(grown, specimen) : counts(grown.counts)}
@@ -50,7 +50,7 @@ export class Readout extends StudioPart {
 		this.#pressed = (event.target as Element).closest(".askable")?.closest("details") ?? undefined;
 	}
 
-	/** What asks for numbers comes when it is first wanted. */
+	/** Loads the form for requested values when a measure is first unfolded. */
 	readonly #unfold = {
 		capture: true,
 		handleEvent: async ({ target }: Event): Promise<void> => {
@@ -66,7 +66,7 @@ export class Readout extends StudioPart {
 }
 
 const NONE = new Float32Array(0);
-/** To lay thousands of lines out takes seconds. */
+/** Greatest number of notes shown: layout of thousands of lines takes seconds. */
 const MOST_NOTES = 50;
 
 function notesInWords(notes: readonly string[]): unknown {
@@ -77,7 +77,7 @@ function notesInWords(notes: readonly string[]): unknown {
 	</ul>`;
 }
 
-/** What stays while a life runs: many lines, and none of them another. */
+/** The state that the measures depend on; unchanged while a life plays. */
 function measuredFrom({ measures, model, modelUi, specimen }: StudioState): readonly unknown[] {
 	return [measures, model, modelUi, ...allBut(specimen, runningBy(modelUi?.tools))];
 }
@@ -88,7 +88,7 @@ export function inWords(key: string): string {
 	return words.charAt(0).toUpperCase() + words.slice(1);
 }
 
-/** What there is of a model without words of its own. */
+/** The counts of a model without a read-out of its own. */
 function counts(numbers: Readonly<Record<string, number>>): unknown {
 	return html`<h3>Counts</h3>
 		<dl>${Object.entries(numbers).map(([key, value]) => term(inWords(key), value.toLocaleString("en-GB")))}</dl>`;

@@ -17,7 +17,7 @@ import { StudioPart } from "./studio_part";
 import "./saved_list";
 import "../style/saved.css";
 
-/** What the dialog has said last, and the lines below it. */
+/** The dialog's last message, with the lines below it. */
 interface DialogMessage {
 	readonly words: string;
 	readonly lines: readonly string[];
@@ -25,15 +25,15 @@ interface DialogMessage {
 
 const NO_MESSAGE: DialogMessage = { words: "", lines: [] };
 
-/** What a person has saved: to be searched, opened, renamed, deleted, exported and imported; above it, saving what is on screen. */
+/** The dialog of the saved specimens: saves the current one; lists, opens, renames, deletes, exports and imports saved ones. */
 export class SavedDialog extends StudioPart {
 	readonly #library = ownLibrary();
 	#isOpen = false;
-	/** What is on screen: its link, and what that does not hold. */
+	/** The link of the current specimen, and the parts that the link does not hold. */
 	#link = "";
 	#lost: readonly string[] = [];
 	#name = "";
-	/** Whether something is under way. */
+	/** Whether a specimen is being saved. */
 	#busy = false;
 	#message = NO_MESSAGE;
 	#follow: (() => void) | undefined;
@@ -59,7 +59,7 @@ export class SavedDialog extends StudioPart {
 		</dialog>`;
 	}
 
-	/** Opens the dialog; the browser keeps the focus in it and gives it back. */
+	/** Opens the dialog; the browser traps the focus and restores it. */
 	async open(): Promise<void> {
 		if (this.#isOpen) return;
 		const { model, specimen } = this.context.state;
@@ -76,7 +76,7 @@ export class SavedDialog extends StudioPart {
 		if (this.#name === suggested) this.#suggest();
 	}
 
-	/** Takes what a library's file holds, and says what came. */
+	/** Imports the specimens of a library's file, and shows the result. */
 	bring(file: string, document: unknown): Promise<void> {
 		return this.#take(file, async () => readLibrary(document));
 	}
@@ -119,7 +119,7 @@ export class SavedDialog extends StudioPart {
 			${this.#lost.length > 0 ? html`<p class="lost">${this.#lost.join(" ")}</p>` : nothing}`;
 	}
 
-	/** What goes with the page, and what to do about it. */
+	/** Warns of specimens that could not be stored, with buttons to export them or try again. */
 	#trouble(): unknown {
 		const { trouble, unstored } = this.#library;
 		if (!trouble && unstored.length === 0) return nothing;
@@ -139,7 +139,7 @@ export class SavedDialog extends StudioPart {
 		return html`<panicle-saved-list
 			.context=${studio} .library=${this.#library}
 			@open-saved=${({ detail }: CustomEvent<Saved>) => void this.#openOne(detail)}
-			@said=${({ detail }: CustomEvent<string>) => this.#showMessage({ words: detail })}
+			@message=${({ detail }: CustomEvent<string>) => this.#showMessage({ words: detail })}
 		></panicle-saved-list>`;
 	}
 
@@ -232,7 +232,7 @@ export class SavedDialog extends StudioPart {
 		}
 	}
 
-	/** Ctrl+Z undoes the library's last step, and leaves the document under the dialog as it is; in a text field it is the field's. */
+	/** Ctrl+Z undoes the library's last step, not the document's; text fields handle the key themselves. */
 	#key(event: KeyboardEvent): void {
 		if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z") return;
 		if (event.target instanceof HTMLInputElement && event.target.type !== "checkbox") return;
@@ -250,7 +250,7 @@ export class SavedDialog extends StudioPart {
 	}
 }
 
-/** The label of the button that takes a step back. */
+/** The label of the undo button. */
 function undoLabel({ kind, specimens }: LibraryStep): string {
 	if (kind === "import") return `Undo the import of ${formatCount(specimens.length)}`;
 	return specimens.length === 1 ? `Bring “${specimens[0].name}” back` : `Bring ${formatCount(specimens.length)} back`;

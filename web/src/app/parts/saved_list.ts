@@ -16,25 +16,25 @@ const BIN = svg`<path d="M4 6h12M8 6V3.5h4V6M5.5 6l.8 10.5h7.4L14.5 6M8.5 9v4.5M
 
 /** Least width of a card, the space between cards, and the expected height of one, in CSS pixels. */
 const CARD = { width: 124, gap: 12, height: 250 };
-/** Rows that Page Up and Page Down go. */
+/** Rows that Page Up and Page Down move by. */
 const PAGE = 3;
 
 /**
- * The specimens of a library, as cards to be searched, sorted and selected; those out of sight are not in the page. They are one stop of
- * the Tab key with the buttons of the active card: arrow keys go from card to card, F2 renames, Delete deletes. Reports to the dialog by
- * the events `open-saved` and `said`.
+ * The specimens of a library as cards, with search, order and selection; only visible rows are in the page. The cards are one stop of the
+ * Tab key with the buttons of the active card: arrow keys move between cards, F2 renames, Delete deletes. Dispatches `open-saved` with a
+ * specimen and `message` with a text.
  */
 export class SavedList extends StudioPart {
 	static override properties = { ...StudioPart.properties, library: { attribute: false } };
 	declare library: Library;
 	#query = "";
 	#order: Order = "newest";
-	/** What is searched for and sorted; undefined after a change, until it is needed. */
+	/** The search result in order; undefined after a change, until it is needed. */
 	#result: readonly Saved[] | undefined;
-	/** Ids of the active card, and of that whose name is being typed. */
+	/** Ids of the active card and of the card that is being renamed. */
 	#at: string | undefined;
 	#renaming: string | undefined;
-	/** Ids of the selected cards, and of the last that was selected or unselected. */
+	/** Ids of the selected cards, and of the card whose selection changed last. */
 	#selected: ReadonlySet<string> = new Set();
 	#anchor: string | undefined;
 	#columns = 1;
@@ -93,7 +93,7 @@ export class SavedList extends StudioPart {
 			)}</div>`;
 	}
 
-	/** Selecting everything that was found, and what can be done with the selected cards. */
+	/** The checkbox that selects all results, and the actions on the selected cards. */
 	#selection(found: readonly Saved[]): TemplateResult {
 		const count = this.#selected.size;
 		const all = count > 0 && count === found.length;
@@ -145,7 +145,7 @@ export class SavedList extends StudioPart {
 		></form>`;
 	}
 
-	/** Moves the focus to a card, which is scrolled into sight. */
+	/** Moves the focus to a card, which scrolls into view. */
 	async goTo(id: string | undefined): Promise<void> {
 		this.#at = id;
 		this.requestUpdate();
@@ -166,7 +166,7 @@ export class SavedList extends StudioPart {
 		this.#stop();
 	}
 
-	/** As many columns as fit. */
+	/** Sets the number of columns that fit. */
 	#fit(width: number): void {
 		const columns = Math.max(1, Math.floor((width + CARD.gap) / (CARD.width + CARD.gap)));
 		if (columns === this.#columns) return;
@@ -175,7 +175,7 @@ export class SavedList extends StudioPart {
 		this.requestUpdate();
 	}
 
-	/** One of all cards is a stop of the Tab key, with its buttons. */
+	/** Makes one card, with its buttons, the stop of the Tab key. */
 	#stop(): void {
 		const cards = this.#cards();
 		const stop = cards.find(({ dataset }) => dataset.saved === this.#at) ?? cards[0];
@@ -202,7 +202,7 @@ export class SavedList extends StudioPart {
 		return id === undefined ? -1 : this.#found().findIndex((saved) => saved.id === id);
 	}
 
-	/** Searches anew, because the library or the words have changed. What is not found is not selected. */
+	/** Searches again after a change of the library or the query; cards that are not found are unselected. */
 	#search(): void {
 		this.#result = undefined;
 		if (this.#selected.size > 0) {
@@ -216,7 +216,7 @@ export class SavedList extends StudioPart {
 		this.requestUpdate();
 	}
 
-	/** Selects or unselects a card; with Shift all cards from the last one on. */
+	/** Selects or unselects a card; with Shift all cards from the last changed one to it. */
 	#pick(id: string, { shiftKey }: MouseEvent): void {
 		const [from, to] = [this.#indexOf(this.#anchor), this.#indexOf(id)];
 		const first = shiftKey && from >= 0 ? from : to;
@@ -252,7 +252,7 @@ export class SavedList extends StudioPart {
 		this.querySelector<HTMLInputElement>("[data-saved] form input")?.select();
 	}
 
-	/** The name is typed; nothing leaves it as it was. */
+	/** Renames a specimen; an empty name leaves the old one. */
 	async #named(id: string, typed: string): Promise<void> {
 		if (this.#renaming !== id) return;
 		const held = this.querySelector("[data-saved] form input") === document.activeElement;
@@ -268,7 +268,7 @@ export class SavedList extends StudioPart {
 		if (held) await this.goTo(id);
 	}
 
-	/** Deletes specimens; the focus goes to the card behind the active one, or else before it. */
+	/** Deletes specimens; the focus moves to the card after the active one, or else before it. */
 	async #delete(ids: readonly string[]): Promise<void> {
 		const found = this.#found();
 		const gone = new Set(ids);
@@ -285,7 +285,7 @@ export class SavedList extends StudioPart {
 	}
 
 	#announce(words: string): void {
-		this.dispatchEvent(new CustomEvent("said", { detail: words }));
+		this.dispatchEvent(new CustomEvent("message", { detail: words }));
 	}
 
 	#key(event: KeyboardEvent): void {
@@ -305,7 +305,7 @@ export class SavedList extends StudioPart {
 		event.preventDefault();
 	}
 
-	/** Goes from one card to the one that a key leads to. */
+	/** Moves the focus from a card by an arrow key or a page key. */
 	#move(event: KeyboardEvent, from: number): void {
 		const found = this.#found();
 		const columns = this.#columns;

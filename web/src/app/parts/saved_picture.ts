@@ -2,16 +2,16 @@ import type { Library } from "../saved/library";
 import { readPicture, type Saved } from "../saved/saved";
 import { THUMBNAIL } from "../saved/thumbnail";
 
-/** So near to being seen a picture is unpacked. */
+/** Distance from the viewport within which a picture is decoded. */
 const NEAR = "200px";
 
-/** The picture of one that is saved. The page's policy lets no address stand for bytes, so it is drawn. */
+/** The picture of a saved specimen, drawn on a canvas: the page's content security policy forbids blob and data addresses. */
 export class SavedPicture extends HTMLElement {
 	#saved: Saved | undefined;
 	/** The library that has the picture; set before `saved`. */
 	library: Library | undefined;
 
-	/** One's picture never changes. */
+	/** Sets the specimen; the picture of a specimen never changes. */
 	set saved(saved: Saved) {
 		if (saved.id === this.#saved?.id) return;
 		this.#saved = saved;

@@ -6,7 +6,7 @@ import type { Studio } from "../studio";
 import { StudioPart } from "./studio_part";
 import "./download_menu";
 
-/** Open, copy the link, download, theme and help. */
+/** The buttons Open, Copy link, Download, theme and Help. */
 export class ShareBar extends StudioPart {
 	protected override shows({ state: { dark, model } }: Studio): readonly unknown[] {
 		return [dark, model];
@@ -44,7 +44,7 @@ export class ShareBar extends StudioPart {
 	}
 }
 
-/** Copies, and says so, and what the link does not hold; where the clipboard is denied, the link is shown for copying by hand. */
+/** Copies the link and notifies of parts that it does not hold; if the clipboard is denied, shows the link for copying by hand. */
 async function copyLink(studio: Studio): Promise<void> {
 	const { model, specimen, fault } = studio.state;
 	const link = await linkOf(model, specimen);

@@ -3,10 +3,10 @@ import type { Studio } from "../studio";
 import type { ShownPlant } from "../studio_state";
 import { StudioPart } from "./studio_part";
 
-/** A plant is spoken of once it has stayed this long, in milliseconds: a drag is not a stream of numbers. */
+/** Time that a plant stays before it is announced, milliseconds: a drag must not cause a stream of numbers. */
 const SETTLED = 700;
 
-/** Tells a screen reader what has grown. */
+/** Announces the plant to screen readers. */
 export class Speaker extends StudioPart {
 	#words: string | undefined;
 	#spokenOf: ShownPlant | undefined;

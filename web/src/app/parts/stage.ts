@@ -17,17 +17,17 @@ interface Trouble {
 	readonly again?: () => void;
 }
 
-/** The 3-D view with its tools, its caption, and in its place the words for when there is nothing to see. */
+/** The 3-D view with its tools and its caption, or a message where there is no picture. */
 export class Stage extends StudioPart {
-	/** Why there is no picture: no WebGL 2, a lost context, or a script that did not come and may yet. */
+	/** The reason why there is no picture: no WebGL 2, a lost context, or a script that could not be fetched. */
 	#trouble: Trouble | undefined;
 	#solid: SolidView | undefined;
 	#started = false;
-	/** Ends the view's following the state. */
+	/** Ends the subscription to the state. */
 	#leave: (() => void) | undefined;
-	/** Whether the view is to be brought to the state. */
+	/** Whether an update of the view is scheduled. */
 	#due = false;
-	/** A phone shows another view in its place: what cannot be seen is not drawn. */
+	/** False while a phone shows another view instead: hidden views are not drawn. */
 	#visible = true;
 	readonly #resized = new ResizeObserver(([{ contentRect }]) => {
 		this.#visible = contentRect.width > 0;
@@ -63,7 +63,7 @@ export class Stage extends StudioPart {
 		if (!this.#started) void this.#start();
 	}
 
-	/** In a task of its own: what the page's parts draw of the same change is one by itself, and between them a frame may go by. */
+	/** Updates the view in a task of its own, so that the browser may draw a frame after the page's other parts are updated. */
 	readonly #follow = (): void => {
 		if (this.#due) return;
 		this.#due = true;
@@ -123,7 +123,7 @@ export class Stage extends StudioPart {
 		this.requestUpdate();
 	}
 
-	/** The buttons of the 3-D view; without one, those of tools that work all the same, such as the grammar. */
+	/** The buttons of the 3-D view; without a view, those of tools that do not need it, such as the grammar. */
 	#tools(studio: Studio, solid: SolidView | undefined): unknown {
 		const { modelUi, specimen, model } = studio.state;
 		const button = (drawn: Parameters<typeof icon>[0], label: string, click: () => void, pressed?: boolean) =>
@@ -168,13 +168,13 @@ export class Stage extends StudioPart {
 	}
 }
 
-/** What the picture shows, in words. */
+/** The text alternative of the picture. */
 function described({ state: { failure, shown, model } }: Studio): string {
 	if (shown) return `${shown.model.title}: ${shown.model.words(shown.grown, shown.from)}`;
 	return failure ? `No ${model.noun} has grown` : `${model.title}, growing`;
 }
 
-/** As under an engraving: what it is called, and what grew. */
+/** The caption: the plant's title and a description. */
 function caption(studio: Studio): unknown {
 	const { shown, modelUi, grown } = studio.state;
 	if (!shown) return nothing;
@@ -186,7 +186,7 @@ function caption(studio: Studio): unknown {
 	</div>`;
 }
 
-/** What is chosen in the picture; nothing while there is no picture. */
+/** The tools' chips about the selection in the picture; none while there is no picture. */
 function chips(studio: Studio): unknown {
 	const { modelUi, specimen, failure, shown } = studio.state;
 	if (failure || !shown) return nothing;
@@ -198,7 +198,7 @@ function chips(studio: Studio): unknown {
 	});
 }
 
-/** What the plant lacks, where the eye is. The pane says it as well, and is the one that is heard where it is open. */
+/** The warnings about the plant, over the picture. An open pane shows them, too; then only the pane announces them. */
 function warnings(studio: Studio): unknown {
 	const { modelUi, grown, grownFrom, specimen, failure } = studio.state;
 	const lines = grown && grownFrom && !failure ? (modelUi?.warnings?.(grown, grownFrom) ?? []) : [];
@@ -218,7 +218,7 @@ function button(words: string, click: () => void): unknown {
 	return html`<button class="button" type="button" @click=${click}>${words}</button>`;
 }
 
-/** The ways to a plant from where there is none. */
+/** Buttons that may lead to a plant after a failure. */
 function remedies(studio: Studio, failure: Failure): unknown {
 	return failure.remedies.map((remedy) => {
 		if (remedy === "again") return button("Try again", () => studio.growAgain());

@@ -6,11 +6,11 @@ import type { Studio } from "../studio";
 import { currentAims, searchTarget, shareDone, TARGET_SEARCH } from "../target_search";
 import { StudioPart } from "./studio_part";
 
-/** Below a measure: the field in which another value can be asked for. */
+/** Form below a measure, in which the user requests another value. */
 export class TargetForm extends StudioPart {
 	static override properties = { ...StudioPart.properties, info: { attribute: false }, value: { attribute: false } };
 	declare info: MeasureInfo;
-	/** What is measured. */
+	/** The measured value. */
 	declare value: number;
 	#problem = "";
 
@@ -39,7 +39,7 @@ export class TargetForm extends StudioPart {
 		</form>`;
 	}
 
-	/** Takes the focus to the field. */
+	/** Moves the focus to the field. */
 	async enter(): Promise<void> {
 		await this.updateComplete;
 		this.querySelector("input")?.focus();

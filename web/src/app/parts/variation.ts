@@ -4,7 +4,7 @@ import { icon } from "../../ui/icons";
 import type { Studio } from "../studio";
 import { StudioPart } from "./studio_part";
 
-/** The seed, and a button for another one. */
+/** The seed field, and the button for a random seed. */
 export class Variation extends StudioPart {
 	protected override shows({ state: { specimen, model } }: Studio): readonly unknown[] {
 		return [specimen.seed, model];

@@ -4,7 +4,7 @@ import { SOLID } from "../ui_state";
 import { editorsOf, viewOf } from "./editors";
 import { StudioPart } from "./studio_part";
 
-/** A phone shows one view at a time; this chooses which. */
+/** Chooses the view that a phone shows. */
 export class ViewSwitch extends StudioPart {
 	protected override shows({ state }: Studio): readonly unknown[] {
 		return [state.modelUi, viewOf(state), ...editorsOf(state)];
@@ -31,7 +31,7 @@ export class ViewSwitch extends StudioPart {
 		const { state } = this.context;
 		const page = this.closest<HTMLElement>(".studio");
 		page?.setAttribute("data-view", viewOf(state));
-		// Until the tools have come, the views keep their place.
+		// Until the tools are loaded, reserve the space for flat views.
 		page?.toggleAttribute("data-one-view", state.modelUi !== undefined && editorsOf(state).length === 0);
 	}
 }

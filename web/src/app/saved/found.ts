@@ -1,8 +1,8 @@
-/** What of a library is shown, and in which order. */
+/** Searches and sorts saved specimens. */
 import { isIn, wordsOf } from "../preset_search";
 import type { Saved } from "./saved";
 
-/** Orders by their keys, as a list offers them. */
+/** Labels of the sort orders. */
 export const ORDERS = {
 	newest: "Newest first",
 	oldest: "Oldest first",
@@ -18,8 +18,8 @@ const compare: Readonly<Record<Order, (a: Saved, b: Saved) => number>> = {
 };
 
 /**
- * @param query words in any order, each to be found in what one is called or of
- * @param about what else is said of one: its model, its preset
+ * @param query words in any order; each must occur in the name or in `about`
+ * @param about further searchable text of a specimen: its model, its preset
  */
 export function findSaved(
 	all: readonly Saved[],
@@ -28,7 +28,7 @@ export function findSaved(
 	about: (saved: Saved) => string,
 ): readonly Saved[] {
 	const words = wordsOf(query);
-	// Ids last, so that the order is the same in every tab.
+	// Compare ids last: the order is then the same in every tab.
 	return all
 		.filter((saved) => isIn(words, `${saved.name} ${about(saved)}`))
 		.sort((a, b) => compare[order](a, b) || (a.id < b.id ? -1 : 1));

@@ -2,14 +2,14 @@ import { isSaved, type Saved } from "./saved";
 import { type Edit, edited, type Pictures, type SavedStore, StoreError, withoutPicture } from "./saved_store";
 
 const DATABASE = "panicle.saved";
-/** Of the stores below. In the first layout the pictures were in the records of the specimens. */
+/** Version of the database's layout. In version 1 the pictures were in the records of the specimens. */
 const LAYOUT = 2;
-/** Records without pictures, by `id`; and pictures, by the same ids as keys. */
+/** Object stores: records without pictures by `id`, and pictures by the same ids. */
 const [SPECIMENS, PICTURES] = ["specimens", "pictures"];
 
 /**
- * The browser's IndexedDB, of this origin. The database is opened for each step and closed after it: a later version of the page in
- * another tab never waits for this one to let go, and what is deleted with the browser's data is found gone, not broken.
+ * Stores specimens in the browser's IndexedDB of this origin. Opens the database for each step and closes it afterwards: a later version of
+ * the page in another tab never waits for this one, and a database that was deleted with the browser's data is created anew.
  */
 export class IndexedStore implements SavedStore {
 	all(): Promise<readonly Saved[]> {
@@ -25,7 +25,7 @@ export class IndexedStore implements SavedStore {
 	}
 }
 
-/** Browsers let transactions that write wait for each other, be they of other tabs. */
+/** Opens the database for one step. Browsers serialise writing transactions, across tabs, too. */
 async function inOneStep<T>(step: (database: IDBDatabase) => Promise<T>): Promise<T> {
 	try {
 		const database = await opened();
@@ -73,7 +73,7 @@ function changed(
 	decide: (stored: readonly Saved[]) => Edit,
 ): Promise<readonly Saved[]> {
 	return new Promise((resolve, reject) => {
-		// Strict: it is kept once it is on the disk, so that a full one is heard of.
+		// Strict durability: completes once the data is on the disk, so that a full disk is reported.
 		const transaction = database.transaction([SPECIMENS, PICTURES], mode, { durability: "strict" });
 		const specimens = transaction.objectStore(SPECIMENS);
 		const pictures = transaction.objectStore(PICTURES);

@@ -1,20 +1,20 @@
 import { type Saved, sameness, uniqueName } from "./saved";
 import { type Edit, edited, type SavedStore } from "./saved_store";
 
-/** Tells the page's other tabs, and hears of them; a BroadcastChannel is one. */
+/** Sends messages between the page's tabs; implemented by BroadcastChannel. */
 export interface Tabs {
 	postMessage(message: string): void;
 	onmessage: ((event: MessageEvent) => void) | null;
 }
 
-/** A change of the library that `undo` takes back. */
+/** A change of the library that `undo` reverts. */
 export interface LibraryStep {
 	readonly kind: "deletion" | "import";
-	/** The specimens that it deleted or imported, as they were then; of an import those that are in the library still. */
+	/** The specimens that were deleted or imported, as they were then; of an import only those still in the library. */
 	readonly specimens: readonly Saved[];
 }
 
-/** A deleted specimen. Its picture is a Blob, which the browser may keep on the disk: the pictures of a whole library need much memory. */
+/** A deleted specimen. Its picture is a Blob, which the browser may hold on the disk to save memory. */
 interface Deleted {
 	readonly saved: Saved;
 	readonly picture: Blob | undefined;
@@ -24,21 +24,21 @@ type Step =
 	| { readonly kind: "deletion"; readonly deleted: readonly Deleted[] }
 	| { readonly kind: "import"; readonly ids: ReadonlySet<string> };
 
-/** Pictures read at once. */
+/** Number of pictures read at once. */
 const MOST_PICTURES = 500;
 
 /**
- * A person's own specimens. They are on the shelf; what that could not take stays here for as long as the page does, marked, so that it
- * can be exported or tried again: nothing is lost unsaid.
+ * The user's saved specimens, in a store. Specimens that could not be stored stay in memory until the page is closed, marked as such, so
+ * that they can be exported or stored again.
  */
 export class Library {
 	readonly #store: SavedStore;
 	readonly #tabs: Tabs | undefined;
 	readonly #listeners = new Set<() => void>();
 	#stored: readonly Saved[] = [];
-	/** What the shelf did not take, by id; of those that are on it the newer state. */
+	/** Specimens that could not be stored, by id; newer than stored ones of the same id. */
 	readonly #unstored = new Map<string, Saved>();
-	/** What can be undone, the last step last. */
+	/** Steps that can be undone, the last at the end. */
 	#steps: readonly Step[] = [];
 	#trouble: string | undefined;
 
@@ -53,7 +53,7 @@ export class Library {
 		return edited(this.#stored, { put: [...this.#unstored.values()] });
 	}
 
-	/** What goes with the page. */
+	/** Specimens that are not stored and are lost when the page is closed. */
 	get unstored(): readonly Saved[] {
 		return [...this.#unstored.values()];
 	}
@@ -62,14 +62,14 @@ export class Library {
 		return !this.#unstored.has(id);
 	}
 
-	/** The step that `undo` takes back; undefined where there is none. */
+	/** The step that `undo` reverts; undefined if there is none. */
 	get lastStep(): LibraryStep | undefined {
 		const step = this.#steps.at(-1);
 		if (step?.kind === "deletion") return { kind: step.kind, specimens: step.deleted.map(({ saved }) => saved) };
 		return step && { kind: step.kind, specimens: this.all.filter(({ id }) => step.ids.has(id)) };
 	}
 
-	/** Why the shelf did not do what it was last asked for; a sentence. */
+	/** The error of the store's last step, a sentence; undefined after success. */
 	get trouble(): string | undefined {
 		return this.#trouble;
 	}
@@ -80,7 +80,7 @@ export class Library {
 		return () => this.#listeners.delete(listener);
 	}
 
-	/** The given specimens with their pictures, if the shelf can be read. */
+	/** The given specimens with their pictures, if the store can be read. */
 	async withPictures(several: readonly Saved[]): Promise<readonly Saved[]> {
 		const missing = several.flatMap(({ id, picture }) => (picture ? [] : [id]));
 		const found = missing.length > 0 ? await this.#store.pictures(missing).catch(() => undefined) : undefined;
@@ -90,12 +90,12 @@ export class Library {
 		});
 	}
 
-	/** Looks what is on the shelf. */
+	/** Reads the store. */
 	async read(): Promise<void> {
 		await this.#try(() => this.#store.all());
 	}
 
-	/** Adds one, under a name of its own: "Merlot 2" where "Merlot" is taken. Returns it as it was added. */
+	/** Adds a specimen under a unique name: "Merlot 2" where "Merlot" is taken. @returns the specimen as added */
 	async add(saved: Saved): Promise<Saved> {
 		const [added] = await this.#put((all) => {
 			const names = all.map(({ name }) => name);
@@ -104,7 +104,7 @@ export class Library {
 		return added;
 	}
 
-	/** Adds those that are not there yet, by name and link, as one step of `undo`; returns how many came. */
+	/** Adds the specimens that are new by name and link, as one step of `undo`. @returns their number */
 	async bring(several: readonly Saved[]): Promise<number> {
 		const fresh = await this.#put((all) => {
 			const known = new Set(all.map(sameness));
@@ -118,15 +118,15 @@ export class Library {
 		return fresh.length;
 	}
 
-	/** Another name for what may meanwhile be gone, in another tab: then it stays gone. */
+	/** Renames a specimen; does nothing if another tab has deleted it. */
 	async rename(id: string, name: string): Promise<void> {
 		await this.#put((all) => all.filter((each) => each.id === id).map((each) => ({ ...each, name })));
 	}
 
-	/** Deletes specimens as one step of `undo`; returns those that were deleted. */
+	/** Deletes specimens as one step of `undo`. @returns the deleted ones */
 	async remove(ids: readonly string[]): Promise<readonly Saved[]> {
 		const wanted = new Set(ids);
-		// A picture never changes, so that it may be read before.
+		// A picture never changes, so it can be read before the step.
 		const pictures = await this.#picturesOf(this.all.filter(({ id }) => wanted.has(id)));
 		const gone = await this.#remove(wanted);
 		const deleted = gone.map(({ picture, ...saved }) => ({
@@ -137,7 +137,7 @@ export class Library {
 		return gone;
 	}
 
-	/** Takes the last step back: deleted specimens are added, imported ones deleted. Returns the step if it was undone. */
+	/** Reverts the last step: adds deleted specimens, deletes imported ones. @returns the step if it was reverted */
 	async undo(): Promise<LibraryStep | undefined> {
 		const [step, described] = [this.#steps.at(-1), this.lastStep];
 		if (!step) return undefined;
@@ -149,20 +149,20 @@ export class Library {
 		}
 		const gone = await this.#remove(step.ids);
 		if (gone.length > 0 || described?.specimens.length === 0) return { kind: step.kind, specimens: gone };
-		// The shelf did not do it: it can be tried again.
+		// The store failed: the step can be reverted later.
 		this.#done(step);
 		return undefined;
 	}
 
-	/** Tries again to keep what could not be kept. */
+	/** Tries again to store the specimens that could not be stored. */
 	async keep(): Promise<void> {
 		await this.#put(() => this.unstored);
 	}
 
-	/** Deletes specimens; returns those that were deleted, which is fewer where the shelf does not do it. */
+	/** Deletes specimens. @returns the deleted ones; fewer if the store fails */
 	async #remove(ids: ReadonlySet<string>): Promise<readonly Saved[]> {
 		const stored = new Set(this.#stored.map(({ id }) => id));
-		// What was never stored needs no shelf to go.
+		// Specimens that were never stored are deleted without the store.
 		const here = this.unstored.filter(({ id }) => ids.has(id) && !stored.has(id));
 		let gone: readonly Saved[] = here;
 		if (here.length < ids.size) {
@@ -193,9 +193,9 @@ export class Library {
 	}
 
 	/**
-	 * Puts things on the shelf; where that does not take them, they stay here.
-	 * @param make what, in sight of all there is, maybe more than once
-	 * @returns what was made last
+	 * Stores specimens; on failure they stay in memory.
+	 * @param make returns the specimens to store, given all there are; may be called twice
+	 * @returns the specimens of the last call of `make`
 	 */
 	async #put(make: (all: readonly Saved[]) => readonly Saved[]): Promise<readonly Saved[]> {
 		let made: readonly Saved[] = [];
@@ -219,7 +219,7 @@ export class Library {
 		return done;
 	}
 
-	/** Does something that gives what is on the shelf; tells whether it did. */
+	/** Runs a step that returns the stored specimens. @returns whether it succeeded */
 	async #try(step: () => Promise<readonly Saved[]>): Promise<boolean> {
 		try {
 			this.#stored = await step();

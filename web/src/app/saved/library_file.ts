@@ -1,4 +1,4 @@
-/** All that is saved as one file, and back (docs/saved.md). A file comes from anywhere: of what is wrong in it the place is told. */
+/** Writes the saved specimens to one file and reads them (docs/saved.md). Files are not trusted: every problem is reported with its place. */
 
 import { LIBRARY_FORMAT } from "../../formats/restore";
 import { DEFAULT_MODEL } from "../../models/index";
@@ -8,23 +8,23 @@ import { isFingerprint, isTime, LARGEST_PICTURE, modelOf, readLink, readPicture,
 
 const FORMAT_VERSION = 1;
 
-/** More are not read. */
+/** Greatest number of specimens in a file. */
 const MOST = 10_000;
 const PICTURE = "data:image/jpeg;base64,";
 
-/** The file cannot be used at all; the message is a sentence. */
+/** The whole file cannot be used; the message is a sentence. */
 export class LibraryError extends Error {
 	override name = "LibraryError";
 }
 
-/** What there is in a file. */
+/** The content of a file. */
 export interface Brought {
 	readonly saved: readonly Saved[];
-	/** What was wrong, a sentence for each place. */
+	/** Problems found, a sentence for each place. */
 	readonly problems: readonly string[];
 }
 
-/** @param at when it is written, milliseconds since 1970 */
+/** Writes a library's file. @param at time of writing, milliseconds since 1970 */
 export function writeLibrary(saved: readonly Saved[], at: number): Blob {
 	const document = {
 		format: LIBRARY_FORMAT,
@@ -45,9 +45,9 @@ export function writeLibrary(saved: readonly Saved[], at: number): Blob {
 }
 
 /**
- * What a library's file holds.
- * @param document of the format LIBRARY_FORMAT, and else of anything
- * @throws LibraryError where nothing in it can be read
+ * Reads a library's file.
+ * @param document parsed JSON whose `format` is LIBRARY_FORMAT; the rest is not trusted
+ * @throws LibraryError if nothing in it can be read
  */
 export function readLibrary(document: unknown): Brought {
 	const version = field(document, "version");
@@ -66,10 +66,10 @@ export function readLibrary(document: unknown): Brought {
 	return { saved: read.flatMap(({ saved }) => saved ?? []), problems: read.flatMap(({ problems }) => problems) };
 }
 
-/** More lines than this are summed up in one: a hostile file must not fill the page. */
+/** Greatest number of problems shown; a last line counts the rest, so that a hostile file cannot fill the page. */
 const MOST_LINES = 8;
 
-/** What is told of an import. @param came how many were not there yet */
+/** The message about an import. @param came number of specimens that were new */
 export function broughtInWords(
 	{ saved, problems }: Brought,
 	came: number,
@@ -117,7 +117,7 @@ function readOne(record: unknown, count: number): { saved?: Saved; problems: str
 function pictureIn(text: unknown): ReturnType<typeof readPicture> | { value: undefined } {
 	if (text === undefined || text === null) return { value: undefined };
 	if (typeof text !== "string" || !text.startsWith(PICTURE)) return { problem: "its picture is no JPEG" };
-	// Before it is unpacked: base64 has four letters for three bytes.
+	// Check the size before decoding: base64 has four letters for three bytes.
 	if (text.length > PICTURE.length + LARGEST_PICTURE * (4 / 3) + 4)
 		return { problem: `its picture is larger than ${LARGEST_PICTURE / 1024} kB` };
 	try {

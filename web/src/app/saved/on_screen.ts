@@ -1,4 +1,4 @@
-/** Between the library and the studio: what is on screen is saved, what is saved comes on screen. */
+/** Converts between the studio's plant and saved specimens. */
 import { modelNamed } from "../../models/index";
 import { decodeLink, encodeLink, linkParts } from "../../specimen/link";
 import { growsAlike } from "../../specimen/same";
@@ -11,8 +11,8 @@ import { thumbnailOf } from "./thumbnail";
 const TOPIC = "saved specimen";
 
 /**
- * The plant in view, to be added to a library. Without a 3-D view it has no picture.
- * @throws Error where nothing has grown
+ * The plant in view as a saved specimen; without a picture if there is no 3-D view.
+ * @throws Error if nothing has grown
  */
 export async function savedOf(studio: Studio, name: string): Promise<Saved> {
 	const { model, from, grown } = await plantToSave(studio);
@@ -30,9 +30,8 @@ export async function savedOf(studio: Studio, name: string): Promise<Saved> {
 }
 
 /**
- * Opens one in place of what is on screen, as one step. Once it has grown it is compared with the plant that was saved; where it is another,
- * that is said.
- * @throws what modelNamed throws, where its model cannot be fetched
+ * Opens a saved specimen, as one undo step. Compares the grown plant's fingerprint with the saved one, and notifies of a difference.
+ * @throws errors of modelNamed, if its model cannot be fetched
  */
 export async function openSaved(studio: Studio, saved: Saved): Promise<void> {
 	const { query, fragment } = linkParts(saved.link);
@@ -42,7 +41,7 @@ export async function openSaved(studio: Studio, saved: Saved): Promise<void> {
 	if (saved.fingerprint === undefined) return;
 	await caughtUp(studio);
 	const { shown } = studio.state;
-	// Where the person has gone on meanwhile, or nothing could grow, it is of something else.
+	// If the document has changed meanwhile, or could not grow, there is nothing to compare.
 	if (!shown || !growsAlike(shown.from, restored.specimen) || shown.grown.fingerprint === saved.fingerprint) return;
 	const made = saved.app === "" ? "It was saved" : `It was saved with version ${saved.app}`;
 	studio.notify(

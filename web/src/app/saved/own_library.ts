@@ -3,7 +3,7 @@ import { Library } from "./library";
 
 let own: Library | undefined;
 
-/** The page's library: in this browser, the same in all tabs. Whoever leaves the page with something unkept is asked. */
+/** The page's library, stored in this browser and shared by all tabs. Leaving the page with specimens not stored needs confirmation. */
 export function ownLibrary(): Library {
 	if (own) return own;
 	const library = new Library(new IndexedStore(), new BroadcastChannel("panicle.saved"));
@@ -14,7 +14,7 @@ export function ownLibrary(): Library {
 	return library;
 }
 
-/** Asks the browser not to clear what is kept where the disk runs low. Most decide by themselves; some ask the person. */
+/** Requests persistent storage, which the browser does not clear on a full disk. Most browsers decide by themselves; some show a prompt. */
 export async function requestPersistence(): Promise<void> {
 	await navigator.storage?.persist?.().catch(() => false);
 }

@@ -1,37 +1,37 @@
-/** A specimen that a person has kept under a name, and what of one from outside can be used. */
+/** Specimens saved under a name, and checks of such specimens from files and storage. */
 import { LONGEST_FRAGMENT, LONGEST_QUERY, linkParts, modelInQuery } from "../../specimen/link";
 import { jpegSize } from "./jpeg_size";
 
 export interface Saved {
-	/** Its own in whatever browser. */
+	/** A UUID, unique across browsers. */
 	readonly id: string;
-	/** What the person calls it; two may be called the same. */
+	/** The user's name for it; not unique. */
 	readonly name: string;
-	/** From its `?` on, with the fragment: this is the specimen, of whatever version of links. */
+	/** The link from its `?` on, with the fragment, of any version of links. */
 	readonly link: string;
-	/** Milliseconds since 1970. */
+	/** Time of saving, milliseconds since 1970. */
 	readonly at: number;
 	/** The version of the app that saved it. */
 	readonly app: string;
-	/** 16 hexadecimal digits of the plant that was seen. */
+	/** Fingerprint of the saved plant, 16 hexadecimal digits. */
 	readonly fingerprint?: string;
 	/** A small JPEG. */
 	readonly picture?: Uint8Array<ArrayBuffer>;
 }
 
-/** Characters. */
+/** Greatest length of a name, characters. */
 export const LONGEST_NAME = 120;
-/** Bytes; those that are made here have a tenth of it. */
+/** Greatest size of a picture, bytes; ten times that of a usual one. */
 export const LARGEST_PICTURE = 96 * 1024;
-/** Pixels: a few bytes may unpack to as many as fill the memory. */
+/** Greatest width and height of a picture, pixels: a small file may decode to an image that fills the memory. */
 const LONGEST_SIDE = 1024;
-/** Later than any clock says; `Date` ends there. */
+/** The last time that `Date` can represent, milliseconds since 1970. */
 const LAST_DAY = 8.64e15;
 
-/** A part of it as it came, or a sentence's end that says what is wrong: "has no name". */
+/** A checked value, or its problem as the end of a sentence: "has no name". */
 type Read<T> = { readonly value: T } | { readonly problem: string };
 
-/** The name as it is shown: one line, without what turns the direction of writing, cut where it is too long. Empty where nothing is left. */
+/** The name as shown: one line, without characters that change the writing direction, truncated. May be empty. */
 export function tidyName(name: string): string {
 	const line = name
 		.slice(0, 16 * LONGEST_NAME)
@@ -41,7 +41,7 @@ export function tidyName(name: string): string {
 	return Array.from(line).slice(0, LONGEST_NAME).join("").trim();
 }
 
-/** A link of whatever address, without that address. It is never followed, only read. */
+/** Query and fragment of a link of any address; the address itself is dropped and never opened. */
 export function readLink(link: unknown): Read<string> {
 	if (typeof link !== "string") return { problem: "its link is not text" };
 	const { query, fragment } = linkParts(link);
@@ -50,7 +50,7 @@ export function readLink(link: unknown): Read<string> {
 	return { value: `${query}${fragment}` };
 }
 
-/** A picture that can be shown without harm. */
+/** Checks the size of a picture, so that decoding it is safe. */
 export function readPicture(picture: Uint8Array<ArrayBuffer>): Read<Uint8Array<ArrayBuffer>> {
 	if (picture.length > LARGEST_PICTURE) return { problem: `its picture is larger than ${LARGEST_PICTURE / 1024} kB` };
 	const size = jpegSize(picture);
@@ -63,7 +63,7 @@ export function readPicture(picture: Uint8Array<ArrayBuffer>): Read<Uint8Array<A
 export const isTime = (at: unknown): at is number => typeof at === "number" && Math.abs(at) <= LAST_DAY;
 export const isFingerprint = (text: unknown): text is string => typeof text === "string" && /^[0-9a-f]{16}$/.test(text);
 
-/** Whether what the browser has kept is one: it may be of another version of this page. */
+/** Whether a stored value is a saved specimen: another version of the page may have written it. */
 export function isSaved(value: unknown): value is Saved {
 	if (typeof value !== "object" || value === null) return false;
 	const { id, name, link, at, app, fingerprint, picture } = value as Partial<Record<keyof Saved, unknown>>;
@@ -75,10 +75,10 @@ export function isSaved(value: unknown): value is Saved {
 	);
 }
 
-/** The same text for what is the same to a person, so that one of them is enough. */
+/** Key of a specimen for the import: the same for specimens of the same name and link. */
 export const sameness = ({ name, link }: Pick<Saved, "name" | "link">): string => JSON.stringify([name, link]);
 
-/** The name, with a number after it where it is taken: "Merlot", "Merlot 2". */
+/** The name, with a number appended if it is taken: "Merlot", "Merlot 2". */
 export function uniqueName(name: string, taken: Iterable<string>): string {
 	const names = new Set(taken);
 	for (let count = 2, unique = name; ; count++) {
@@ -87,8 +87,8 @@ export function uniqueName(name: string, taken: Iterable<string>): string {
 	}
 }
 
-/** The name of the model that it is of; undefined for the default. */
+/** The name of the specimen's model; undefined for the default. */
 export const modelOf = ({ link }: Saved): string | undefined => modelInQuery(linkParts(link).query);
-/** The name of the preset that it started from; undefined for the model's own. */
+/** The name of the specimen's preset; undefined for the model's default. */
 export const presetOf = ({ link }: Saved): string | undefined =>
 	new URLSearchParams(linkParts(link).query).get("preset") ?? undefined;

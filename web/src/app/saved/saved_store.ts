@@ -1,9 +1,9 @@
-/** Where specimens are kept. The browser's own is indexed_shelf.ts. */
+/** The interface of a store of specimens; indexed_store.ts implements it in the browser. */
 import type { Saved } from "./saved";
 
-/** What is to be done on the shelf. */
+/** An edit of the store. */
 export interface Edit {
-	/** Stored in place of those with the same ids; one without a picture keeps the stored picture. */
+	/** Specimens to add or replace by id; one without a picture retains the stored picture. */
 	readonly put?: readonly Saved[];
 	/** Ids of specimens to delete, with their pictures. */
 	readonly remove?: readonly string[];
@@ -14,31 +14,31 @@ export type Pictures = ReadonlyMap<string, NonNullable<Saved["picture"]>>;
 
 /** Stores specimens, and their pictures apart from them: pictures are most of the bytes, and few steps need them. */
 export interface SavedStore {
-	/** Everything that is kept, in no order, without pictures. @throws StoreError */
+	/** All stored specimens, in no order, without pictures. @throws StoreError */
 	all(): Promise<readonly Saved[]>;
-	/** The pictures of these alone. @throws StoreError */
+	/** The pictures of some specimens. @throws StoreError */
 	pictures(ids: readonly string[]): Promise<Pictures>;
 	/**
-	 * One step during which no other tab writes: all of it is done, or nothing.
-	 * @param decide what to do, in sight of all that is kept now, without pictures
-	 * @returns all that is kept afterwards, without pictures
-	 * @throws StoreError where nothing was done
+	 * One atomic edit, during which no other tab writes.
+	 * @param decide returns the edit, given all stored specimens without pictures
+	 * @returns all specimens stored afterwards, without pictures
+	 * @throws StoreError if nothing was changed
 	 */
 	change(decide: (stored: readonly Saved[]) => Edit): Promise<readonly Saved[]>;
 }
 
-/** The shelf keeps nothing now; the message is a sentence that says why. */
+/** The store cannot be used; the message is a sentence with the reason. */
 export class StoreError extends Error {
 	override name = "StoreError";
 }
 
-/** What is there once an edit is done. */
+/** The stored specimens after an edit. */
 export function edited(stored: readonly Saved[], { put = [], remove = [] }: Edit): readonly Saved[] {
 	const gone = new Set([...remove, ...put.map(({ id }) => id)]);
 	return [...stored.filter(({ id }) => !gone.has(id)), ...put];
 }
 
-/** A specimen as the shelf lists it. */
+/** A specimen without its picture. */
 export function withoutPicture({ picture: _, ...saved }: Saved): Saved {
 	return saved;
 }

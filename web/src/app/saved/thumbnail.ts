@@ -1,15 +1,15 @@
-/** A small picture of what is in the 3-D view. */
+/** Makes a small picture of the 3-D view. */
 
-/** Pixels: square, so that neither what hangs nor what spreads is cut off. */
+/** Size in pixels; square, so that both tall and wide plants fit. */
 export const THUMBNAIL = { width: 240, height: 240 };
-/** So much larger it is taken: what is drawn small has jagged edges. */
+/** Factor by which the picture is larger before it is scaled down, for smooth edges. */
 const FINER = 2;
 const QUALITY = 0.85;
 
 /**
  * The middle of the view, as a JPEG of some ten kilobytes.
- * @param take takes a picture of that height, in pixels
- * @throws what it throws, and an Error where the browser makes no JPEG
+ * @param take takes a picture of the given height, in pixels
+ * @throws errors of `take`, and an Error if the browser makes no JPEG
  */
 export async function thumbnailOf(
 	take: (options: { height: number }) => Promise<Blob>,
