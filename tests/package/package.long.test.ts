@@ -106,7 +106,7 @@ export async function every(): Promise<string> {
 	}
 	return [bytes.length, blob.size, group.name, obj, listed.length, detail.words, document_.fingerprint, parts.length, plant.segments.count, await formatLink(specimen, "https://plants.example/")].join();
 }
-export type All = [types.Asked, types.Chance, types.DerivationTrace, types.Colour, types.CoreReason, types.Extras, types.FileOptions, types.FormatInfo, types.GlbForm, types.GlbOptions, types.GrowOptions, types.Instances, types.Material, types.MeasureInfo, types.Mesh, types.MeshRun, types.ModelInfo, types.ModuleAnswer, types.ModuleSpan, types.ObjFiles, types.OrganRecord, types.Organs, types.ParameterInfo, types.ParsedLink, types.PartMesh, types.Picture, types.PlantDocument, types.PlantMesh, types.PresetInfo, types.SegmentRecord, types.Segments, types.Shape, types.TextPlace, types.Textures, types.ToldModule, types.Values, types.Vector];
+export type All = [types.Asked, types.Chance, types.DerivationTrace, types.Colour, types.CoreReason, types.Extras, types.FileOptions, types.FormatInfo, types.GlbForm, types.GlbOptions, types.GrowOptions, types.Instances, types.Material, types.MeasureInfo, types.Mesh, types.MeshRun, types.ModelInfo, types.ModuleAnswer, types.ModuleSpan, types.ObjFiles, types.OrganRecord, types.Organs, types.ParameterInfo, types.ParsedLink, types.PartMesh, types.Picture, types.PlantDocument, types.PlantMesh, types.PresetInfo, types.SegmentRecord, types.Segments, types.Shape, types.TextPlace, types.Textures, types.TraceEntry, types.Values, types.Vector];
 `;
 
 	it.each([

@@ -12,9 +12,9 @@ import {
 	partsOfModule,
 	stepInWords,
 } from "../../../web/src/grammar_editor/trace_words";
-import { NOT_DRAWN, type ToldModule } from "../../../web/src/plant/derivation_trace";
+import { NOT_DRAWN, type TraceEntry } from "../../../web/src/plant/derivation_trace";
 
-const module: ToldModule = {
+const module: TraceEntry = {
 	text: "B(3,0.5)",
 	parent: 2,
 	production: { line: 7, column: 1 },

@@ -6,7 +6,7 @@ import {
 	isFileOptionValue,
 	type NumericFileOptionKey,
 } from "../formats/file_options";
-import { MOST_TOLD, type TraceRequest } from "../plant/derivation_trace";
+import { MAX_TRACE_ENTRIES, type TraceRequest } from "../plant/derivation_trace";
 import { BATCH_OPTIONS, type BatchCall, readBatch } from "./batch_arguments";
 import { UsageError } from "./usage";
 
@@ -121,10 +121,10 @@ function readSetting(setting: string): [string, string] {
 /** @throws UsageError where it is no step with an optional window */
 function readTrace(text: string): TraceRequest {
 	const [step, first, count] = text.split(",").map((word) => (/^\s*\d+\s*$/.test(word) ? Number(word) : Number.NaN));
-	const fits = [step, first ?? 0].every((value) => value <= 0xffffffff) && (count ?? 0) <= MOST_TOLD;
+	const fits = [step, first ?? 0].every((value) => value <= 0xffffffff) && (count ?? 0) <= MAX_TRACE_ENTRIES;
 	if (!fits || text.split(",").length > 3)
 		throw new UsageError(
-			`--chronicle ${text}: a step, 0 or more; then where you like the first module and how many, at most ${MOST_TOLD}: 3,100,50`,
+			`--chronicle ${text}: a step, 0 or more; then where you like the first module and how many, at most ${MAX_TRACE_ENTRIES}: 3,100,50`,
 		);
 	return { step, ...(first === undefined ? {} : { first }), ...(count === undefined ? {} : { count }) };
 }

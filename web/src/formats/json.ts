@@ -3,7 +3,7 @@
  * decimal that reads back as the same float32, so that the fingerprint can be computed again from the document
  * (docs/fingerprint.md).
  */
-import type { DerivationTrace, ToldModule } from "../plant/derivation_trace";
+import type { DerivationTrace, TraceEntry } from "../plant/derivation_trace";
 import type { Organs, Plant, Segments } from "../plant/plant";
 import type { Descriptor } from "../specimen/measures";
 import type { ModelSchema } from "../specimen/model_schema";
@@ -56,7 +56,7 @@ export interface TraceRecord {
 	step: number;
 	/** Index of the first of `modules` in its string. */
 	first: number;
-	modules: readonly ToldModule[];
+	modules: readonly TraceEntry[];
 }
 
 /** The document of every plant; models add to it. */

@@ -3,7 +3,7 @@
  * shown, so a text with an error leaves the state unchanged. The 3-D view reads its part from the tool's state.
  */
 import { Superseded } from "../core/errors";
-import type { DerivationTrace, ToldModule } from "../plant/derivation_trace";
+import type { DerivationTrace, TraceEntry } from "../plant/derivation_trace";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
 import type { EditorContext } from "../ui/editor_context";
@@ -75,7 +75,7 @@ export class Derivation {
 	}
 
 	/** Returns the trace entry of a module of the step shown; undefined while the module is outside the window. */
-	module(index: number | undefined): ToldModule | undefined {
+	module(index: number | undefined): TraceEntry | undefined {
 		return index === undefined || !this.page ? undefined : this.page.modules[index - this.page.first];
 	}
 

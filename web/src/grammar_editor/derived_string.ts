@@ -1,5 +1,5 @@
 import { html, LitElement, nothing, type PropertyValues } from "lit";
-import type { DerivationTrace, ToldModule } from "../plant/derivation_trace";
+import type { DerivationTrace, TraceEntry } from "../plant/derivation_trace";
 import { partsOfModule } from "./trace_words";
 
 /** Modules that a page key goes on. */
@@ -63,7 +63,7 @@ export class DerivedString extends LitElement {
 		>${page?.modules.map((module, index) => this.#module(module, page.first + index, page))}</div>`;
 	}
 
-	#module(module: ToldModule, index: number, { counts, step }: DerivationTrace): unknown {
+	#module(module: TraceEntry, index: number, { counts, step }: DerivationTrace): unknown {
 		const { text, fires, production, answer } = module;
 		const [symbol, parameters] = partsOfModule(text);
 		const { line } = this;

@@ -1,5 +1,5 @@
 /** Which things of a plant which modules have drawn, and which modules of one string are those of another. */
-import type { DerivationTrace, ModuleSpan, ToldModule } from "../plant/derivation_trace";
+import type { DerivationTrace, ModuleSpan, TraceEntry } from "../plant/derivation_trace";
 import { NOT_DRAWN } from "../plant/derivation_trace";
 import type { Sighted } from "../plant/sighting";
 import type { DerivedScene } from "./derivation_tool";
@@ -34,7 +34,7 @@ export function drawnIn({ segments, organs }: Marks, { segment, organ }: Sighted
  */
 export function litBy(
 	index: number,
-	module: Pick<ToldModule, "last">,
+	module: Pick<TraceEntry, "last">,
 	{ step, counts }: Pick<DerivationTrace, "step" | "counts">,
 	scene: Pick<DerivedScene, "step"> | undefined,
 ): ModuleSpan | undefined {

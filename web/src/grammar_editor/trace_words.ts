@@ -1,5 +1,5 @@
 /** Describes modules of a derivation in plain words. */
-import type { Chance, ModuleAnswer, ToldModule } from "../plant/derivation_trace";
+import type { Chance, ModuleAnswer, TraceEntry } from "../plant/derivation_trace";
 
 /** "1,240 modules". */
 export function countInWords(count: number): string {
@@ -18,7 +18,7 @@ export function partsOfModule(text: string): readonly [symbol: string, parameter
 }
 
 /** "n = 3, t = 0.5"; empty where there are none. */
-export function valuesInWords({ values }: Pick<ToldModule, "values">): string {
+export function valuesInWords({ values }: Pick<TraceEntry, "values">): string {
 	return values.map(({ name, value }) => `${name} = ${value}`).join(", ");
 }
 
@@ -41,7 +41,7 @@ export function piecesOf(words: string): readonly (string | number)[] {
 
 /** Describes the result of a module in the next step. */
 export function fateOf(
-	{ fires, children: { count } }: Pick<ToldModule, "fires" | "children">,
+	{ fires, children: { count } }: Pick<TraceEntry, "fires" | "children">,
 	isLast: boolean,
 ): string {
 	if (isLast) return "The derivation ends here.";
@@ -51,7 +51,7 @@ export function fateOf(
 }
 
 /** All of it in a few sentences, for screen readers. */
-export function moduleInWords(module: ToldModule, isLast: boolean): string {
+export function moduleInWords(module: TraceEntry, isLast: boolean): string {
 	const { production, fires, answer, chance, refusals = [] } = module;
 	const values = valuesInWords(module);
 	const used = values ? ` with ${values}` : "";

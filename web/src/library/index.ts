@@ -14,7 +14,7 @@ export type {
 	ModuleSpan,
 	Refusal,
 	TextPlace,
-	ToldModule,
+	TraceEntry,
 } from "../plant/derivation_trace";
 export type { Material, Picture, Textures } from "../plant/material";
 export type { Extras, Instances, Part, PartMesh, Shape } from "../plant/part";

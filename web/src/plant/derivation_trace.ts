@@ -2,7 +2,7 @@
 import type { Block, Columns } from "../core/container";
 
 /** The most modules in a window. */
-export const MOST_TOLD = 2000;
+export const MAX_TRACE_ENTRIES = 2000;
 
 /** The part of a derivation to trace. No link stores it. */
 export interface TraceRequest {
@@ -10,7 +10,7 @@ export interface TraceRequest {
 	readonly step: number;
 	/** Index of the window's first module in that step's string; 0 where absent. */
 	readonly first?: number;
-	/** Modules in the window, at most `MOST_TOLD`, which is the default. */
+	/** Modules in the window, at most `MAX_TRACE_ENTRIES`, which is the default. */
 	readonly count?: number;
 	/** A module of the last string, for the trail of its ancestors (`DerivationTrace.trail`). */
 	readonly module?: number;
@@ -60,7 +60,7 @@ export interface Refusal {
 }
 
 /** A module of the window. */
-export interface ToldModule {
+export interface TraceEntry {
 	/** Its text in the string: `B(29)`. */
 	readonly text: string;
 	/** Index of its parent module in the step before; undefined in the axiom. */
@@ -95,7 +95,7 @@ export interface DerivationTrace {
 	/** Index of the first of `modules` in its string. */
 	readonly first: number;
 	/** The window's modules, in their order. */
-	readonly modules: readonly ToldModule[];
+	readonly modules: readonly TraceEntry[];
 	/** For the requested module of the last string: the index of its ancestor in each step. */
 	readonly trail?: Uint32Array;
 	/** For each segment of the plant, the module of the last string that drew it; `NOT_DRAWN` where none did. */
@@ -123,7 +123,7 @@ export function readTrace(columns: Columns): DerivationTrace | undefined {
 	const [texts, values, answers, refused] = [lines("modules"), lines("values"), lines("answers"), lines("refusals")];
 	const parents = columns.uint32("chronicle.parent");
 	const chances = columns.floats("chronicle.chance");
-	const modules = Array.from({ length: count }, (_, index): ToldModule => {
+	const modules = Array.from({ length: count }, (_, index): TraceEntry => {
 		const [total, weight, drawn] = chances.subarray(3 * index, 3 * index + 3);
 		const production = placeOf(pairs("production", index));
 		const fires = placeOf(pairs("fires", index));

@@ -4,9 +4,9 @@ import type { Core } from "../../../../web/src/core/core";
 import type { BunchPlant } from "../../../../web/src/models/bunch/bunch_plant";
 import {
 	type DerivationTrace,
-	MOST_TOLD,
+	MAX_TRACE_ENTRIES,
 	NOT_DRAWN,
-	type ToldModule,
+	type TraceEntry,
 } from "../../../../web/src/plant/derivation_trace";
 import { type Specimen, specimenFromPreset, withParameters } from "../../bunch";
 import { freshCore, growBunch } from "../../core/wasm";
@@ -19,24 +19,24 @@ beforeAll(async () => {
 const LAST = 0xffffffff;
 const bare = { meshes: false, measures: false };
 
-function tell(specimen: Specimen, first = 0): BunchPlant & { trace: DerivationTrace } {
+function growTraced(specimen: Specimen, first = 0): BunchPlant & { trace: DerivationTrace } {
 	const grown = growBunch(core, specimen, { ...bare, trace: { step: LAST, first } });
 	if (!grown.trace) throw new Error("Nothing was told.");
 	return { ...grown, trace: grown.trace };
 }
 
 /** All modules of the last string. */
-function lastString(specimen: Specimen): ToldModule[] {
-	const modules: ToldModule[] = [];
+function lastString(specimen: Specimen): TraceEntry[] {
+	const modules: TraceEntry[] = [];
 	for (;;) {
-		const more = tell(specimen, modules.length).trace.modules;
+		const more = growTraced(specimen, modules.length).trace.modules;
 		modules.push(...more);
-		if (more.length < MOST_TOLD) return modules;
+		if (more.length < MAX_TRACE_ENTRIES) return modules;
 	}
 }
 
-const words = ({ answer }: ToldModule) => answer?.words ?? "";
-const withWords = (modules: ToldModule[], pattern: RegExp) => modules.filter((each) => pattern.test(words(each)));
+const words = ({ answer }: TraceEntry) => answer?.words ?? "";
+const withWords = (modules: TraceEntry[], pattern: RegExp) => modules.filter((each) => pattern.test(words(each)));
 
 describe("the paper's bunch, told", () => {
 	const crowded = () => withParameters(specimenFromPreset("cylindrical", 1), { rmin: 30, rmax: 40 });
@@ -45,12 +45,12 @@ describe("the paper's bunch, told", () => {
 		const specimen = crowded();
 		const { counts } = growBunch(core, specimen, bare);
 		const modules = lastString(specimen);
-		const asked = modules.filter(({ text }) => text.startsWith("?E"));
+		const queries = modules.filter(({ text }) => text.startsWith("?E"));
 		expect(counts.withered).toBeGreaterThan(5);
-		expect(withWords(asked, /withers$/)).toHaveLength(counts.withered);
-		expect(withWords(asked, /is cut$/)).toHaveLength(counts.cut);
-		// What a cut leaves out is never asked.
-		expect(withWords(asked, /there is room/)).toHaveLength(counts.internodes - counts.withered);
+		expect(withWords(queries, /withers$/)).toHaveLength(counts.withered);
+		expect(withWords(queries, /is cut$/)).toHaveLength(counts.cut);
+		// What a cut leaves out is never queries.
+		expect(withWords(queries, /there is room/)).toHaveLength(counts.internodes - counts.withered);
 	});
 
 	it("tells the production that drew each answer, with what it was answered", () => {
@@ -69,15 +69,15 @@ describe("the paper's bunch, told", () => {
 
 	it("names what stands in the way, which is there", () => {
 		const specimen = crowded();
-		const { berries, trace } = tell(specimen);
+		const { berries, trace } = growTraced(specimen);
 		const modules = lastString(specimen);
-		const bearing = new Set(trace.organs);
-		expect(bearing.size).toBe(berries.count);
+		const drawnBy = new Set(trace.organs);
+		expect(drawnBy.size).toBe(berries.count);
 		const named = withWords(modules, /overlaps the berry of module \d+ by \d/);
 		expect(named.length).toBeGreaterThan(10);
 		for (const module of named) {
 			const [, berry, depth] = /berry of module (\d+) by ([\d.]+)/.exec(words(module)) ?? [];
-			expect(bearing).toContain(Number(berry));
+			expect(drawnBy).toContain(Number(berry));
 			expect(Number(depth)).toBeGreaterThan(0);
 			expect(Number(depth)).toBeLessThan(80);
 		}
@@ -98,7 +98,7 @@ describe("the paper's bunch, told", () => {
 
 	it("says nothing of a second bunch, and who it is that stands in the way", () => {
 		const specimen = withParameters(crowded(), { wing: 0.7 });
-		const { internodes, trace, counts } = tell(specimen);
+		const { internodes, trace, counts } = growTraced(specimen);
 		const drawn = trace.segments.filter((module) => module !== NOT_DRAWN);
 		expect(trace.segments).toHaveLength(internodes.count);
 		expect(drawn.length).toBeLessThan(internodes.count);
@@ -113,7 +113,7 @@ describe("the natural bunch, told", () => {
 		const plain = growBunch(core, specimen, bare);
 		const modules = lastString(specimen);
 		expect(plain.trace).toBeUndefined();
-		expect(tell(specimen).fingerprint).toBe(plain.fingerprint);
+		expect(growTraced(specimen).fingerprint).toBe(plain.fingerprint);
 		const why = (reason: string) => plain.thinned.filter((each) => each.why === reason).length;
 		expect(withWords(modules, /did not set/)).toHaveLength(why("not set"));
 		expect(withWords(modules, /pressed harder/)).toHaveLength(why("no room"));
@@ -127,7 +127,7 @@ describe("the natural bunch, told", () => {
 	it("knows which modules drew what hangs there", () => {
 		for (const name of ["long-conical", "riesling"]) {
 			const specimen = specimenFromPreset(name);
-			const { trace, internodes, berries } = tell(specimen);
+			const { trace, internodes, berries } = growTraced(specimen);
 			const modules = lastString(specimen);
 			expect(trace.segments).toHaveLength(internodes.count);
 			expect(trace.organs).toHaveLength(berries.count);
@@ -141,6 +141,6 @@ describe("the natural bunch, told", () => {
 		const specimen = specimenFromPreset("long-conical");
 		const three = growBunch(core, specimen, { ...bare, steps: 3, trace: { step: LAST } });
 		expect(three.trace?.step).toBe(3);
-		expect([...(three.trace?.counts ?? [])]).toEqual([...tell(specimen).trace.counts.slice(0, 4)]);
+		expect([...(three.trace?.counts ?? [])]).toEqual([...growTraced(specimen).trace.counts.slice(0, 4)]);
 	});
 });

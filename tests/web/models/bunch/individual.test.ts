@@ -50,10 +50,10 @@ describe.each(presetsInRun(({ kind }) => kind !== "fruit"))("%s", (preset) => {
 	});
 
 	it("hangs from a peduncle of its own length, at least 25 mm", () => {
-		const asked = specimenFromPreset(preset).parameters.peduncle;
+		const requested = specimenFromPreset(preset).parameters.peduncle;
 		for (const { measures } of varied) {
 			expect(measureOf(measures, "peduncle_length")).toBeGreaterThanOrEqual(25);
-			expect(Math.abs(measureOf(measures, "peduncle_length") / asked - 1)).toBeLessThan(0.05);
+			expect(Math.abs(measureOf(measures, "peduncle_length") / requested - 1)).toBeLessThan(0.05);
 		}
 	});
 });
@@ -82,13 +82,13 @@ it("the paper's procedure knows nothing of it", () => {
 });
 
 it("berries differ in width as the parameter's help says", () => {
-	const said =
+	const stated =
 		/(\d+) measures about (\d+) %, (\d+) about (\d+) %/
 			.exec(entryOf("spread")?.help ?? "")
 			?.slice(1)
 			.map(Number) ?? [];
-	expect(said).toHaveLength(4);
-	for (const [spread, percent] of [said.slice(0, 2), said.slice(2)]) {
+	expect(stated).toHaveLength(4);
+	for (const [spread, percent] of [stated.slice(0, 2), stated.slice(2)]) {
 		const found = ["riesling", "merlot", "long-conical"].flatMap((preset) =>
 			[1, 2, 3].map((seed) => {
 				const specimen = { ...withParameters(specimenFromPreset(preset), { spread }), seed };

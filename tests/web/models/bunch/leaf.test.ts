@@ -15,7 +15,8 @@ import { bunchGlb } from "./parts/files";
 
 const bare = specimenFromPreset("rubus");
 const leafy = withParameters(bare, { leaves: 2 });
-const asked = (specimen: typeof bare, options = {}) => new Columns(writeContainer(encodeRequest(specimen, options)));
+const requestOf = (specimen: typeof bare, options = {}) =>
+	new Columns(writeContainer(encodeRequest(specimen, options)));
 
 let core: Core;
 beforeAll(async () => {
@@ -27,7 +28,7 @@ describe("the leaf on the cane", () => {
 	it("is not fetched for a bunch without leaves", () => {
 		expect(model.prepare(bare)).toBeUndefined();
 		expect(leafOnCane()).toBeUndefined();
-		expect(asked(leafy).has("leaf.points")).toBe(false);
+		expect(requestOf(leafy).has("leaf.points")).toBe(false);
 	});
 
 	it("where it did not come, the cane stands bare and a note says so", () => {
@@ -40,8 +41,8 @@ describe("the leaf on the cane", () => {
 		expect(model.sketch(bare)).toBeUndefined();
 		await model.sketch(leafy);
 		const sketch = leafOnCane();
-		expect(asked(leafy).floats("leaf.points")).toEqual(sketch?.points);
-		expect(asked(leafy).has("leaf.petiole")).toBe(false);
+		expect(requestOf(leafy).floats("leaf.points")).toEqual(sketch?.points);
+		expect(requestOf(leafy).has("leaf.petiole")).toBe(false);
 		expect(growBunch(core, leafy).notes).toEqual([]);
 		await model.prepare(leafy);
 		expect(leafOnCane()?.points.length).toBeGreaterThan(10 * (sketch?.points.length ?? 0));
@@ -50,13 +51,13 @@ describe("the leaf on the cane", () => {
 	it("goes with the request of a bunch that has leaves, and with no other", async () => {
 		await model.prepare(leafy);
 		const leaf = leafOnCane();
-		const request = asked(leafy);
+		const request = requestOf(leafy);
 		expect(request.floats("leaf.points")).toEqual(leaf?.points);
 		expect(request.floats("leaf.between")).toEqual(leaf?.between);
 		expect(request.floats("leaf.uvs")).toEqual(leaf?.uvs);
 		expect(request.uint32("leaf.triangles")).toEqual(leaf?.indices);
-		expect(asked(bare).has("leaf.points")).toBe(false);
-		expect(asked(leafy, { meshes: false }).has("leaf.points")).toBe(false);
+		expect(requestOf(bare).has("leaf.points")).toBe(false);
+		expect(requestOf(leafy, { meshes: false }).has("leaf.points")).toBe(false);
 	});
 
 	it("is every leaf, each bent its own way, and its veins are the blade's", async () => {
@@ -107,8 +108,8 @@ describe("a leaf's material", () => {
 			);
 		};
 		const { veins: _, ...plain } = grown.foliage ?? {};
-		const [laid, painted] = [mean(grown), mean({ ...grown, foliage: plain as typeof grown.foliage })];
-		for (let k = 0; k < 3; k++) expect(laid[k] / painted[k]).toBeCloseTo(1, 1);
+		const [textured, painted] = [mean(grown), mean({ ...grown, foliage: plain as typeof grown.foliage })];
+		for (let k = 0; k < 3; k++) expect(textured[k] / painted[k]).toBeCloseTo(1, 1);
 	});
 
 	it("is in files what it is in view: one material with the picture for all leaves", async () => {

@@ -54,8 +54,8 @@ describe("the levers of a bunch", () => {
 
 	it("leave the outline to what is asked of it", () => {
 		const from = specimenFromPreset("riesling");
-		const lead = (asked: MeasureKey[]) => {
-			const [lever] = leversOf(from, asked).bunch_weight;
+		const lead = (requested: MeasureKey[]) => {
+			const [lever] = leversOf(from, requested).bunch_weight;
 			const after = lever.set(from, 1.1 * lever.of(from)).parameters;
 			return Object.keys(after).filter((key) => after[key as "l"] !== from.parameters[key as "l"]);
 		};
@@ -66,7 +66,7 @@ describe("the levers of a bunch", () => {
 	});
 });
 
-/** How near what is asked for comes, as a share of it; the presets of small fruits have too few berries for some. */
+/** How near what is requested for comes, as a share of it; the presets of small fruits have too few berries for some. */
 const NEAR: readonly [MeasureKey, number][] = [
 	["bunch_length", 0.02],
 	["bunch_width", 0.08],

@@ -14,12 +14,12 @@ const parameter = (specimen: Specimen, key: NumberKey) =>
 describe("a request", () => {
 	it("names its model, its seed and what it wants", () => {
 		const fine = { meshes: false, measures: false, stemSides: 7, berrySegments: 20 };
-		const asked = columns({ ...specimenFromPreset(), seed: 0xfffffffe }, fine);
-		expect(asked.text("model")).toBe("bunch");
-		expect([...asked.uint32("seed")]).toEqual([0xfffffffe]);
-		expect([...asked.uint32("stem_sides"), ...asked.uint32("berry_segments")]).toEqual([7, 20]);
-		expect(asked.floats("parameters")).toHaveLength(NUMBER_KEYS.length);
-		expect(asked.text("outputs")).toBe("");
+		const request = columns({ ...specimenFromPreset(), seed: 0xfffffffe }, fine);
+		expect(request.text("model")).toBe("bunch");
+		expect([...request.uint32("seed")]).toEqual([0xfffffffe]);
+		expect([...request.uint32("stem_sides"), ...request.uint32("berry_segments")]).toEqual([7, 20]);
+		expect(request.floats("parameters")).toHaveLength(NUMBER_KEYS.length);
+		expect(request.text("outputs")).toBe("");
 		expect(columns(specimenFromPreset()).text("outputs")).toBe("meshes measures sky");
 		expect(columns(specimenFromPreset(), { measures: false }).text("outputs")).toBe("meshes sky");
 		expect(columns(specimenFromPreset(), { measures: false, sky: false }).text("outputs")).toBe("meshes");
@@ -46,10 +46,10 @@ describe("a request", () => {
 
 	it("holds inputs, grammar and the ids of thinned berries", () => {
 		const thinned = [7, 2 ** 30 - 1];
-		const asked = columns({ ...specimenFromPreset(), thinned, inputs: { m: 3, n: [1, 2] }, grammar: "äxiom" });
-		expect([...asked.ints("m"), ...asked.ints("n")]).toEqual([3, 1, 2]);
-		expect(asked.text("grammar")).toBe("äxiom");
-		expect([...asked.uint32("thinned")]).toEqual(thinned);
+		const request = columns({ ...specimenFromPreset(), thinned, inputs: { m: 3, n: [1, 2] }, grammar: "äxiom" });
+		expect([...request.ints("m"), ...request.ints("n")]).toEqual([3, 1, 2]);
+		expect(request.text("grammar")).toBe("äxiom");
+		expect([...request.uint32("thinned")]).toEqual(thinned);
 	});
 
 	it("holds a choice by its place", () => {

@@ -51,8 +51,8 @@ describe("the organ of a volume", () => {
 		expect([...organOf(plant.volumes, 0).volumes]).toEqual(of("STEM"));
 		// The hair belongs to it, a segment behind the one that bears it.
 		const [hair] = of("X2");
-		const bearer = plant.volumes.parent[hair];
-		const [own, its] = [hair, bearer].map((volume) => organOf(plant.volumes, volume));
+		const parent = plant.volumes.parent[hair];
+		const [own, its] = [hair, parent].map((volume) => organOf(plant.volumes, volume));
 		expect(own.volumes).toEqual(its.volumes);
 		expect(own.segment).toBe(its.segment + 1);
 	});
@@ -63,9 +63,9 @@ describe("the organ of a volume", () => {
 		expect(titleOfVolume(plant, hair)).toBe("Tepal, mesophyll");
 		expect(titleOfVolume(plant, 0)).toBe("Stem");
 		expect(titleOfVolume({ ...plant, numbers: new Uint32Array() }, hair)).toBe("X2");
-		const told = (volume: number) => placeOfVolume(plant.volumes, volume, organOf(plant.volumes, volume), TEXT);
-		expect(told(0)).toBe(`STEM, volume 1: segment 1 among ${of("STEM").length} volumes.`);
+		const placeOf = (volume: number) => placeOfVolume(plant.volumes, volume, organOf(plant.volumes, volume), TEXT);
+		expect(placeOf(0)).toBe(`STEM, volume 1: segment 1 among ${of("STEM").length} volumes.`);
 		const many = organOf(plant.volumes, blade).volumes.size;
-		expect(told(blade)).toBe(`X1, volume ${blade + 1}: segment 1 of BLADE, which has ${many} volumes.`);
+		expect(placeOf(blade)).toBe(`X1, volume ${blade + 1}: segment 1 of BLADE, which has ${many} volumes.`);
 	});
 });

@@ -3,7 +3,7 @@ import type { FlowerPlant } from "../../../../web/src/models/flower/flower_plant
 
 export interface Organ {
 	/** What it stands on. */
-	bearer: string;
+	parentLabel: string;
 	/** Millimetres, along its middle and across where it is widest. */
 	length: number;
 	width: number;
@@ -39,7 +39,7 @@ export function organsOf(plant: FlowerPlant): Organ[] {
 				? value(each, BREADTH)
 				: long(chain(next(each, /^RM1$/), /^RM/)) + long(chain(next(each, /^LM1$/), /^LM/)) + value(each, BREADTH),
 		);
-		return { bearer: name(parent[v]), length: long(axis), width: Math.max(...widths) };
+		return { parentLabel: name(parent[v]), length: long(axis), width: Math.max(...widths) };
 	});
 }
 
@@ -49,7 +49,7 @@ export function rodsOf(plant: FlowerPlant, kind: string): Organ[] {
 	return begin([kind]).map((v) => {
 		const axis = chain(v, new RegExp(`^${kind}$`));
 		return {
-			bearer: name(parent[v]),
+			parentLabel: name(parent[v]),
 			length: long(axis),
 			width: Math.max(...axis.map((each) => value(each, BREADTH))),
 		};

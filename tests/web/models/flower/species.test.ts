@@ -100,7 +100,7 @@ it.each([...new Set(rows.map(({ preset }) => preset))])("%s keeps to its ranges,
 		alike.add(plant.volumes.values.slice(0, 900).join());
 		const organs = organsOf(plant);
 		for (const { what, on, of, measure, low, high, all } of mine) {
-			const meant = of ? rodsOf(plant, of) : organs.filter(({ bearer }) => on.includes(bearer));
+			const meant = of ? rodsOf(plant, of) : organs.filter(({ parentLabel }) => on.includes(parentLabel));
 			const found = MEASURED[measure](plant, meant);
 			expect(found.length, `${what}, seed ${seed}`).toBeGreaterThan(0);
 			expect(Math.min(...found), `${what}: ${measure}, seed ${seed}`).toBeGreaterThanOrEqual(low);

@@ -15,9 +15,9 @@ STEM{}{step==3}{} -> STEM[&PETAL(,-6,,,,,,){len=66; n=2*3}]_{C1,C5}
 STEM -> STEM[STEM(,,9)]_{E}
 `;
 
-const named = (asked: Parameters<typeof numberGroupsOf>[1]) =>
+const named = (origin: Parameters<typeof numberGroupsOf>[1]) =>
 	Object.fromEntries(
-		numberGroupsOf(TEXT, asked).map(({ title, tokens }) => [
+		numberGroupsOf(TEXT, origin).map(({ title, tokens }) => [
 			title,
 			tokens.map(({ name, from, to, text }) => {
 				expect(TEXT.slice(from, to).replace(/\s/g, "")).toBe(text);
@@ -27,8 +27,8 @@ const named = (asked: Parameters<typeof numberGroupsOf>[1]) =>
 	);
 
 /** The same as lines, where each token stands as it is written. */
-const linesOf = (text: string, asked: Parameters<typeof numberGroupsOf>[1]) =>
-	numberGroupsOf(text, asked).map(({ title, tokens }) => {
+const linesOf = (text: string, origin: Parameters<typeof numberGroupsOf>[1]) =>
+	numberGroupsOf(text, origin).map(({ title, tokens }) => {
 		for (const { from, to, text: written } of tokens) expect(text.slice(from, to)).toBe(written);
 		return `${title}: ${tokens.map(({ name, text: written }) => `${name} ${written}`).join(", ")}`;
 	});
@@ -79,8 +79,8 @@ STEM -> STEM[&PETAL{len=size*30; wide=9}]_{C1}[&PETAL{len=20}]_{C3}
 #define A(4,0,0,0,1,2,3,4)
 #axiom: A
 `;
-		const said = numberGroupsOf(text, { label: "A", module: 1, line: 9, call: 4 });
-		const titled = (title: string) => said.find((each) => each.title === title)?.tokens.map(({ name }) => name);
+		const groups = numberGroupsOf(text, { label: "A", module: 1, line: 9, call: 4 });
+		const titled = (title: string) => groups.find((each) => each.title === title)?.tokens.map(({ name }) => name);
 		expect(titled("PETAL as it is called, line 4, 1 of 2")).toEqual(["wide"]);
 		expect(titled("PETAL as it is called, line 4, 2 of 2")).toEqual(["len"]);
 		expect(titled("Every PETAL")).toEqual(["wide"]);

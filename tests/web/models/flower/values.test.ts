@@ -126,24 +126,24 @@ describe("an address", () => {
 		return core;
 	};
 	const service = makeService({ loadCore, release: "1" });
-	const ask = async (address: string) => service(new Request(`http://plants.example/specimens/flower/${address}`));
+	const get = async (address: string) => service(new Request(`http://plants.example/specimens/flower/${address}`));
 
 	it("gives them by define= and by their bare names", async () => {
 		const json = await Promise.all(
-			["table-3.json?define=rd:9", "table-3.json?rd=9"].map(async (each) => (await ask(each)).json()),
+			["table-3.json?define=rd:9", "table-3.json?rd=9"].map(async (each) => (await get(each)).json()),
 		);
 		expect(json[0].specimen.constants).toEqual({ rd: 9 });
 		expect(json[1]).toEqual(json[0]);
 	});
 
 	it("leaves the map out where it is not wanted, and refuses one that is too large to send", async () => {
-		const { alpha, position, label, measures } = await (await ask("table-3.json?file-map=0")).json();
+		const { alpha, position, label, measures } = await (await get("table-3.json?file-map=0")).json();
 		expect([alpha, position]).toEqual([undefined, undefined]);
 		expect([label.length > 0, measures.surface > 0]).toEqual([true, true]);
 		const grows = "#define A(24)\n#define finalStep=4\n#axiom: A\nA -> A[A(24)]_{E,C1,C2,C3,C4,C5,C6,C7,C8,C9,C10}";
 		const address = `tulip.json?g=${await compressText(grows)}`;
 		outputs.length = 0;
-		const refused = await ask(address);
+		const refused = await get(address);
 		// Neither its skin nor its map was made.
 		expect(outputs).toEqual([""]);
 		expect(`${refused.status} ${await refused.text()}`).toMatch(
@@ -157,7 +157,7 @@ describe("an address", () => {
 		["tulip.obj?length=x", "400 constants: length is “x”, which is not a number"],
 		["figure-16.obj?a=1", "400 a: the text defines no such constant; there are none"],
 	])("%s is refused: %s", async (address, words) => {
-		const answer = await ask(address);
+		const answer = await get(address);
 		expect(`${answer.status} ${await answer.text()}`).toContain(words);
 	});
 });

@@ -23,20 +23,20 @@ const grow = (specimen: GrammarSpecimen, trace: TraceRequest, steps?: number): G
 			model.encode(specimen, { meshes: false, string: true, trace, ...(steps === undefined ? {} : { steps }) }),
 		),
 	);
-const tell = (grammar: string, trace: TraceRequest) => {
-	const told = grow(of(grammar), trace).trace;
-	if (!told) throw new Error("Nothing was told.");
-	return told;
+const traceOf = (grammar: string, request: TraceRequest) => {
+	const { trace } = grow(of(grammar), request);
+	if (!trace) throw new Error("Nothing was told.");
+	return trace;
 };
 
 const TWIGS = "axiom: A(1)\nA(n) : {m = n/2} n<3 --> F(m) [ +(40) A(n+1) ] A(n+1)\n";
 
 describe("a derivation that a text's plant tells", () => {
 	it("is told module by module", () => {
-		const told = tell(TWIGS, { step: 1, module: 9 });
-		expect([...told.counts]).toEqual([1, 6, 16]);
-		expect(told.modules.map(({ text }) => text)).toEqual(["F(0.5)", "[", "+(40)", "A(2)", "]", "A(2)"]);
-		expect(told.modules[3]).toEqual({
+		const trace = traceOf(TWIGS, { step: 1, module: 9 });
+		expect([...trace.counts]).toEqual([1, 6, 16]);
+		expect(trace.modules.map(({ text }) => text)).toEqual(["F(0.5)", "[", "+(40)", "A(2)", "]", "A(2)"]);
+		expect(trace.modules[3]).toEqual({
 			text: "A(2)",
 			parent: 0,
 			production: { line: 2, column: 1 },
@@ -48,7 +48,7 @@ describe("a derivation that a text's plant tells", () => {
 			children: { first: 3, count: 6 },
 			last: { first: 3, count: 6 },
 		});
-		expect(told.modules[0]).toEqual({
+		expect(trace.modules[0]).toEqual({
 			text: "F(0.5)",
 			parent: 0,
 			production: { line: 2, column: 1 },
@@ -56,11 +56,11 @@ describe("a derivation that a text's plant tells", () => {
 			children: { first: 0, count: 1 },
 			last: { first: 0, count: 1 },
 		});
-		expect([...(told.trail ?? [])]).toEqual([0, 4, 9]);
+		expect([...(trace.trail ?? [])]).toEqual([0, 4, 9]);
 	});
 
 	it("has for each module the productions that do not rewrite it, and why", () => {
-		const [bud, twig] = tell("axiom: A(3) B\nA(n) : n>3 --> F\nA --> F\nA(n) --> F", { step: 0 }).modules;
+		const [bud, twig] = traceOf("axiom: A(3) B\nA(n) : n>3 --> F\nA --> F\nA(n) --> F", { step: 0 }).modules;
 		expect(bud.refusals).toEqual([
 			{ production: { line: 2, column: 1 }, why: "its condition is false with n = 3" },
 			{ production: { line: 3, column: 1 }, why: "it is for no parameters, and the module has 1 parameter" },
@@ -70,20 +70,20 @@ describe("a derivation that a text's plant tells", () => {
 	});
 
 	it("tells what drew the lines", () => {
-		const told = tell(TWIGS, { step: 1, module: 9 });
-		expect([...told.segments]).toEqual([0, 3, 10]);
-		const [axiom] = tell(TWIGS, { step: 0 }).modules;
+		const trace = traceOf(TWIGS, { step: 1, module: 9 });
+		expect([...trace.segments]).toEqual([0, 3, 10]);
+		const [axiom] = traceOf(TWIGS, { step: 0 }).modules;
 		expect(axiom.parent).toBeUndefined();
 		expect(axiom.production).toBeUndefined();
 	});
 
 	it("tells the chances of what is drawn, and nothing of modules that are not there", () => {
-		const told = tell("axiom: A\nA --> B : 3\nA --> C : 1\n", { step: 0, module: 1 });
-		const { total, weight, drawn } = told.modules[0].chance ?? { total: 0, weight: 0, drawn: 0 };
+		const trace = traceOf("axiom: A\nA --> B : 3\nA --> C : 1\n", { step: 0, module: 1 });
+		const { total, weight, drawn } = trace.modules[0].chance ?? { total: 0, weight: 0, drawn: 0 };
 		expect(total).toBe(4);
 		expect(weight).toBe(drawn < 3 ? 3 : 1);
-		expect(told.trail).toBeUndefined();
-		expect(tell(TWIGS, { step: 1, first: 6 }).modules).toEqual([]);
+		expect(trace.trail).toBeUndefined();
+		expect(traceOf(TWIGS, { step: 1, first: 6 }).modules).toEqual([]);
 	});
 
 	it("tells what the environment was asked and answered", () => {
@@ -93,20 +93,20 @@ describe("a derivation that a text's plant tells", () => {
 			"A > ?E(r,n) : n<3 --> F [ +(55) A ?E(0.9,0) ] A",
 			"A > ?E(r,n) : n>=3 --> ~leaf(0.6)",
 		].join("\n");
-		const told = tell(hedge, { step: 3 });
-		const answered = told.modules.filter(({ answer }) => answer);
+		const trace = traceOf(hedge, { step: 3 });
+		const answered = trace.modules.filter(({ answer }) => answer);
 		expect(answered.length).toBeGreaterThan(1);
 		for (const { text, answer } of answered) {
 			expect(text).toBe(`?E(${answer?.asked?.join()})`);
 			expect(answer?.answered[0]).toBe("0.9");
 		}
 		// What was answered decides what fires before it.
-		for (const [index, { fires }] of told.modules.entries()) {
-			const next = told.modules[index + 1]?.answer;
+		for (const [index, { fires }] of trace.modules.entries()) {
+			const next = trace.modules[index + 1]?.answer;
 			if (fires && next) expect(fires.line).toBe(Number(next.answered[1]) < 3 ? 3 : 4);
 		}
-		const [, asking] = tell("derivation length: 1\naxiom: F ?P(0,0,0)", { step: 0 }).modules;
-		expect(asking.answer).toEqual({ answered: ["0", "1", "0"] });
+		const [, query] = traceOf("derivation length: 1\naxiom: F ?P(0,0,0)", { step: 0 }).modules;
+		expect(query.answer).toEqual({ answered: ["0", "1", "0"] });
 	});
 
 	it("ends in the string of every preset, one module after the other, and changes nothing of the plant", () => {

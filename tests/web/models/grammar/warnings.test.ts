@@ -16,7 +16,7 @@ beforeAll(async () => {
 });
 
 const grow = (specimen: GrammarSpecimen) => model.read(core.grow(model.encode(specimen, { meshes: false })), specimen);
-const told = (specimen: GrammarSpecimen) => warningsOf(grow(specimen), specimen);
+const warningsFor = (specimen: GrammarSpecimen) => warningsOf(grow(specimen), specimen);
 const cubes = (): GrammarSpecimen => {
 	const preset = fromPreset(model, "topiary-two-cubes");
 	return { ...preset, constants: { ...preset.constants, leaf: 0.2 } };
@@ -26,15 +26,17 @@ const of = (grammar: string): GrammarSpecimen => ({ ...fromPreset(model), gramma
 describe("what a plant lacks", () => {
 	it("is nothing for the presets as they grow", () => {
 		const presets = model.presets.list.filter(({ kind }, i) => kind === "topiary" || i % inRun(8, 1) === 0);
-		const wrong = presets.flatMap(({ name }) => told(fromPreset(model, name)).map((words) => `${name}: ${words}`));
+		const wrong = presets.flatMap(({ name }) =>
+			warningsFor(fromPreset(model, name)).map((words) => `${name}: ${words}`),
+		);
 		expect(wrong).toEqual([]);
-		expect(told(cubes())).toEqual([]);
+		expect(warningsFor(cubes())).toEqual([]);
 	});
 
 	it("is each area that the main branch does not come to", () => {
 		const missed = { ...cubes(), path: [0, 0, 0, 5, 0.1, 0, 5, 0.2, 0] };
 		expect([...bareAreas(grow(missed))]).toEqual([1]);
-		expect(told(missed)).toEqual([
+		expect(warningsFor(missed)).toEqual([
 			"Nothing grows in area 2: the main branch does not come there. Lead it through, or change the areas' order; where it is far away, give it more steps (derivation length).",
 		]);
 		expect([...bareAreas(grow(cubes()))]).toEqual([]);
@@ -42,14 +44,14 @@ describe("what a plant lacks", () => {
 		expect(warningsOf({ ...grow(cubes()), notes }, cubes())).toEqual([
 			"Nothing grows in areas 1, 2 and 4: it is missed.",
 		]);
-		// Those of another reason are told apart.
+		// Those of another reason are warningsFor apart.
 		const others = [...notes, "Nothing grows in area 3: it lies within area 2."];
 		expect(warningsOf({ ...grow(cubes()), notes: others }, cubes())).toHaveLength(2);
 	});
 
 	it("is every area, where the last is gone", () => {
 		const { areas: _, ...none } = cubes();
-		expect(told(none)).toEqual([expect.stringContaining("There is no growth area")]);
+		expect(warningsFor(none)).toEqual([expect.stringContaining("There is no growth area")]);
 	});
 
 	it("is what a limit cut off, with the steps that were asked for", () => {
@@ -80,11 +82,11 @@ describe("what a plant lacks", () => {
 	});
 
 	it("is all, where a text draws nothing", () => {
-		expect(told(of("axiom: A"))).toEqual(["The grammar draws nothing."]);
+		expect(warningsFor(of("axiom: A"))).toEqual(["The grammar draws nothing."]);
 	});
 
 	it("is the value of a constant that the text has not", () => {
 		const specimen = { ...of("#define n 3\naxiom: F(n)"), constants: { n: 2, foo: 1 } };
-		expect(told(specimen)).toEqual(["The grammar has no #define foo, so its parameter changes nothing."]);
+		expect(warningsFor(specimen)).toEqual(["The grammar has no #define foo, so its parameter changes nothing."]);
 	});
 });

@@ -64,9 +64,9 @@ describe.each(speciesInRun)("%s", (name) => {
 
 	it("is as large as its text says", () => {
 		const about = SPECIES.find((each) => each.name === name)?.about ?? "";
-		const said = /([\d.]+) m high(?: and|, ([\d.]+) m) wide/.exec(about);
+		const stated = /([\d.]+) m high(?: and|, ([\d.]+) m) wide/.exec(about);
 		if (name === "grapevine") return;
-		const [high, wide] = [Number(said?.[1]), Number(said?.[2] ?? said?.[1])];
+		const [high, wide] = [Number(stated?.[1]), Number(stated?.[2] ?? stated?.[1])];
 		const plant = grown(name, { season: 0.4 }, true);
 		expect(Math.abs(measured(plant, "height") / high - 1)).toBeLessThan(0.15);
 		expect(Math.abs(measured(plant, "spread") / wide - 1)).toBeLessThan(0.25);
@@ -153,7 +153,7 @@ it("a vine has places for two bunches on each cane that is grown, above its wire
 it("a vine’s bunches hang on its wood, to both sides of the row", () => {
 	const { organs, segments } = grown("grapevine", {});
 	const bunch = organs.tags.indexOf("bunch");
-	const aside = [0, 0];
+	const sides = [0, 0];
 	for (let i = 0; i < organs.count; i++) {
 		if (organs.tag[i] !== bunch) continue;
 		const [x, y, z] = organs.transforms.subarray(TRANSFORM * i, TRANSFORM * i + 3);
@@ -164,9 +164,9 @@ it("a vine’s bunches hang on its wood, to both sides of the row", () => {
 		expect(along).toBeGreaterThan(-1e-3);
 		expect(along).toBeLessThan(1 + 1e-3);
 		expect(Math.hypot(...way.map((value, k) => from[k] - along * value))).toBeLessThan(1e-3);
-		if (Math.abs(z) > 0.03) aside[z > 0 ? 1 : 0]++;
+		if (Math.abs(z) > 0.03) sides[z > 0 ? 1 : 0]++;
 	}
-	expect(Math.min(...aside)).toBeGreaterThan(5);
+	expect(Math.min(...sides)).toBeGreaterThan(5);
 });
 
 it("an oak’s leaves are as long as an oak’s, several on a twig, and all of them are counted", () => {

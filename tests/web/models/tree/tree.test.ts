@@ -176,7 +176,7 @@ describe("a tree", () => {
 			const { colour = [1], textures } = shape?.material ?? {};
 			expect(textures?.repeats).toBe(true);
 			// Vertices around the trunk.
-			const thick = Array.from(plant.bearing ?? [], (segment, i) => ({
+			const thick = Array.from(plant.vertexSegments ?? [], (segment, i) => ({
 				height: positions[3 * i + 1],
 				radius: plant.segments.radii[2 * segment + 1],
 				shade: colours[3 * i] / colour[0],

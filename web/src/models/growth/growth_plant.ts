@@ -45,7 +45,7 @@ export function readGrowthPlant(answer: Answer, specimen: GrowthSpecimen): Growt
 		volumes: [...ids].flatMap((id, i) =>
 			child[i] === 1 ? [] : [volumeOf(id, shapes.subarray(5 * i), middles[i], places.subarray(2 * i))],
 		),
-		...(columns.has("mesh.stems.segment") ? { bearing: columns.uint32("mesh.stems.segment") } : {}),
+		...(columns.has("mesh.stems.segment") ? { vertexSegments: columns.uint32("mesh.stems.segment") } : {}),
 		...(veins ? { veins } : {}),
 	};
 }

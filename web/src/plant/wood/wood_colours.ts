@@ -21,8 +21,12 @@ const CLASSES = 64;
  * Colours of the tubes (3 × vertices), by the radius of the segment; without the darkening near the ground for
  * previews, which have little time.
  */
-export function woodColours({ segments, bearing }: Wooden, mesh: PlantMesh, bark: Bark): Float32Array | undefined {
-	if (!bearing || bearing.length !== mesh.positions.length / 3) return undefined;
+export function woodColours(
+	{ segments, vertexSegments }: Wooden,
+	mesh: PlantMesh,
+	bark: Bark,
+): Float32Array | undefined {
+	if (!vertexSegments || vertexSegments.length !== mesh.positions.length / 3) return undefined;
 	const palette = Float32Array.from({ length: 3 * CLASSES }, (_, i) => {
 		const share = smoothstep(0, 1, Math.floor(i / 3) / (CLASSES - 1));
 		return bark.young[i % 3] + share * (bark.old[i % 3] - bark.young[i % 3]);
@@ -34,8 +38,8 @@ export function woodColours({ segments, bearing }: Wooden, mesh: PlantMesh, bark
 		places[segment] = 3 * Math.max(0, Math.min(CLASSES - 1, place));
 	}
 	const colours = new Float32Array(mesh.positions.length);
-	for (let vertex = 0, at = 0; vertex < bearing.length; vertex++, at += 3) {
-		const place = places[bearing[vertex]];
+	for (let vertex = 0, at = 0; vertex < vertexSegments.length; vertex++, at += 3) {
+		const place = places[vertexSegments[vertex]];
 		colours[at] = palette[place];
 		colours[at + 1] = palette[place + 1];
 		colours[at + 2] = palette[place + 2];

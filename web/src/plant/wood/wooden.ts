@@ -3,5 +3,5 @@ import type { Plant } from "../plant";
 
 export interface Wooden extends Plant {
 	/** The segment of each vertex of the mesh `stems`; absent without meshes. */
-	bearing?: Uint32Array;
+	vertexSegments?: Uint32Array;
 }

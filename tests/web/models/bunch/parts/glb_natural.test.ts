@@ -109,8 +109,8 @@ describe("the GLB of a natural bunch", () => {
 			const pedicel = grown.berries.parent[i];
 			expect(userData).toMatchObject({ id: grown.berries.ids[i], pedicel, axis: grown.internodes.axis[pedicel] });
 			const [width, length, exposure, turned] = grown.berries.traits.subarray(8 * i);
-			const said = [userData.radius, userData.width, userData.length, userData.exposure, userData.turned];
-			expect(said.map(Math.fround)).toEqual([grown.berries.spheres[4 * i + 3], width, length, exposure, turned]);
+			const written = [userData.radius, userData.width, userData.length, userData.exposure, userData.turned];
+			expect(written.map(Math.fround)).toEqual([grown.berries.spheres[4 * i + 3], width, length, exposure, turned]);
 		});
 	});
 

@@ -12,8 +12,8 @@ import { load, meshesOf } from "../../../formats/reading";
 const specimen = specimenFromPreset("merlot");
 const coarse = { stemSides: 5, berrySegments: 8 };
 const bunch = async (parameters = {}): Promise<BunchPlant> => {
-	const asked = { ...specimen, parameters: { ...specimen.parameters, ...parameters } };
-	return growBunch(await freshCore(), asked, coarse);
+	const requested = { ...specimen, parameters: { ...specimen.parameters, ...parameters } };
+	return growBunch(await freshCore(), requested, coarse);
 };
 const shared = (grown: BunchPlant) => [...bunchParts(grown, specimen)].map(alike);
 const classed = (grown: BunchPlant): Part => shared(grown).find(({ name }) => name === "Berries") as Part;

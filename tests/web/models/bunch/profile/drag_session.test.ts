@@ -3,13 +3,13 @@ import { profileDrags } from "../../../../../web/src/models/bunch/profile/drag_s
 import type { Handle, Locks, Shape } from "../../../../../web/src/models/bunch/profile/handles";
 import { DEFAULTS } from "./shape";
 
-/** A view that records what it is told, with frames that come when the test says so. */
+/** A view that records its events, with frames that come when the test says so. */
 function view(handles: Handle[] = ["p2", "p3", "p4"], locks: Locks = { leftRight: false, frontBack: false }) {
-	const told: [what: string, shape: Shape][] = [];
+	const received: [what: string, shape: Shape][] = [];
 	let frame: (() => void) | undefined;
 	const page = {
 		parameters: { ...DEFAULTS } as Shape,
-		told,
+		received,
 		frame() {
 			const callback = frame;
 			frame = undefined;
@@ -23,9 +23,9 @@ function view(handles: Handle[] = ["p2", "p3", "p4"], locks: Locks = { leftRight
 		get: () => page.parameters,
 		input: (parameters) => {
 			page.parameters = parameters;
-			told.push(["input", parameters]);
+			received.push(["input", parameters]);
 		},
-		change: () => told.push(["change", page.parameters]),
+		change: () => received.push(["change", page.parameters]),
 		schedule: (callback) => {
 			expect(frame).toBeUndefined();
 			frame = callback;
@@ -34,20 +34,20 @@ function view(handles: Handle[] = ["p2", "p3", "p4"], locks: Locks = { leftRight
 	return { page, drags };
 }
 
-const events = (told: [string, Shape][]) => told.map(([what]) => what);
+const events = (received: [string, Shape][]) => received.map(([what]) => what);
 
 describe("a drag", () => {
 	it("is told live once a frame, with the newest place, and once at its end", () => {
 		const { page, drags } = view();
 		drags.begin(1, "p3", { x: 150, y: 150 });
 		for (let x = 151; x <= 170; x++) drags.move(1, { x, y: 150 });
-		expect(page.told).toEqual([]);
+		expect(page.received).toEqual([]);
 		page.frame();
 		drags.move(1, { x: 180, y: 160 });
 		page.frame();
 		drags.end(1);
-		expect(events(page.told)).toEqual(["input", "input", "change"]);
-		expect(page.told[0][1].p3w).toBe(170);
+		expect(events(page.received)).toEqual(["input", "input", "change"]);
+		expect(page.received[0][1].p3w).toBe(170);
 		expect(page.parameters).toEqual({ ...DEFAULTS, p3w: 180, p3r: 160 });
 	});
 
@@ -56,10 +56,10 @@ describe("a drag", () => {
 		drags.begin(1, "p2", { x: 3, y: 515 });
 		drags.move(1, { x: 9, y: 415 });
 		drags.end(1);
-		expect(events(page.told)).toEqual(["input", "change"]);
+		expect(events(page.received)).toEqual(["input", "change"]);
 		expect(page.parameters.l).toBe(412);
 		page.frame();
-		expect(page.told).toHaveLength(2);
+		expect(page.received).toHaveLength(2);
 	});
 
 	it("that changes nothing is not told: a click is no undo step", () => {
@@ -68,7 +68,7 @@ describe("a drag", () => {
 		drags.move(1, { x: 190, y: 140 });
 		drags.move(1, { x: 160, y: 140 });
 		drags.end(1);
-		expect(page.told).toEqual([]);
+		expect(page.received).toEqual([]);
 	});
 
 	it("that was seen on its way but ends where it began is told as over, once", () => {
@@ -78,11 +78,11 @@ describe("a drag", () => {
 		page.frame();
 		drags.move(1, { x: 150, y: 150 });
 		drags.end(1);
-		expect(events(page.told)).toEqual(["input", "input", "change"]);
+		expect(events(page.received)).toEqual(["input", "input", "change"]);
 		expect(page.parameters).toEqual(DEFAULTS);
 		drags.begin(1, "p3", { x: 150, y: 150 });
 		drags.end(1);
-		expect(page.told).toHaveLength(3);
+		expect(page.received).toHaveLength(3);
 	});
 
 	it("leaves a fractional profile alone until it is moved", () => {
@@ -90,7 +90,7 @@ describe("a drag", () => {
 		page.parameters = { ...DEFAULTS, p3w: 150.25 };
 		drags.begin(1, "p3", { x: 150, y: 150 });
 		drags.end(1);
-		expect(page.told).toEqual([]);
+		expect(page.received).toEqual([]);
 	});
 
 	it("called off gives back what was before, and nothing comes after", () => {
@@ -104,7 +104,7 @@ describe("a drag", () => {
 		page.frame();
 		drags.move(1, { x: 10, y: 10 });
 		drags.end(1);
-		expect(events(page.told)).toEqual(["input", "input", "change"]);
+		expect(events(page.received)).toEqual(["input", "input", "change"]);
 		expect(drags.active).toBe(false);
 	});
 
@@ -153,7 +153,7 @@ describe("two fingers", () => {
 		expect(drags.heldBy(2)).toBe("p4");
 		drags.move(2, { x: -120, y: 102 });
 		drags.end(2);
-		expect(events(page.told)).toEqual(["input", "input", "change"]);
+		expect(events(page.received)).toEqual(["input", "input", "change"]);
 		expect(page.parameters).toEqual({ ...DEFAULTS, p3w: 170, p4w: 120 });
 	});
 

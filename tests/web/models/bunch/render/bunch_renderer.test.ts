@@ -112,9 +112,9 @@ describe("the bunch's figure", () => {
 		expect(leaf().map).toBeNull();
 		figure.show(veined, { look: LOOK });
 		const drawn = leaf().map;
-		const said = [...bunchParts(veined, { look: LOOK })].find(({ name }) => name === "Leaf 1")?.shape?.material;
+		const exported = [...bunchParts(veined, { look: LOOK })].find(({ name }) => name === "Leaf 1")?.shape?.material;
 		const { data } = (drawn as Texture).image as unknown as { data: Uint8Array };
-		expect([...data.filter((_, at) => at % 4 < 3)]).toEqual([...(said?.textures?.colour?.pixels ?? [])]);
+		expect([...data.filter((_, at) => at % 4 < 3)]).toEqual([...(exported?.textures?.colour?.pixels ?? [])]);
 		figure.show({ ...veined }, { look: LOOK });
 		expect(leaf().map).toBe(drawn);
 		const soon = makeNatural(SKETCH, { traits: () => ({ shrivel: 0.001 }) });
@@ -144,12 +144,12 @@ describe("the bunch's figure", () => {
 		}
 		const drawn = [part("stems").material, part("stamens").material, ...[part("foliage").material].flat()];
 		for (const { name, roughness, side } of drawn as unknown as MeshStandardMaterial[]) {
-			const said = parts.find(({ shape }) => shape?.material.name === name)?.shape?.material;
-			if (said)
+			const exported = parts.find(({ shape }) => shape?.material.name === name)?.shape?.material;
+			if (exported)
 				expect({ name, roughness, double: side === DoubleSide }).toEqual({
 					name,
-					roughness: said.roughness,
-					double: said.doubleSided ?? false,
+					roughness: exported.roughness,
+					double: exported.doubleSided ?? false,
 				});
 		}
 		const skin = bunchSkin(grown, { look: LOOK });

@@ -37,8 +37,8 @@ describe("KeptSky", () => {
 	it("gives each berry in passing the sky it had, by its id, and a new one the mean", () => {
 		const sky = new CachedSky();
 		sky.of(whole);
-		const kept = sky.of(bunch({ ids: [9, 8, 7], kinds: [RACHIS] }));
-		expect([...(kept.surfaces?.sky ?? [])]).toEqual([30, 40, 25, 25, 10, 20]);
+		const reused = sky.of(bunch({ ids: [9, 8, 7], kinds: [RACHIS] }));
+		expect([...(reused.surfaces?.sky ?? [])]).toEqual([30, 40, 25, 25, 10, 20]);
 	});
 
 	it("gives stems what those of their kind had, in their order, and more of them what the last had", () => {

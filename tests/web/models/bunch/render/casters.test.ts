@@ -62,10 +62,10 @@ describe("Casters", () => {
 	});
 
 	it("hides so much as the spheres' own geometry says: all, half, a small share, none", () => {
-		const along = (by: number, aside = 0): Sphere => [
-			by * key.direction[0] + aside * across[0],
-			by * key.direction[1] + aside * across[1],
-			by * key.direction[2] + aside * across[2],
+		const along = (by: number, lateral = 0): Sphere => [
+			by * key.direction[0] + lateral * across[0],
+			by * key.direction[1] + lateral * across[1],
+			by * key.direction[2] + lateral * across[2],
 			1,
 		];
 		const share = (...others: Sphere[]) => castOn([0, 0, 0, 1], ...others)[0];
@@ -81,15 +81,15 @@ describe("Casters", () => {
 
 	it("finds what stands aside of the column but within the penumbra, on every side", () => {
 		const towards = new Vector3(...unit(key.direction));
-		const place = (by: number, aside: Vector3): Sphere => {
-			const at = towards.clone().multiplyScalar(by).add(aside);
+		const place = (by: number, lateral: Vector3): Sphere => {
+			const at = towards.clone().multiplyScalar(by).add(lateral);
 			return [at.x, at.y, at.z, 1];
 		};
 		for (let turn = 0; turn < 16; turn++) {
-			const aside = new Vector3(...across).applyAxisAngle(towards, (turn * Math.PI) / 8);
+			const lateral = new Vector3(...across).applyAxisAngle(towards, (turn * Math.PI) / 8);
 			// Others, behind, spread the grid's cells.
-			const rest = [-9, 9].map((by) => place(-9, aside.clone().multiplyScalar(by)));
-			const [share] = castOn([0, 0, 0, 1], place(20, aside.clone().multiplyScalar(3.6)), ...rest);
+			const rest = [-9, 9].map((by) => place(-9, lateral.clone().multiplyScalar(by)));
+			const [share] = castOn([0, 0, 0, 1], place(20, lateral.clone().multiplyScalar(3.6)), ...rest);
 			expect(share).toBeLessThan(0.9999);
 			expect(share).toBeGreaterThan(0.9);
 		}

@@ -6,11 +6,11 @@ import { pressedBunch } from "../pressed_bunch";
 /** Every triangle from its least corner on, so that only what it joins and which way round it goes tells. */
 function triangles(indices: Uint32Array): string[] {
 	const corners = (t: number) => [...indices.subarray(3 * t, 3 * t + 3)];
-	const told = (triangle: number[]) => {
+	const keyOf = (triangle: number[]) => {
 		const first = triangle.indexOf(Math.min(...triangle));
 		return [0, 1, 2].map((k) => triangle[(first + k) % 3]).join(" ");
 	};
-	return Array.from({ length: indices.length / 3 }, (_, t) => told(corners(t))).sort();
+	return Array.from({ length: indices.length / 3 }, (_, t) => keyOf(corners(t))).sort();
 }
 
 /** How often four vertices are worked out by what draws 128 triangles at a time and keeps 64 vertices meanwhile. */
@@ -18,11 +18,11 @@ function fours(indices: Uint32Array): number {
 	let count = 0;
 	for (let first = 0; first < indices.length; first += 384) {
 		const batch = indices.subarray(first, first + 384);
-		const kept = new Map<number, number>();
+		const cached = new Map<number, number>();
 		batch.forEach((vertex, at) => {
-			if (kept.get(vertex % 64) === vertex) return;
+			if (cached.get(vertex % 64) === vertex) return;
 			count++;
-			for (const each of batch.subarray(at, at + 4)) kept.set(each % 64, each);
+			for (const each of batch.subarray(at, at + 4)) cached.set(each % 64, each);
 		});
 	}
 	return count;

@@ -65,7 +65,7 @@ describe("the two sides of a pair", () => {
 		expect(studio.state.specimen).toEqual(opened);
 	});
 
-	it.each([undefined, null, 3, "x", [], { leftRight: 1 }])("are free where %j was remembered", (kept) => {
-		expect(sides.recall?.(kept)).toEqual({ leftRight: false, frontBack: false });
+	it.each([undefined, null, 3, "x", [], { leftRight: 1 }])("are free where %j was remembered", (stored) => {
+		expect(sides.recall?.(stored)).toEqual({ leftRight: false, frontBack: false });
 	});
 });

@@ -133,8 +133,8 @@ describe("an assembled flower", () => {
 		expect(faults(grown)).toEqual([]);
 		const { labels, label, values, parent } = grown.volumes;
 		const stalks = [...label.keys()].filter((at) => labels[label[at]] === "STALK");
-		const said = stalks.map((at) => [values[9 * at + 2], Math.round(10 * values[9 * at + 5]) / 10]);
-		expect(said).toEqual([
+		const riseAndLength = stalks.map((at) => [values[9 * at + 2], Math.round(10 * values[9 * at + 5]) / 10]);
+		expect(riseAndLength).toEqual([
 			[-30, 40],
 			[-30, 36.8],
 			[-30, 33.6],

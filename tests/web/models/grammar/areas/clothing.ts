@@ -101,9 +101,9 @@ export function leafLengths({ organs, belongs }: GrammarPlant): Map<number, [num
 
 /** Ends of segments that bear none, of laterals alone. */
 export function lateralTips({ segments, belongs }: GrammarPlant): { at: Triple; area: number }[] {
-	const bearing = new Set(segments.parent);
+	const parents = new Set(segments.parent);
 	return Array.from({ length: segments.count }, (_, i) => i)
-		.filter((i) => !bearing.has(i) && belongs?.main[i] === 0)
+		.filter((i) => !parents.has(i) && belongs?.main[i] === 0)
 		.map((i) => ({
 			at: [segments.ends[6 * i + 3], segments.ends[6 * i + 4], segments.ends[6 * i + 5]],
 			area: belongs?.area[i] ?? 0,

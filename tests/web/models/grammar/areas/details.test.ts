@@ -35,8 +35,8 @@ describe("growth areas and path of a document", () => {
 		expect(notes.map(({ text }) => text)).toEqual([
 			expect.stringMatching(/^mesh: none came along; links are too short/),
 		]);
-		const said = GRAMMAR.details.flatMap(({ unlinked }) => unlinked?.keep(specimen, bush) ?? []);
-		expect(said).toEqual([expect.stringContaining("download JSON or GLB to keep the mesh")]);
+		const reasons = GRAMMAR.details.flatMap(({ unlinked }) => unlinked?.keep(specimen, bush) ?? []);
+		expect(reasons).toEqual([expect.stringContaining("download JSON or GLB to keep the mesh")]);
 	});
 
 	it("are noted and left out where they cannot be read, and brought within reach", () => {

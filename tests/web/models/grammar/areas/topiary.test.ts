@@ -47,8 +47,8 @@ describe.each(presets.filter((_, i) => i % inRun(3, 1) === 0))("%s", (name) => {
 		const tips = lateralTips(plant);
 		expect(tips.length).toBeGreaterThan(100);
 		// Of a mesh each place costs as much as all of its triangles; tests/core/models/grammar/areas_test.cpp asks of all.
-		const asked = tips.filter(({ area }, i) => areas[area - 1]?.kind !== "mesh" || i % 5 === 0);
-		const outside = asked.filter(({ at, area }) => area < 1 || !holds(areas[area - 1], at));
+		const sampled = tips.filter(({ area }, i) => areas[area - 1]?.kind !== "mesh" || i % 5 === 0);
+		const outside = sampled.filter(({ at, area }) => area < 1 || !holds(areas[area - 1], at));
 		expect(outside).toEqual([]);
 	});
 });

@@ -8,5 +8,5 @@ export type WoodenPlant = TrailPlant & Wooden;
 export function readWoodenPlant(answer: Answer): WoodenPlant {
 	const { columns } = answer;
 	const name = "mesh.stems.segment";
-	return { ...readTrailPlant(answer), ...(columns.has(name) ? { bearing: columns.uint32(name) } : {}) };
+	return { ...readTrailPlant(answer), ...(columns.has(name) ? { vertexSegments: columns.uint32(name) } : {}) };
 }
