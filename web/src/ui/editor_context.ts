@@ -1,112 +1,121 @@
-/** What controls and tools have of the page: the document before them and the ways to change it. */
+/** The page as controls and tools use it: the open document, and the actions that change it. */
 import type { TraceRequest } from "../plant/derivation_trace";
 import type { Plant } from "../plant/plant";
 import type { ModelSchema } from "../specimen/model_schema";
 import type { Specimen } from "../specimen/specimen";
 
-/** What a control changes; what it leaves out stays. */
+/** A change of the document; absent members stay unchanged. */
 export interface Change {
 	seed?: number;
 	parameters?: Readonly<Partial<Record<string, number>>>;
 	look?: Readonly<Partial<Record<string, number | string>>>;
-	/** Fields of the specimen that are its details', by name, each in the form that its detail keeps; absent where undefined. */
+	/** Fields of the specimen by name, each in its field's own form; absent in the specimen if undefined. */
 	details?: Readonly<Record<string, unknown>>;
-	/** The run of key presses that it is of: changes of one run are one undo step, though each comes to rest. */
+	/** Run of key presses: changes of one run are one undo step, though each is settled by itself. */
 	run?: string | undefined;
 }
 
+/** State of the open document and its plant. */
 export interface EditorState<S extends Specimen = Specimen, G extends Plant = Plant> {
-	/** The document as it is on the controls now, mid-drag included. */
+	/** The document as set by the controls now, also during a drag. */
 	readonly specimen: S;
-	/** What `specimen` is one of. */
+	/** Model of `specimen`. */
 	readonly model: ModelSchema<S>;
-	/** The last plant that grew; it stays on screen whatever goes wrong. */
+	/** The last plant that grew; it stays on screen after errors. */
 	readonly grown: G | undefined;
 	/** The specimen that `grown` grew from. */
 	readonly grownFrom: S | undefined;
-	/** What was last measured, in the order of the table; it stays while a drag asks for none. */
+	/**
+	 * Measures of the last measured plant, in the order of the table; not updated during drags that do not need them.
+	 */
 	readonly measures: Float32Array | undefined;
-	/** Whether a hand is on a control: what is seen is on its way. */
+	/** Whether the user is dragging a control, so that the picture is a preview. */
 	readonly held: boolean;
-	/** Whether a growth takes long enough to say so. */
+	/** Whether growth takes so long that a progress message is shown. */
 	readonly growing: boolean;
-	/** What the core said of the document on the controls, where it could not grow it: what is shown is then an older plant. */
+	/** Why the document could not be grown; the plant shown is then of an older document. */
 	readonly fault: Fault | undefined;
-	/** Whether the page is dark now. */
+	/** Whether the dark theme is active. */
 	readonly dark: boolean;
 }
 
 /** Why the document on the controls could not be grown. */
 export interface Fault {
 	readonly message: string;
-	/** In the grammar's text, from 1, columns in characters; 0 where no text is concerned. */
+	/** Position in the grammar's text, counted from 1, columns in characters; 0 if no text is concerned. */
 	readonly line: number;
 	readonly column: number;
 }
 
-/** Something with a state of its own on the page: plain data, kept under the name of its model. */
+/** An owner of state on the page: plain data, stored under the model's name. */
 export interface Stateful<T> {
 	readonly name: string;
-	/** What it is at first. */
+	/** The initial state. */
 	readonly initial: T;
-	/** Makes a state of what a former visit left; a state without it is forgotten with the page. */
+	/** Restores the state from an earlier visit's data; without this method the state is not stored. */
 	recall?(stored: unknown): T;
 }
 
-/** How a notice behaves. */
+/** Behaviour of a notice. */
 export interface NoticeOptions {
-	/** What it is about: what was said of that before is taken back. */
+	/** Subject: a new notice replaces older ones of the same topic. */
 	topic?: string;
-	/** Text to copy by hand. */
+	/** Text that the user can copy. */
 	copy?: string;
-	/** Goes by itself after a while: confirmations, and what a hand has just run into; never warnings. */
+	/** Disappears after a while: for confirmations and for limits reached during a drag, never for warnings. */
 	brief?: boolean;
-	/** Is about the document as it came: the first change of it takes this back. */
+	/** Concerns the document as opened: the first change removes the notice. */
 	untouched?: boolean;
-	/** Offers to try again. */
+	/** Action of a button that retries. */
 	again?: () => void;
-	/** Offers something else to do. */
+	/** Button with another action. */
 	act?: { readonly words: string; readonly run: () => void };
 }
 
-/** What is wanted of a plant that is not shown. */
+/** Options of growing a plant offscreen. */
 export interface OffscreenOptions {
-	/** Which step of its derivation is to be told, of models that tell of it; the default is none. */
+	/** Step of the derivation to trace, for models with a derivation; the default is none. */
 	readonly trace?: TraceRequest;
-	/** Steps of the derivation in place of the document's. */
+	/** Number of derivation steps, in place of the document's. */
 	readonly steps?: number;
-	/** Whether triangles are wanted; the default is no. */
+	/** Whether the plant has meshes; the default is no. */
 	readonly meshes?: boolean;
-	/** Cancels: the promise rejects with the signal's reason. */
+	/** Cancels growth: the promise rejects with the signal's reason. */
 	readonly signal?: AbortSignal;
 }
 
-/** The studio is one; a test may be another. */
+/** Access of controls and tools to the page; implemented by the studio, and by fakes in tests. */
 export interface EditorContext<S extends Specimen = Specimen, G extends Plant = Plant> {
 	readonly state: EditorState<S, G>;
-	/** The specimen of the current preset as published: what double clicks go back to. */
+	/** The current preset's published specimen: double clicks restore its values. */
 	readonly preset: S;
-	/** Calls back after every change of the state; returns the function that ends it. */
+	/**
+	 * Calls a listener after every change of the state.
+	 * @returns function that removes the listener
+	 */
 	subscribe(listener: () => void): () => void;
-	/** A change while the hand still moves: it grows at once, but becomes an undo step only with `settle`. */
+	/** Applies a change during a drag or key press: the plant grows at once, and `settle` makes the undo step. */
 	edit(change: Change, gesture?: string): void;
-	/** The end of a drag: one undo step, and the address bar follows. Of a named gesture only where that goes on. */
+	/**
+	 * Ends a drag: makes one undo step and updates the address bar. With a name, only if that gesture is in progress.
+	 */
 	settle(gesture?: string): void;
-	/** A change that is a step of its own. */
+	/** Applies a change as an undo step of its own. */
 	set(change: Change): void;
-	/** Another document in place of this one, as one step. */
+	/** Replaces the document, as one undo step. */
 	replace(specimen: S): void;
-	/** A step back in the document's history, and forward again. */
+	/** Moves back, or forward again, in the document's history. */
 	undo(): void;
 	redo(): void;
-	/** Ends what grows now: what is asked for next begins at once. */
+	/** Cancels growth in progress, so that the next request starts at once. */
 	cancel(): void;
 	/**
-	 * Grows a specimen without showing it; what is shown grows beside. One at a time: a newer call takes the place of one that has not
-	 * begun, which rejects with Superseded; else it rejects as the core's client does.
+	 * Grows a specimen without showing it, while the document can grow at the same time. Runs one request at a time: a
+	 * newer request replaces one that has not begun, which rejects with Superseded. Other errors are those of the
+	 * core's client.
 	 */
 	growOffscreen(specimen: S, options: OffscreenOptions): Promise<G>;
-	/** Says something above the page. */
+	/** Shows a notice above the page. */
 	notify(title: string, details?: readonly string[], options?: NoticeOptions): void;
 	toolState<T>(tool: Stateful<T>): T;
 	setToolState<T>(tool: Stateful<T>, state: T): void;

@@ -1,7 +1,7 @@
 /**
- * What a model brings to the page besides the table's sliders. A tool has as many faces as it needs: a button on the
- * 3-D view, a key, a place in the panel, a bar below the view, a flat view of its own, a pane, hands on the canvas. The studio
- * shows each where it belongs and knows none of them.
+ * Tools: the controls that a model adds to the page, besides the sliders of its table. A tool can have a button on the 3-D
+ * view, a key, a place in the panel, a bar below the view, a flat view, a text pane and an interaction with the canvas. The
+ * studio shows each at its place and depends on no particular tool.
  */
 
 import type { SVGTemplateResult } from "lit";
@@ -17,133 +17,164 @@ export interface ToolButton<S extends Specimen = Specimen, G extends Plant = Pla
 	/** A line drawing on a 20 × 20 field (icons.ts). */
 	readonly icon: SVGTemplateResult;
 	readonly label: string;
-	/** Whether it is switched on; absent for a button that does something once. */
+	/** Returns whether the button is switched on; absent for a button with a single action. */
 	pressed?(context: EditorContext<S, G>): boolean;
 }
 
-/** A letter for the whole page. */
+/** A single-letter key for the whole page. */
 export interface ToolKey {
-	/** A small letter that no other tool of the model has, nor the page (n, ?). */
+	/** A lower-case letter that neither another tool of the model nor the page uses (n, ?). */
 	readonly letter: string;
-	/** What the help says of it. */
+	/** Description of the key in the help. */
 	readonly does: string;
 }
 
-/** A place in the panel. */
+/** Controls in the panel. */
 export interface ToolPanel<S extends Specimen = Specimen, G extends Plant = Plant> {
-	/** One of the table's groups by its key, or one of the tool's own, which stands before them. */
+	/** Key of a group of the table, or a group of the tool's own, which is placed before the table's groups. */
 	readonly group: string | Group;
-	/** Above the group's controls or below them. */
+	/** Place relative to the group's controls. */
 	readonly place: "above" | "below";
 	draw(context: EditorContext<S, G>): unknown;
 }
 
-/** A bar below the 3-D view, or a flat view: at the left of it, on a phone in its place. */
+/** Content of a part of the page: a bar, a chip or a flat view. */
 export interface ToolPlace<S extends Specimen = Specimen, G extends Plant = Plant> {
 	readonly title: string;
 	draw(context: EditorContext<S, G>): unknown;
 }
 
-/** A wide place for reading and writing: left of the 3-D view instead of the flat views, on a phone instead of the sheet. */
+/** A wide pane for a text: to the left of the 3-D view in place of the flat views; on a phone in place of the sheet. */
 export interface ToolPane<S extends Specimen = Specimen, G extends Plant = Plant> extends ToolPlace<S, G> {
+	/** Returns whether the pane is open. */
 	open(context: EditorContext<S, G>): boolean;
-	/** Says what is wrong with the text while the pane is closed; an open one shows it. */
+	/** Reports a fault of the text as a notice while the pane is closed; an open pane shows the fault itself. */
 	report(context: EditorContext<S, G>, fault: Fault): void;
 }
 
-/** A plant that a tool shows in place of the document's, and what it has grown from. */
+/** A plant that a tool shows in place of the document's plant, and the specimen it grew from. */
 export interface SubstitutePlant {
 	readonly grown: Plant;
 	readonly from: Specimen;
 }
 
-/** What a tool has of the 3-D view. */
+/** The 3-D view as tools use it. */
 export interface ToolView {
 	readonly canvas: HTMLCanvasElement;
 	readonly camera: Camera;
-	/** Whether pointers turn the plant. A tool that takes hold of something switches this off meanwhile. */
+	/** Whether pointers turn the plant. A tool sets this to false while it drags something. */
 	orbiting: boolean;
-	/** Whether from now on the view follows a plant only to keep all of it in the picture, orbiting or not, and never comes nearer. */
+	/**
+	 * Sets whether the view follows the plant only to keep all of it in the picture, even while orbiting is off, and
+	 * never comes nearer.
+	 */
 	keepWhole(on: boolean): void;
-	/** Adds something to the scene, in the plant's metres. */
+	/** Adds an object to the scene, in the plant's metres. */
 	addOverlay(object: Object3D): void;
 	removeOverlay(object: Object3D): void;
 	requestRender(): void;
-	/** What is under a point of the canvas (CSS pixels from its top left corner), by the model's own number for it. */
+	/**
+	 * Returns the pick id at a point of the canvas (CSS pixels from its top left corner); undefined if there is
+	 * nothing.
+	 */
 	pick(x: number, y: number): number | undefined;
-	/** Marks that, by the same number, and softly the cells that it is one of; nothing where undefined. */
+	/** Marks the part with a pick id, and softly the ids of its group; undefined removes the mark. */
 	mark(picked: number | undefined, whole?: ReadonlySet<number>): void;
-	/** The line of sight through a point of the canvas (CSS pixels from its top left corner). */
+	/** Returns the ray through a point of the canvas (CSS pixels from its top left corner), in the plant's metres. */
 	rayThrough(x: number, y: number): Ray;
-	/** Where a place of the plant is seen: CSS pixels from the canvas's top left corner. */
+	/** Returns the position of a point of the plant on the canvas, in CSS pixels from its top left corner. */
 	project(at: Ray["origin"]): { x: number; y: number };
-	/** Calls back after every draw, for what stands where something is seen. @returns what ends it */
+	/**
+	 * Calls a listener after every draw, so that overlays can follow the plant.
+	 * @returns function that removes the listener
+	 */
 	onDrawn(listener: () => void): () => void;
-	/** Shows a plant in place of the document's, which comes back where undefined; pictures and files are of the document's all the same. */
+	/**
+	 * Shows a plant in place of the document's; undefined shows the document's plant again. Pictures and files are
+	 * always of the document's.
+	 */
 	showSubstitute(plant: SubstitutePlant | undefined): void;
-	/** Has the eye stand somewhere and look towards a place, metres; undefined brings back the whole plant. */
+	/** Places the camera at a position, looking at another, in metres; undefined shows the whole plant again. */
 	look(from: { readonly eye: Ray["origin"]; readonly towards: Ray["origin"] } | undefined): void;
-	/** One of the model's figure's ways of showing; the first where undefined. */
+	/** Sets one of the renderer's modes; undefined sets the first one. */
 	setMode(mode: string | undefined): void;
 }
 
-/** A tool's hands on the canvas, from when the view has come until the model goes. */
+/** A tool's interaction with the canvas. Exists from the loading of the 3-D view until another model is opened. */
 export interface ToolInteraction<S extends Specimen = Specimen, G extends Plant = Plant> {
-	/** After every change of the state, and of the theme. */
+	/** Called after every change of the state and of the theme. */
 	update(state: EditorState<S, G>): void;
 	dispose(): void;
 }
 
+/** A tool of a model. All members below are optional; `name`, `initial` and `recall` (Stateful) define its state. */
 export interface Tool<S extends Specimen = Specimen, G extends Plant = Plant, T = unknown> extends Stateful<T> {
-	/** Whether it means anything to this specimen; where not, none of its faces is shown. */
+	/** Returns whether the tool applies to a specimen; absent: always. If not, no part of the tool is shown. */
 	applies?(specimen: S): boolean;
-	/** What the button and the key do. */
+	/** Action of the button and of the key. */
 	press?(context: EditorContext<S, G>): void;
+	/** Button on the 3-D view. */
 	readonly button?: ToolButton<S, G>;
+	/** Key that triggers `press` from anywhere on the page. */
 	readonly key?: ToolKey;
-	/** Whether letters are its own now: those of the page rest meanwhile. */
+	/** Returns whether the tool currently uses letter keys itself; the page's single-letter keys are then inactive. */
 	holdsLetters?(context: EditorContext<S, G>): boolean;
+	/** Controls in the panel, above or below the controls of a group. */
 	readonly panel?: ToolPanel<S, G>;
+	/** Bar below the 3-D view. */
 	readonly bar?: ToolPlace<S, G>;
-	/** Over the 3-D view's lower edge: what is said of something that is chosen there, the ways on from it. */
+	/** Card over the lower edge of the 3-D view: describes the chosen part and offers actions on it. */
 	readonly chip?: ToolPlace<S, G>;
+	/** Files that the tool accepts by drag and drop, anywhere on the page. */
 	readonly drop?: ToolDrop<S, G>;
+	/** Flat view: to the left of the 3-D view; on a phone in its place. */
 	readonly editor?: ToolPlace<S, G>;
+	/** Pane for a text. */
 	readonly pane?: ToolPane<S, G>;
-	/** Further keys that its faces know, for the help. */
+	/** Further keys of the tool, listed in the help. */
 	readonly keys?: readonly { readonly keys: readonly string[]; readonly does: string }[];
-	/** Parameters whose control it is: the panel shows none for them. */
+	/** Keys of the parameters that the tool controls; the panel shows no controls for these. */
 	readonly parameters?: readonly string[];
-	/** What a change brings along, besides what the table's details do: locked sides follow each other. */
+	/**
+	 * Extends a change before it is applied, in addition to the fields' own rules: locked sides, for example, change
+	 * together.
+	 */
 	follow?(change: Change, context: EditorContext<S, G>): Change;
+	/** Starts the tool's interaction with the canvas; called once the 3-D view has loaded. */
 	interaction?(view: ToolView, context: EditorContext<S, G>): ToolInteraction<S, G>;
-	/** Ways out where this specimen cannot be grown. */
+	/** Actions offered if the document cannot be grown, such as restoring the built-in grammar. */
 	readonly remedies?: readonly { readonly words: string; press(context: EditorContext<S, G>): void }[];
-	/** Brings what runs by itself to rest: something is to be saved. */
+	/** Stops running animations, because the document is about to be saved. */
 	rest?(context: EditorContext<S, G>): void;
-	/** Works while the model is open; returns what ends it. */
+	/**
+	 * Called when the model is opened.
+	 * @returns function that is called when another model is opened
+	 */
 	start?(context: EditorContext<S, G>): () => void;
 }
 
-/** Files that a tool can use, wherever on the page they are dropped. */
+/** Files that a tool accepts, wherever on the page they are dropped. */
 export interface ToolDrop<S extends Specimen = Specimen, G extends Plant = Plant> {
-	/** What becomes of them, said while one hovers: "a picture of a leaf is traced". */
+	/** Description shown while a file is dragged over the page: "a picture of a leaf is traced". */
 	readonly words: string;
-	/** Whether it can say something of a file by its name and type, be it why the file is none for it. */
+	/**
+	 * Returns whether the tool handles a file, by its name and type; also true if the tool can explain why the file is
+	 * unsuitable.
+	 */
 	takes(file: File): boolean;
-	/** Where no plant is in the file. */
+	/** Handles a dropped file that contains no specimen. */
 	take(context: EditorContext<S, G>, file: File): void;
 }
 
-/** What notices about a document that does not grow are of: the next plant takes them back. */
+/** Topic of notices about a document that does not grow; the next plant removes them. */
 export const GROWTH_TOPIC = "growth";
 
-/** What notices about files brought to the page are of: one stands at a time. */
+/** Topic of notices about imported files; a new one replaces the last. */
 export const FILE_TOPIC = "file";
 
-/** A line of the read-out that is not measured by the core. */
+/** A row of the readout that the core does not measure. */
 export interface ReadoutRow {
-	/** The group of measures that it closes. */
+	/** Group of measures in which the row is the last. */
 	readonly group: string;
 	readonly key: string;
 	readonly label: string;
@@ -154,18 +185,18 @@ export interface ReadoutRow {
 	readonly found?: { readonly note: number; readonly words: string };
 }
 
-/** The page's side of a model: what the studio shows of it besides the table. */
+/** The user interface of a model, besides the sliders of its table. */
 export interface ModelUi<S extends Specimen = Specimen, G extends Plant = Plant> {
-	/** In the order in which they are shown. */
+	/** Tools in display order. */
 	readonly tools: readonly Tool<S, G>[];
-	/** What the read-out says between the measures and the fingerprint. */
+	/** Draws further content of the readout, between the measures and the fingerprint. */
 	readout?(grown: G, specimen: S): unknown;
-	/** Rows that join the measures. */
+	/** Returns rows added to the measures. */
 	rows?(specimen: S): readonly ReadoutRow[];
-	/** The words below the picture, where tools change what is seen; else the model's `words`. */
+	/** Returns the caption of the picture if tools change the picture; absent: the model's own words. */
 	caption?(grown: G, context: EditorContext<S, G>): string;
-	/** What the plant lacks of what was asked for, a line each: said over the picture while it is shown. */
+	/** Returns warnings about unmet requests, one line each; listed over the picture of the plant. */
 	warnings?(grown: G, specimen: S): readonly string[];
-	/** What the help says of it: what to do, whose paper it follows. */
+	/** Section of the help: usage, and the paper that the model follows. */
 	readonly about?: unknown;
 }

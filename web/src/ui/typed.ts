@@ -7,7 +7,7 @@ export function readTyped(text: string): number {
 }
 
 /**
- * Returns a message if the number accepted is not what was typed.
+ * Returns a message if the number accepted differs from the typed text.
  * @param range "1 … 21."
  * @param typed NaN if the text is no number
  * @param taken as the field shows it
