@@ -95,7 +95,7 @@ std::vector<Stretch> stretches_of(const Margin& margin) {
           deepest = depth;
           sinus = i;
         }
-      // Without a deeper place (in lobes that are wider than their sinus is deep) the place midway is used.
+      // In lobes that are wider than their sinus is deep, a place about midway is as good.
     }
     all.push_back({tips[k], sinus, false});
     from = sinus;
