@@ -93,8 +93,8 @@ export default [
 			},
 			{
 				id: "berry-ids-given-twice",
-				find: "while (!taken.insert(id_of(address)))",
-				replace: "if (!taken.insert(id_of(address)) && false)",
+				find: "while (!used_ids.insert(id_of(address)))",
+				replace: "if (!used_ids.insert(id_of(address)) && false)",
 				breaks: "two berries share an id",
 			},
 		],

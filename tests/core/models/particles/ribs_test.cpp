@@ -58,11 +58,11 @@ TEST_CASE("ribs of one place alone are that place") {
 
 TEST_CASE("places along ribs are no farther apart than the spacing") {
   const Ribs ribs = fishbone();
-  const auto strewn = ribs.strewn(0.07f);
-  CHECK(strewn[0] == ribs.places[0]);
+  const auto sampled = ribs.sampled(0.07f);
+  CHECK(sampled[0] == ribs.places[0]);
   for (float t = 0; t <= 1; t += 0.01f) {
     float nearest = 9;
-    for (const glm::vec3& place : strewn) nearest = std::min(nearest, glm::distance(place, glm::vec3(0, t, 0)));
+    for (const glm::vec3& place : sampled) nearest = std::min(nearest, glm::distance(place, glm::vec3(0, t, 0)));
     CHECK(nearest <= 0.0351f);
   }
 }

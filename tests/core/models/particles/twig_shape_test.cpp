@@ -43,7 +43,7 @@ TEST_CASE("a twig hangs more farther from its parent, and keeps its length") {
   const Trunk guide({0, 0, 0}, {.ahead = 0.1f}, &crown, &none);
   const Trails before = limb_with_twig();
   Trails trails = before;
-  hang(trails, guide, crown, crown, {.weep = 1, .weep_tips = 3}, 1);
+  hang_twigs(trails, guide, crown, crown, {.weep = 1, .weep_tips = 3}, 1);
   for (std::size_t i = 0; i < 3; ++i) CHECK(trails.places[i] == before.places[i]);
   float steepest = 0;
   for (std::size_t i = 7; i < trails.size(); ++i) {
@@ -58,12 +58,12 @@ TEST_CASE("a twig hangs more farther from its parent, and keeps its length") {
   CHECK(trails.energy == before.energy);
   CHECK(trails.next == before.next);
   Trails half = before;
-  hang(half, guide, crown, crown, {.weep = 0.5f, .weep_tips = 3}, 1);
+  hang_twigs(half, guide, crown, crown, {.weep = 0.5f, .weep_tips = 3}, 1);
   CHECK(half.places.back().y > trails.places.back().y + 0.2f);
   // A vertical twig has no side to fall to, and twigs with more tips stay.
   for (std::size_t i = 3; i < 7; ++i) CHECK(trails.places[i].x == before.places[i].x);
   Trails heavy = before;
-  hang(heavy, guide, crown, crown, {.weep = 1, .weep_tips = 1}, 1);
+  hang_twigs(heavy, guide, crown, crown, {.weep = 1, .weep_tips = 1}, 1);
   CHECK(heavy.places == before.places);
 }
 
@@ -72,7 +72,7 @@ TEST_CASE("a twig with no room below stays as it grew") {
   const Trunk guide({0, 0, 0}, {.ahead = 0.1f}, &crown, &none);
   const Trails before = limb_with_twig();
   Trails trails = before;
-  hang(trails, guide, crown, crown, {.weep = 1, .weep_tips = 3}, 1);
+  hang_twigs(trails, guide, crown, crown, {.weep = 1, .weep_tips = 3}, 1);
   for (std::size_t i = 7; i < trails.size(); ++i) CHECK(glm::distance(trails.places[i], before.places[i]) < 1e-5f);
 }
 
@@ -103,7 +103,7 @@ TEST_CASE("branches wander within the crown, by the given length; ends and the w
   const Trunk guide({0, 0, 0}, {.ahead = 0.1f}, &crown, &none);
   Trails trails = divided(limb_with_twig(), 0.1f, 0, 100, 0.1f);
   const Trails before = trails;
-  wander(trails, guide, crown, 0.2f, 0.5f, 7);
+  wander_branches(trails, guide, crown, 0.2f, 0.5f, 7);
   float farthest = 0;
   for (std::size_t i = 0; i < trails.size(); ++i) {
     const float off = glm::distance(trails.places[i], before.places[i]);
@@ -115,7 +115,7 @@ TEST_CASE("branches wander within the crown, by the given length; ends and the w
   // Nothing leaves a crown that it fills.
   const Solid flat(box({-5, 0, -5}, {5, 3.01f, 5}));
   Trails held = before;
-  wander(held, guide, flat, 0.2f, 0.5f, 7);
+  wander_branches(held, guide, flat, 0.2f, 0.5f, 7);
   for (std::size_t i = 0; i < held.size(); ++i)
     if (flat.contains(before.places[i])) CHECK(flat.contains(held.places[i]));
 }

@@ -80,7 +80,7 @@ TEST_CASE("trails along a rib are moved onto it, the heaviest straight past wher
   trails.born.assign(7, 0);
   trails.particle = {-1, -1, -1, -1, 0, -1, 1};
   const Straight guide({0, 0, 0});
-  bed(trails, grid, guide, 0.06f);
+  move_onto_ribs(trails, grid, guide, 0.06f);
   CHECK(std::fabs(trails.places[1].x) < 2e-4f);
   // The side rib is as near, but the midrib goes on.
   CHECK(std::fabs(trails.places[2].x) < 2e-4f);
@@ -105,7 +105,7 @@ TEST_CASE("trails drawn off a rib are moved back onto it, where the way is free"
     return trails;
   };
   Trails trails = bumped();
-  bed(trails, grid, Straight({0, 0, 0}), 0.04f);
+  move_onto_ribs(trails, grid, Straight({0, 0, 0}), 0.04f);
   CHECK(std::fabs(trails.places[2].x) < 0.015f);
   CHECK(trails.places[5].x == 0.05f);  // a place that comes in from the side is as far off, and stays
   class Blind final : public Guide {
@@ -115,6 +115,6 @@ TEST_CASE("trails drawn off a rib are moved back onto it, where the way is free"
     bool sees(const glm::vec3&, const glm::vec3&) const override { return false; }
   };
   Trails hidden = bumped();
-  bed(hidden, grid, Blind(), 0.04f);
+  move_onto_ribs(hidden, grid, Blind(), 0.04f);
   CHECK(hidden.places[2].x == 0.05f);
 }

@@ -10,9 +10,9 @@ constexpr int bits_dropped = 34;  // of an address's 64
 std::uint32_t id_of(std::uint64_t address) { return static_cast<std::uint32_t>(address >> bits_dropped); }
 
 // The set of ids in use, in a hash table that is at least twice as large.
-class Taken {
+class IdSet {
  public:
-  explicit Taken(std::size_t ids) {
+  explicit IdSet(std::size_t ids) {
     std::size_t size = 16;
     while (size < 2 * ids) size *= 2;
     slots_.assign(size, free_slot);
@@ -48,10 +48,10 @@ std::vector<std::uint64_t> own_addresses(std::span<const std::uint64_t> module_a
 std::vector<std::uint32_t> berry_ids(std::span<const std::uint64_t> addresses, std::size_t second_from) {
   std::vector<std::uint32_t> ids;
   ids.reserve(addresses.size());
-  Taken taken(addresses.size());
+  IdSet used_ids(addresses.size());
   for (std::size_t i = 0; i < addresses.size(); ++i) {
     std::uint64_t address = i < second_from ? addresses[i] : hash_combine(addresses[i], 2);
-    while (!taken.insert(id_of(address))) address = hash_combine(address, 1);
+    while (!used_ids.insert(id_of(address))) address = hash_combine(address, 1);
     ids.push_back(id_of(address));
   }
   return ids;

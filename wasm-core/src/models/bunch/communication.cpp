@@ -2,7 +2,7 @@
 
 namespace panicle::bunch {
 
-bool slots_for(std::size_t arity, Slots& slots) {
+bool slots_for(std::size_t arity, ParameterSlots& slots) {
   switch (arity) {
     case 3:
       slots = {1, 0, 2, 0, 0};

@@ -101,7 +101,7 @@ struct GrownBunch {
   std::optional<FlowerMesh> flower;       // the shared flower, where a berry has not yet set or keeps its sepals
   std::optional<Foliage> foliage;         // leaves and cane, if requested
   std::optional<SkyBytes> sky;            // if requested
-  std::optional<lsystem::DerivationTrace> chronicle;  // if requested: how the first bunch's text was derived
+  std::optional<lsystem::DerivationTrace> trace;  // if requested: how the first bunch's text was derived
   std::vector<std::string> notes;
   std::uint64_t fingerprint = 0;       // skeleton and organs (docs/fingerprint.md)
   std::uint64_t mesh_fingerprint = 0;  // 0 without meshes

@@ -137,11 +137,11 @@ void add_sky(Plant& plant, SkyBytes sky) {
 
 // Adds the derivation's trace, and the modules that drew each internode and berry.
 void add_trace(Plant& plant, const GrownBunch& grown) {
-  const lsystem::DerivationTrace& chronicle = *grown.chronicle;
+  const lsystem::DerivationTrace& trace = *grown.trace;
   // After a limit the traced string differs from the drawn one.
-  const bool whole = chronicle.stopped().reason == Reason::none;
-  if (!whole) plant.notes.push_back(cut_short(chronicle));
-  add_trace_columns(plant, chronicle);
+  const bool whole = trace.stopped().reason == Reason::none;
+  if (!whole) plant.notes.push_back(cut_short(trace));
+  add_trace_columns(plant, trace);
   const auto modules = [whole](const auto& all) {
     return column_of<std::uint32_t>(
         all, 1, [whole](const auto& one, std::uint32_t* at) { *at = whole ? one.module : no_module; });
@@ -181,9 +181,9 @@ Result<BunchRequest> read_request(panicle::Request& blocks) {
   request.n.assign(n.begin(), n.end());
   const auto thinned = blocks.words("thinned");
   request.thinned.assign(thinned.begin(), thinned.end());
-  auto chronicle = read_trace_request(blocks);
-  if (!chronicle) return chronicle.error();
-  request.chronicle = chronicle.value();
+  auto trace = read_trace_request(blocks);
+  if (!trace) return trace.error();
+  request.trace = trace.value();
   request.leaf = blocks.flat_leaf();
   request.stem_sides = blocks.word("stem_sides");
   request.berry_segments = blocks.word("berry_segments");
@@ -219,7 +219,7 @@ Plant plant_of(GrownBunch&& grown) {
                   {"cut", counts.cut}};
   plant.measures = std::move(grown.measures);
   plant.notes = std::move(grown.notes);
-  if (grown.chronicle) add_trace(plant, grown);
+  if (grown.trace) add_trace(plant, grown);
   plant.fingerprint = grown.fingerprint;
   plant.mesh_fingerprint = grown.mesh_fingerprint;
   return plant;

@@ -16,9 +16,9 @@ struct Stance {
 };
 
 // The transforms between the bunch's frame and that of a bunch that hangs straight down from the origin.
-class Uprighting {
+class UprightTransform {
  public:
-  explicit Uprighting(const Stance& stance)
+  explicit UprightTransform(const Stance& stance)
       : turn_(sincos_degrees(stance.lean)),
         axis_(stance.side < 2 ? 0 : 2),
         sign_(stance.side % 2 == 0 ? 1.0f : -1.0f),

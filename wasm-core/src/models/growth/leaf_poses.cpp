@@ -58,8 +58,8 @@ std::array<glm::vec4, 4> leaf_poses(const Twig& twig, const LeafNoise& noise, fl
   const FourSinCos around = sincos_turns(noise.around);
   const Four level = stray * square_root((1.0f - noise.height) * (1.0f + noise.height));
   const FourVectors sky = {panicle::all_of(0), panicle::all_of(1), panicle::all_of(0)};
-  const FourVectors strewn = {level * around.cosine, level * around.sine, stray * noise.height};
-  const FourVectors face = unit(sky + panicle::all_of(outwards) * along + strewn, any_perpendicular(along));
+  const FourVectors sampled = {level * around.cosine, level * around.sine, stray * noise.height};
+  const FourVectors face = unit(sky + panicle::all_of(outwards) * along + sampled, any_perpendicular(along));
   // The tip points to `out` as nearly as the leaf's face allows.
   return turns_to(unit(out - dot(out, face) * face, any_perpendicular(face)), face);
 }

@@ -20,7 +20,7 @@ constexpr float most_along = 20'000, wider = 1.05f;
 
 }  // namespace
 
-std::vector<LightDirection> lamps_of(const LightHabit& habit) {
+std::vector<LightDirection> light_directions(const LightHabit& habit) {
   std::vector<LightDirection> lamps;
   if (habit.sky > 0) lamps = overcast(directions);
   for (LightDirection& lamp : lamps) lamp.share *= habit.sky;
@@ -34,7 +34,7 @@ glm::vec3 towards_sun(float azimuth, float height) {
   return {along * sine, up, along * cosine};
 }
 
-VoxelLight light_in(const Region& crown, const Shades& shades, const LightHabit& habit, float edge) {
+VoxelLight light_in(const Region& crown, const LightObstacles& shades, const LightHabit& habit, float edge) {
   glm::vec3 first = crown.low(), last = crown.high();
   // Obstacles about the crown count only for light that reaches this far.
   const glm::vec3 from = 2.0f * first - last, to = 2.0f * last - first;
@@ -63,7 +63,7 @@ VoxelLight light_in(const Region& crown, const Shades& shades, const LightHabit&
   for (std::uint32_t k = 0; k < z; ++k)
     for (std::uint32_t j = 0; j < y; ++j)
       for (std::uint32_t i = 0; i < x; ++i) matter.push_back(matter_at(low + edge * (glm::vec3(i, j, k) + 0.5f)));
-  return {low, edge, x, y, z, matter, lamps_of(habit)};
+  return {low, edge, x, y, z, matter, light_directions(habit)};
 }
 
 }  // namespace panicle::particles

@@ -19,13 +19,13 @@ struct LightHabit {
 };
 
 // The sun and 24 directions of an overcast sky, which sum up to 1.
-std::vector<LightDirection> lamps_of(const LightHabit& habit);
+std::vector<LightDirection> light_directions(const LightHabit& habit);
 // The direction of the sun: the azimuth as in the tables (0 in front, +z; 90 at the right, +x) and the height above the
 // horizon, in degrees.
 glm::vec3 towards_sun(float azimuth, float height);
 
 // The objects about a crown that take its light.
-struct Shades {
+struct LightObstacles {
   std::span<const Box> crowns;  // ellipsoids that fill these boxes: other trees, as dense as this one
   std::span<const Box> walls;   // opaque boxes
 };
@@ -33,6 +33,6 @@ struct Shades {
 // The light in a box about `crown`, all of which holds foliage: the inner boundary is semi-transparent, too. The box
 // includes the shading objects as far away as the crown is wide, in cells of `edge`, or wider ones as needed to limit
 // their number.
-VoxelLight light_in(const Region& crown, const Shades& shades, const LightHabit& habit, float edge);
+VoxelLight light_in(const Region& crown, const LightObstacles& shades, const LightHabit& habit, float edge);
 
 }  // namespace panicle::particles

@@ -63,23 +63,23 @@ bool ParticleSystem::step() {
   if (steps_ > 2 * step_budget_) {
     for (std::uint32_t slot = 0; slot < places_.size(); ++slot) walk_to_target(slot);
     stragglers_ = static_cast<std::uint32_t>(places_.size());
-    leave();
+    remove_gone();
     return true;
   }
-  look();
+  choose_strides();
   move();
-  leave();
-  meet();
-  leave();
+  remove_gone();
+  merge_pairs();
+  remove_gone();
   if (rules_.join > 0) {
     join();
-    leave();
+    remove_gone();
   }
   return true;
 }
 
 // Finds each one's nearest neighbour and the stride that follows.
-void ParticleSystem::look() {
+void ParticleSystem::choose_strides() {
   const auto count = static_cast<std::uint32_t>(places_.size());
   const bool alone = steps_ > step_budget_ || count < 2;
   if (!alone) neighbours_.build(places_);
@@ -112,11 +112,11 @@ void ParticleSystem::move() {
     if (glm::distance(place, guide_->target()) <= rules_.step && guide_->sees(place, guide_->target()))
       arrive(slot);
     else if (glm::length(strides_[slot]) > standing * rules_.step)
-      go(slot, place + strides_[slot]);
+      move_to(slot, place + strides_[slot]);
   }
 }
 
-void ParticleSystem::meet() {
+void ParticleSystem::merge_pairs() {
   if (places_.size() < 2) return;
   neighbours_.build(places_);
   pairs_.clear();
@@ -132,7 +132,7 @@ void ParticleSystem::meet() {
     const std::uint32_t heavy = second ? pair.b : pair.a, light = second ? pair.a : pair.b;
     const auto share = static_cast<float>(energies_[light] / (energies_[light] + energies_[heavy]));
     const glm::vec3 mean = places_[heavy] + share * (places_[light] - places_[heavy]);
-    if (guide_->passes(places_[heavy], mean)) go(heavy, mean);
+    if (guide_->passes(places_[heavy], mean)) move_to(heavy, mean);
     link(light, nodes_at_[heavy]);
     energies_[heavy] += energies_[light];
     merged_into_[particles_[light]] = particles_[heavy];
@@ -185,7 +185,7 @@ void ParticleSystem::link(std::uint32_t slot, std::int32_t to) {
   node.born = steps_;
 }
 
-void ParticleSystem::go(std::uint32_t slot, const glm::vec3& to) {
+void ParticleSystem::move_to(std::uint32_t slot, const glm::vec3& to) {
   if (to == places_[slot]) return;
   link(slot, static_cast<std::int32_t>(nodes_.size()));
   nodes_at_[slot] = static_cast<std::int32_t>(nodes_.size());
@@ -200,7 +200,7 @@ void ParticleSystem::walk_to_target(std::uint32_t slot) {
     const float then = guide_->way(aim);
     if (!(then < left)) break;
     left = then;
-    go(slot, aim);
+    move_to(slot, aim);
   }
   arrive(slot);
 }
@@ -222,7 +222,7 @@ std::uint32_t ParticleSystem::union_root(std::uint32_t particle) {
 }
 
 // Removes arrived and merged particles from the slots.
-void ParticleSystem::leave() {
+void ParticleSystem::remove_gone() {
   std::uint32_t remaining = 0;
   for (std::uint32_t slot = 0; slot < places_.size(); ++slot) {
     if (gone_[slot]) continue;

@@ -63,13 +63,13 @@ class ParticleSystem {
     std::uint32_t born = 0;      // the step in which it was left for the next
   };
 
-  void look();
+  void choose_strides();
   void move();
-  void meet();
+  void merge_pairs();
   void join();
-  void leave();
+  void remove_gone();
   void link(std::uint32_t slot, std::int32_t to);
-  void go(std::uint32_t slot, const glm::vec3& to);
+  void move_to(std::uint32_t slot, const glm::vec3& to);
   void arrive(std::uint32_t slot);
   void walk_to_target(std::uint32_t slot);
   std::uint32_t union_root(std::uint32_t particle);

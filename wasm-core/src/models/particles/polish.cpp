@@ -90,7 +90,7 @@ void smooth(Trails& trails, const Guide& guide, float share) {
   }
 }
 
-void bed(Trails& trails, const RibGrid& ribs, const Guide& guide, float reach) {
+void move_onto_ribs(Trails& trails, const RibGrid& ribs, const Guide& guide, float reach) {
   constexpr std::uint32_t none = ~0u;
   const auto runs = leading_to(trails);
   // The heaviest trail stays on its line where another leaves it, else veins would step sideways there.

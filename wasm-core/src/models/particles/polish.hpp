@@ -19,7 +19,7 @@ void smooth(Trails& trails, const Guide& guide, float share = 1);
 // Moves trails that run along a rib onto it: wholly those on it, less and less up to `reach` from it, and the more
 // energy passes the more; ends of twigs stay. Trails that go on along a rib are moved from twice as far, where the way
 // is free.
-void bed(Trails& trails, const RibGrid& ribs, const Guide& guide, float reach);
+void move_onto_ribs(Trails& trails, const RibGrid& ribs, const Guide& guide, float reach);
 
 // Removes places between forks, starts and ends as long as none of them is farther than `tolerance` from the remaining
 // line. Forks, starts and energies stay; with `arrivals` those next to the target too, and so when each came there.

@@ -5,7 +5,7 @@
 
 namespace panicle::particles {
 
-Diagnostic beyond(const Limits& limits, std::size_t segments, std::size_t leaves) {
+Diagnostic too_many_parts(const Limits& limits, std::size_t segments, std::size_t leaves) {
   const auto refused = [](std::size_t count, const char* what, std::uint32_t limit, const char* fewer) {
     return Diagnostic{Reason::limit,
                       "The plant would have " + std::to_string(count) + " " + what + ", more than " +

@@ -9,7 +9,7 @@
 namespace panicle::particles {
 
 // The error for a plant with more segments or leaves than allowed; reason none if it has not.
-Diagnostic beyond(const Limits& limits, std::size_t segments, std::size_t leaves);
+Diagnostic too_many_parts(const Limits& limits, std::size_t segments, std::size_t leaves);
 
 // The error for particles that are still on their way after the limit of moves.
 Diagnostic still_running(const Limits& limits);

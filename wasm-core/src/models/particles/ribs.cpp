@@ -41,7 +41,7 @@ glm::vec3 Ribs::down(const Foot& from, float length) const {
   return place;
 }
 
-std::vector<glm::vec3> Ribs::strewn(float spacing) const {
+std::vector<glm::vec3> Ribs::sampled(float spacing) const {
   std::vector<glm::vec3> all{places[0]};
   for (std::size_t i = 1; i < places.size(); ++i) {
     const glm::vec3& end = places[static_cast<std::size_t>(next[i])];

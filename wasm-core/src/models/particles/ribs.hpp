@@ -44,7 +44,7 @@ struct Ribs {
   // The point reached by following the ribs down by a length; place 0 at the end.
   glm::vec3 down(const Foot& from, float length) const;
   // Places all along them, no farther apart than `spacing`; place 0 first.
-  std::vector<glm::vec3> strewn(float spacing) const;
+  std::vector<glm::vec3> sampled(float spacing) const;
   // The length from there down to place 0.
   float length_below(const Foot& from) const;
 

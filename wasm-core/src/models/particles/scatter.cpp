@@ -131,7 +131,7 @@ std::vector<glm::vec3> uniform(const Region& region, std::uint32_t count, std::u
 }
 
 // Points, and the random value of each over its density: below 1; the lowest values stay where there are too many.
-struct Lot {
+struct RankedPoints {
   std::vector<glm::vec3> points;
   std::vector<float> ranks;
   bool coarse = false;  // whether the lattice would have had too many cells
@@ -147,11 +147,11 @@ struct Lot {
   }
 };
 
-Lot jittered(const Region& region, float spacing, std::uint64_t seed) {
-  Lot lot;
+RankedPoints jittered(const Region& region, float spacing, std::uint64_t seed) {
+  RankedPoints ranked;
   while (Lattice(region, spacing).cells() > most_jittered) {
     spacing *= 1.1f;
-    lot.coarse = true;
+    ranked.coarse = true;
   }
   const Lattice lattice(region, spacing);
   // By runs of cells: where crowns stand far apart, most of their box is air.
@@ -161,22 +161,22 @@ Lot jittered(const Region& region, float spacing, std::uint64_t seed) {
     if (lattice.share_of(cell, length, region) == Share::none) continue;
     for (std::int32_t k = 0; k < length; ++k) {
       const glm::ivec3 at = cell + glm::ivec3(k, 0, 0);
-      lot.draw(region, lattice.point(at, jitter, seed, 0), false, at, seed);
+      ranked.draw(region, lattice.point(at, jitter, seed, 0), false, at, seed);
     }
   }
-  return lot;
+  return ranked;
 }
 
 // Blue noise by darts at the cells of a lattice, small enough to hold one point at most: some rounds through those that
 // are still empty leave hardly a gap, in time linear in their number. (Darts at the whole region need ever more to find
 // the last gaps.) Where the density is lower, points are removed afterwards.
-Lot blue(const Region& region, float apart, std::uint64_t seed) {
-  Lot lot;
+RankedPoints blue(const Region& region, float apart, std::uint64_t seed) {
+  RankedPoints ranked;
   const bool flat = region.flat();
   const float diagonal = std::sqrt(flat ? 2.0f : 3.0f);
   while (Lattice(region, apart / diagonal).cells() > most_cells) {
     apart *= 1.1f;
-    lot.coarse = true;
+    ranked.coarse = true;
   }
   const Lattice lattice(region, apart / diagonal);
   std::vector<std::uint8_t> taken(lattice.cells() + 3, 0);  // five of a row are read as eight
@@ -221,27 +221,27 @@ Lot blue(const Region& region, float apart, std::uint64_t seed) {
     }
     std::swap(open, still_open);
   }
-  for (const glm::vec3& p : points) lot.draw(region, p, true, lattice.cell_of(p), seed);
-  return lot;
+  for (const glm::vec3& p : points) ranked.draw(region, p, true, lattice.cell_of(p), seed);
+  return ranked;
 }
 
-Lot scatter_at(const Region& region, Pattern pattern, float spacing, std::uint64_t seed) {
+RankedPoints scatter_at(const Region& region, Pattern pattern, float spacing, std::uint64_t seed) {
   if (pattern == Pattern::jittered) return jittered(region, spacing, seed);
   return blue(region, spacing * (region.flat() ? apart_flat : apart_deep), seed);
 }
 
 // The points of a rank below the limit.
-std::vector<glm::vec3> below(const Lot& lot, float limit) {
+std::vector<glm::vec3> below(const RankedPoints& ranked, float limit) {
   std::vector<glm::vec3> points;
-  for (std::size_t i = 0; i < lot.points.size(); ++i)
-    if (lot.ranks[i] < limit) points.push_back(lot.points[i]);
+  for (std::size_t i = 0; i < ranked.points.size(); ++i)
+    if (ranked.ranks[i] < limit) points.push_back(ranked.points[i]);
   return points;
 }
 
 // The rank below which there are `count` points.
-float limit_of(const Lot& lot, std::uint32_t count) {
-  if (lot.ranks.size() <= count) return 1;
-  std::vector<float> ranks = lot.ranks;
+float limit_of(const RankedPoints& ranked, std::uint32_t count) {
+  if (ranked.ranks.size() <= count) return 1;
+  std::vector<float> ranks = ranked.ranks;
   std::nth_element(ranks.begin(), ranks.begin() + count, ranks.end());
   return ranks[count];
 }
@@ -283,14 +283,14 @@ Scattered scatter_all(const Region& region, Pattern pattern, std::uint32_t count
     const auto found = static_cast<float>(scatter_at(region, pattern, wider * nominal, seed).points.size());
     spacing *= root((1 + (found / sample - 1) / wider) / (1 + 0.5f * few_more), flat);
   }
-  Lot best;
+  RankedPoints best;
   float of_best = spacing;
   for (int k = 0; k < tries && !region.is_exhausted(); ++k) {
-    Lot lot = scatter_at(region, pattern, spacing, seed);
-    const std::size_t found = lot.points.size(), before = best.points.size();
-    const bool coarse = lot.coarse;
+    RankedPoints ranked = scatter_at(region, pattern, spacing, seed);
+    const std::size_t found = ranked.points.size(), before = best.points.size();
+    const bool coarse = ranked.coarse;
     if (found >= count ? before < count || found < before : found > before) {
-      best = std::move(lot);
+      best = std::move(ranked);
       of_best = spacing;
     }
     if (coarse || (found >= count && static_cast<float>(found) <= (1 + few_more) * wanted)) break;

@@ -33,7 +33,7 @@ float radius_of(const Girth& girth, double energy, double all) {
 
 std::vector<std::vector<std::int32_t>> add_trails(Plant& plant, std::span<const Trails> crowds,
                                                   std::span<const double> all, const Girth& girth, const Frame& frame,
-                                                  const Tally& tally, std::uint32_t tag) {
+                                                  const RunTotals& tally, std::uint32_t tag) {
   std::vector<std::vector<std::int32_t>> numbers;
   std::vector<float> energy, target_places, target_energy;
   std::vector<std::uint32_t> born;

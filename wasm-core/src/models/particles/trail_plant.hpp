@@ -34,7 +34,7 @@ struct Frame {
 };
 
 // The totals of a run, for counts and notes.
-struct Tally {
+struct RunTotals {
   std::uint32_t particles = 0, merges = 0;
   std::uint32_t steps = 0;       // in which a particle visibly moves (moment.hpp)
   double energy = 0;             // of all particles
@@ -49,6 +49,6 @@ struct Tally {
 // each crowd the segment that begins to lead on from it, −1 for none.
 std::vector<std::vector<std::int32_t>> add_trails(Plant& plant, std::span<const Trails> crowds,
                                                   std::span<const double> all, const Girth& girth, const Frame& frame,
-                                                  const Tally& tally, std::uint32_t tag);
+                                                  const RunTotals& tally, std::uint32_t tag);
 
 }  // namespace panicle::particles

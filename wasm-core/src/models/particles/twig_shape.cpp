@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "foundation/easing.hpp"
-#include "models/particles/billows.hpp"
+#include "models/particles/value_noise.hpp"
 #include "models/particles/polish.hpp"
 
 namespace panicle::particles {
@@ -25,7 +25,7 @@ glm::vec3 turned_down(const glm::vec3& way, float share) {
 
 }  // namespace
 
-void hang(Trails& trails, const Guide& guide, const Region& outer, const Region& room, const TwigHabit& habit,
+void hang_twigs(Trails& trails, const Guide& guide, const Region& outer, const Region& room, const TwigHabit& habit,
           float arc) {
   const std::size_t count = trails.size();
   if (!(habit.weep > 0) || count < 2) return;
@@ -62,7 +62,7 @@ void hang(Trails& trails, const Guide& guide, const Region& outer, const Region&
   take_back_hidden(trails, before, guide);
 }
 
-void wander(Trails& trails, const Guide& guide, const Region& outer, float by, float over, std::uint64_t seed) {
+void wander_branches(Trails& trails, const Guide& guide, const Region& outer, float by, float over, std::uint64_t seed) {
   const std::size_t count = trails.size();
   if (!(by > 0) || count < 2) return;
   const std::vector<glm::vec3> before = trails.places;
@@ -71,7 +71,7 @@ void wander(Trails& trails, const Guide& guide, const Region& outer, float by, f
     low = glm::min(low, p);
     high = glm::max(high, p);
   }
-  const Billows x(low, high, over, seed), y(low, high, over, seed + 1), z(low, high, over, seed + 2);
+  const ValueNoise x(low, high, over, seed), y(low, high, over, seed + 1), z(low, high, over, seed + 2);
   for (std::size_t i = 1; i < count; ++i) {
     if (trails.particle[i] >= 0 || trails.next[i] == 0) continue;
     const glm::vec3& p = before[i];

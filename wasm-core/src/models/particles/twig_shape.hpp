@@ -21,11 +21,11 @@ struct TwigHabit {
 // Turns twigs with fewer tips than given down, the more the fewer, and the more the farther from where the twig begins:
 // over `arc`. Tips sink with their twigs where there is `room` for them, and the fewer of its tips have room the less a
 // twig turns; nothing that was in `outer` leaves it. Trails without room still lead to where they led before.
-void hang(Trails& trails, const Guide& guide, const Region& outer, const Region& room, const TwigHabit& habit,
+void hang_twigs(Trails& trails, const Guide& guide, const Region& outer, const Region& room, const TwigHabit& habit,
           float arc);
 
 // Moves places sideways by noise, near places alike: `by` at most, changing over about `over`; less where more of all
 // energy passes. Tips and places that lead straight to the target stay, and no place leaves `outer`.
-void wander(Trails& trails, const Guide& guide, const Region& outer, float by, float over, std::uint64_t seed);
+void wander_branches(Trails& trails, const Guide& guide, const Region& outer, float by, float over, std::uint64_t seed);
 
 }  // namespace panicle::particles

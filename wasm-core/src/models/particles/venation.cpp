@@ -24,7 +24,7 @@ Venation::Venation(const Outline& outline, const Ribs& ribs, float slant, float 
       cell_(field_cell * spacing) {}
 
 Waypoints& Venation::waypoints() const {
-  if (!waypoints_) waypoints_ = std::make_unique<Waypoints>(*outline_, ribs_->strewn(cell_), cell_);
+  if (!waypoints_) waypoints_ = std::make_unique<Waypoints>(*outline_, ribs_->sampled(cell_), cell_);
   return *waypoints_;
 }
 

@@ -63,15 +63,15 @@ Trails shaped(const Trails& trails, const Guide& guide, const Region& outer, con
   const double most = habit.crook > 0 ? 2 * all : tip * static_cast<double>(habit.weep_tips);
   const float piece = habit.weep > 0 ? hanging_piece : wandering_piece;
   Trails made = divided(trails, piece * scale.spacing, least, most, scale.stride);
-  hang(made, guide, outer, room, habit, arc * scale.spacing);
-  wander(made, guide, outer, habit.crook * scale.spacing, billow * scale.spacing, scale.seed);
+  hang_twigs(made, guide, outer, room, habit, arc * scale.spacing);
+  wander_branches(made, guide, outer, habit.crook * scale.spacing, billow * scale.spacing, scale.seed);
   return simplified(made, tolerance * scale.spacing, true);
 }
 
 }  // namespace
 
 Result<Wood> run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, float spacing,
-                 const Motion& motion, TrunkHabit habit, const TwigHabit& twigs, const Rooms& rooms,
+                 const Motion& motion, TrunkHabit habit, const TwigHabit& twigs, const WoodRegions& rooms,
                  const Obstacles& obstacles, std::uint64_t seed, const Limits& limits) {
   Rules rules = motion.rules;
   rules.step *= spacing;

@@ -29,13 +29,13 @@ struct Wood {
   std::vector<Trails> crowds;  // one a target: smoothed and simplified
   std::vector<Axis> axes;      // one a target
   std::vector<double> all;     // energy that arrives at each in the end
-  Tally tally;
+  RunTotals tally;
   Timeline timeline;
   std::uint32_t unreachable = 0;  // particles that can reach no target, and are left out
 };
 
 // The regions of a woody plant.
-struct Rooms {
+struct WoodRegions {
   const Region& starts;  // ends of twigs
   const Region& outer;   // all of it
 };
@@ -44,7 +44,7 @@ struct Rooms {
 // can reach past the obstacles (ties: that of the lowest index). `habit.ahead` is set by the spacing. `seed`: of the
 // axes' sway. Errors: limit, if all together exceed the limit of moves.
 Result<Wood> run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, float spacing,
-                 const Motion& motion, TrunkHabit habit, const TwigHabit& twigs, const Rooms& rooms,
+                 const Motion& motion, TrunkHabit habit, const TwigHabit& twigs, const WoodRegions& rooms,
                  const Obstacles& obstacles, std::uint64_t seed, const Limits& limits);
 
 }  // namespace panicle::particles

@@ -38,8 +38,8 @@ Crowns make_crowns(const CrownHabit& habit, std::span<const glm::vec2> profile, 
   const glm::vec3 row = made.outer.high() - made.outer.low();
   made.longest = std::max({row.x - (crowns - 1) * habit.distance, row.y, row.z});
   if (habit.ragged > 0) {
-    made.lumps = Billows(made.outer.low(), made.outer.high(), billow * made.across, habit.seed);
-    made.tufts = Billows(made.outer.low(), made.outer.high(), spray * made.across, habit.seed + 1);
+    made.lumps = ValueNoise(made.outer.low(), made.outer.high(), billow * made.across, habit.seed);
+    made.tufts = ValueNoise(made.outer.low(), made.outer.high(), spray * made.across, habit.seed + 1);
   }
   return made;
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "light/voxel_light.hpp"
-#include "models/particles/billows.hpp"
+#include "models/particles/value_noise.hpp"
 #include "models/particles/boundary.hpp"
 #include "models/particles/hormone.hpp"
 #include "spatial/solid.hpp"
@@ -37,7 +37,7 @@ struct Crowns {
   float longest = 0;            // edge of the box of the grown part
   std::vector<glm::vec3> middles;
   float ragged = 0;
-  Billows lumps, tufts;  // noise of the ragged boundary
+  ValueNoise lumps, tufts;  // noise of the ragged boundary
 
   // The middle of the crown that a place belongs to.
   glm::vec3 middle_of(const glm::vec3& p) const;

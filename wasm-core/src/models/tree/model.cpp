@@ -149,7 +149,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   Plant plant;
   const TreeValues values(read->parameters, plant.notes);
   SpaceHabit space = space_habit<Parameter>(values);
-  if (Diagnostic trouble = beyond(limits, 0, std::size_t{space.young()} * values.whole(leaves));
+  if (Diagnostic trouble = too_many_parts(limits, 0, std::size_t{space.young()} * values.whole(leaves));
       trouble.reason != Reason::none)
     return trouble;
   CrownHabit habit = crown_of(values, read->seed);
@@ -193,7 +193,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   const GrownWood& grown = ran.value();
   leaf_habit.unfolded = grown.unfolded;
   if (Diagnostic trouble =
-          beyond(limits, plant.segments.size(), std::size_t{grown.wood.tally.particles} * leaf_habit.count);
+          too_many_parts(limits, plant.segments.size(), std::size_t{grown.wood.tally.particles} * leaf_habit.count);
       trouble.reason != Reason::none)
     return trouble;
   const std::size_t first_leaf = plant.organs.size();

@@ -102,7 +102,7 @@ TEST_CASE("the drawn pixels are those within the outline") {
     const ProjectedBerry seen = project(body, View{});
     const glm::vec2 start{6 * draw_one(5) - 3, 6 * draw_one(6) - 2}, end{6 * draw_one(7) - 3, 6 * draw_one(8) - 2};
     BitImage berry(grid.columns, grid.rows), stem(grid.columns, grid.rows);
-    const Inked inked = draw(berry, grid, seen);
+    const DrawnPixels inked = draw(berry, grid, seen);
     CHECK(inked.pixels == berry.count());
     CHECK(inked.fresh == berry.count());
     CHECK(draw(berry, grid, seen).fresh == 0);

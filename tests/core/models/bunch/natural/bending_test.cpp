@@ -19,7 +19,7 @@ struct Bend {
     hanging = hang(twig.internodes, twig.flowers, 1);
     for (const Branch& branch : hanging.branches) ends.push_back(branch.end);
   }
-  Bent run(float size = 1) const { return bend_skeleton(twig.internodes, twig.flowers, hanging, outcomes, ends, size); }
+  BentSkeleton run(float size = 1) const { return bend_skeleton(twig.internodes, twig.flowers, hanging, outcomes, ends, size); }
 };
 
 glm::vec3 millimetres(float x, float y, float z) { return glm::vec3(x, y, z) * 0.001f; }
@@ -31,7 +31,7 @@ bool near(const glm::vec3& a, const glm::vec3& b) { return glm::length(a - b) < 
 TEST_CASE("stems end where swelling left them, in metres, and pedicels at their berries") {
   Bend bend;
   bend.ends[1] = {21, -52, 0};
-  const Bent bent = bend.run();
+  const BentSkeleton bent = bend.run();
   REQUIRE(bent.internodes.size() == 5);
   CHECK(near(bent.internodes[1].end, millimetres(21, -52, 0)));
   CHECK(bent.internodes[2].start == bent.internodes[1].end);
@@ -54,14 +54,14 @@ TEST_CASE(
   Bend bend;
   bend.outcomes[0].state = FlowerState::stub;
   bend.outcomes[1].state = FlowerState::flower;
-  const Bent some = bend.run(0.08f);
+  const BentSkeleton some = bend.run(0.08f);
   REQUIRE(some.internodes.size() == 5);
   CHECK(some.internodes[2].state == State::withered);
   CHECK(near(some.internodes[2].end, millimetres(23, -50, 0)));
   CHECK(some.internodes[3].state == State::grown);
   CHECK(near(some.internodes[3].end, millimetres(20, -50 - 10 * stalk_at(0.08f), 0)));
   bend.outcomes[1].state = FlowerState::fallen;
-  const Bent fewer = bend.run();
+  const BentSkeleton fewer = bend.run();
   CHECK(fewer.place_of == std::vector<std::int32_t>{0, 1, 2, -1, 3});
 }
 
@@ -83,7 +83,7 @@ TEST_CASE("a stalk of several internodes follows its berry as a whole, together 
   const std::vector<glm::vec3> ends{{1, -50, 0}};
   // Turned by a right angle about z: (10, −5) becomes (5, 10).
   const std::vector<FlowerOutcome> outcomes{{FlowerState::berry, {6, -40, 0}}};
-  const Bent bent = bend_skeleton(chain, flowers, hanging, outcomes, ends, 1);
+  const BentSkeleton bent = bend_skeleton(chain, flowers, hanging, outcomes, ends, 1);
   REQUIRE(bent.internodes.size() == 4);
   CHECK(glm::length(bent.internodes[1].end - millimetres(1, -45, 0)) < 1e-6f);
   CHECK(near(bent.internodes[2].end, millimetres(6, -40, 0)));
@@ -98,11 +98,11 @@ TEST_CASE("a pedicel of two berries ends between them; if one is lost, at the ot
   const Hanging hanging = hang(two, flowers, 1);
   const std::vector<glm::vec3> ends{{0, -50, 0}};
   std::vector<FlowerOutcome> outcomes{{FlowerState::berry, {10, -46, 0}}, {FlowerState::berry, {10, -58, 0}}};
-  const Bent both = bend_skeleton(two, flowers, hanging, outcomes, ends, 1);
+  const BentSkeleton both = bend_skeleton(two, flowers, hanging, outcomes, ends, 1);
   CHECK(near(both.internodes[1].end, millimetres(10, -52, 0)));
   CHECK(both.internodes[1].radius_end == doctest::Approx(0.00135));
   outcomes[0].state = FlowerState::stub;
-  const Bent one = bend_skeleton(two, flowers, hanging, outcomes, ends, 1);
+  const BentSkeleton one = bend_skeleton(two, flowers, hanging, outcomes, ends, 1);
   CHECK(near(one.internodes[1].end, millimetres(10, -58, 0)));
   CHECK(one.internodes[1].state == State::grown);
 }

@@ -28,7 +28,7 @@ TEST_CASE("widths vary by the requested spread, about 1") {
 
 TEST_CASE("light widens by up to seven hundredths either way, hunger narrows the tip by an eighth") {
   const Flower flower = flower_on(0, {0, -1, 0});
-  const auto share = [&](float along, float lit, const Nurture& nurture) {
+  const auto share = [&](float along, float lit, const GrowthConditions& nurture) {
     return width_share(flower, {{}, along, lit, 0}, nurture, 1);
   };
   CHECK(share(0.5f, 1, {0, 1, 1}) == doctest::Approx(1.07));

@@ -59,7 +59,7 @@ TEST_CASE("places of a leaning bunch are in its own frame") {
 TEST_CASE("places are in the bunch's frame and light in the world's, for every stance") {
   const std::vector<Flower> flowers{flower_on(0, {0, 0, 1})};
   const auto hung = [&](const Stance& stance, const glm::vec3& sun) {
-    const Uprighting upright(stance);
+    const UprightTransform upright(stance);
     const glm::vec3 start = stance.foot + upright.way_back({10, -100, 40}), on = upright.way_back({0, 0, 10});
     const std::vector<Internode> internodes{stem(-1, Kind::axis, start, start + on)};
     std::vector<Flower> turned = flowers;

@@ -10,7 +10,7 @@ using namespace panicle::tests;
 
 namespace {
 
-Traits at(float age, Ripener berry = {{{}, {0, -1, 0}, 8, 9, 0, 1}, 0.3f, 0.5f, true}, std::uint32_t bunch = 0) {
+Traits at(float age, RipeningInputs berry = {{{}, {0, -1, 0}, 8, 9, 0, 1}, 0.3f, 0.5f, true}, std::uint32_t bunch = 0) {
   Flower flower = flower_on(0, {0, -1, 0}, 7);
   flower.bunch = bunch;
   return traits_of(berry, flower, {age, 1, 1}, 3);
@@ -30,9 +30,9 @@ TEST_CASE("a berry's traits are its body's widths in metres and its stage") {
 }
 
 TEST_CASE("a flower that will not set stays a flower; light hastens colouring; the second bunch has its own random values") {
-  Ripener flower{{{}, {0, -1, 0}, 1, 1, 0, 1}, 0.3f, 0.5f, false};
+  RipeningInputs flower{{{}, {0, -1, 0}, 1, 1, 0, 1}, 0.3f, 0.5f, false};
   CHECK(at(11, flower).set == 0);
-  Ripener lit{{{}, {0, -1, 0}, 8, 8, 0, 1}, 0.3f, 1, true}, shaded = lit;
+  RipeningInputs lit{{{}, {0, -1, 0}, 8, 8, 0, 1}, 0.3f, 1, true}, shaded = lit;
   shaded.exposure = 0;
   bool sooner = false;
   for (float age = 60; age < 95; age += 5) {

@@ -53,7 +53,7 @@ glm::vec3 middle_of_wing(const GrownBunch& grown) {
 TEST_CASE("turning a stance upright and back is the identity, and its own down becomes down") {
   for (std::size_t side = 0; side < 4; ++side) {
     const Stance stance{35, side, {3, 5, -2}};
-    const Uprighting upright(stance);
+    const UprightTransform upright(stance);
     const glm::vec3 v(0.3f, -0.7f, 0.2f);
     CHECK(glm::length(upright.way_back(upright.way(v)) - v) < 1e-6f);
     CHECK(glm::length(upright.place(stance.foot)) == 0);

@@ -45,15 +45,15 @@ TEST_CASE("the trace has the reason why a berry turns or withers, with the obsta
   const auto bound = lsystem::bind(program.value(), {}, {});
   REQUIRE(bound);
   const auto derived = lsystem::develop(*bound.value(), 1, {}, {});
-  auto chronicle = lsystem::trace_derivation(*bound.value(), 1, {}, {}, {}, {});
+  auto trace = lsystem::trace_derivation(*bound.value(), 1, {}, {}, {}, {});
   REQUIRE(derived);
-  REQUIRE(chronicle);
-  chronicle->watch_drawing(derived->string);
-  growth.set_trace(&chronicle.value());
+  REQUIRE(trace);
+  trace->watch_drawing(derived->string);
+  growth.set_trace(&trace.value());
   growth.begin(*bound.value(), {}, false, 1, 0);
-  REQUIRE(lsystem::interpret(*bound.value(), *derived->string, {}, growth, 1, {}, nullptr, &chronicle.value()));
+  REQUIRE(lsystem::interpret(*bound.value(), *derived->string, {}, growth, 1, {}, nullptr, &trace.value()));
   growth.finish();
-  const auto& entries = chronicle->modules();
+  const auto& entries = trace->modules();
   CHECK(entries[0].response.empty());
   // The second comes nearer and nearer to where the two would only touch; the others begin above the first one's
   // centre.

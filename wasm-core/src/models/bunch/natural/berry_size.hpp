@@ -11,14 +11,14 @@
 
 namespace panicle::bunch {
 
-struct Nurture {
+struct GrowthConditions {
   float spread = 0;    // standard deviation of widths over their mean
   float sunlight = 0;  // 0 … 1: how much light counts
   float vigour = 1;    // 0 … 1: how far the sap comes
 };
 
 // A berry's width over the mean one: of its random value, its light and the distance that the sap has come.
-float width_share(const Flower& flower, const Situation& situation, const Nurture& nurture, std::uint64_t seed);
+float width_share(const Flower& flower, const Situation& situation, const GrowthConditions& nurture, std::uint64_t seed);
 
 // Widths of the berries of those flowers that set, scaled so that the mean of the first `regular` ones is 1; the others
 // are stand-ins. `volumes`, above 0, are those of the berries over full ones.

@@ -20,7 +20,7 @@ std::vector<Value> picked(const std::vector<Value>& values, std::span<const std:
 }
 
 // Removes the stand-ins that were not needed, and brings the rest into the flowers' order.
-void settle(Crop& crop) {
+void remove_unused_stand_ins(Crop& crop) {
   std::vector<std::size_t> remaining;
   std::vector<std::int32_t> flowers;
   for (std::size_t k = 0; k < crop.fruitlets.size(); ++k) {
@@ -102,7 +102,7 @@ Crop grow_crop(const Sprout& sprout, const Hanging& hanging, std::span<const Bud
   for (std::size_t k = regular; k < crop.berries.size(); ++k) crop.berries[k].late = true;
   const auto wanted = static_cast<std::size_t>(std::min(target.count, target.most));
   crop.swollen = swell(branches, crop.berries, sprout.bounds, sizes, regular < setting.size() ? wanted : 0);
-  settle(crop);
+  remove_unused_stand_ins(crop);
   return crop;
 }
 

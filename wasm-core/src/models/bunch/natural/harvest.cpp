@@ -37,7 +37,7 @@ std::vector<FlowerOutcome> outcomes_of(const Crop& crop, std::span<const Flower>
 }
 
 Harvest harvest(const Crop& crop, const Sprout& sprout, const Hanging& hanging, std::span<const FlowerOutcome> outcomes,
-                const Bent& bent, float size, float ripe_width) {
+                const BentSkeleton& bent, float size, float ripe_width) {
   Harvest harvest;
   const Swollen& swollen = crop.swollen;
   const auto place_of = [&](const Flower& flower) { return bent.place_of[static_cast<std::size_t>(flower.parent)]; };

@@ -27,6 +27,6 @@ struct Harvest {
 
 // `ripe_width` is a mean ripe berry's, in millimetres.
 Harvest harvest(const Crop& crop, const Sprout& sprout, const Hanging& hanging, std::span<const FlowerOutcome> outcomes,
-                const Bent& bent, float size, float ripe_width);
+                const BentSkeleton& bent, float size, float ripe_width);
 
 }  // namespace panicle::bunch

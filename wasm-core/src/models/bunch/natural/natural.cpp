@@ -20,7 +20,7 @@
 #include "models/bunch/natural/situation.hpp"
 #include "models/bunch/natural/traits.hpp"
 #include "models/bunch/natural/wing.hpp"
-#include "models/bunch/stock.hpp"
+#include "models/bunch/derived_bunch.hpp"
 #include "models/bunch/units.hpp"
 
 namespace panicle::bunch {
@@ -62,7 +62,7 @@ std::vector<Bud> buds_of(std::span<const Flower> flowers, std::span<const Situat
 
 std::vector<float> shares_of(std::span<const Flower> flowers, std::span<const Situation> situations,
                              const Values& values, std::uint64_t seed) {
-  const Nurture nurture{values[spread] / 100, values[sunlight], values[vigour]};
+  const GrowthConditions nurture{values[spread] / 100, values[sunlight], values[vigour]};
   std::vector<float> shares;
   shares.reserve(flowers.size());
   for (std::size_t i = 0; i < flowers.size(); ++i)
@@ -79,7 +79,7 @@ std::vector<Traits> ripen(Harvest& harvest, const Crop& crop, std::span<const Fl
   traits.reserve(exposure.size());
   for (std::size_t k = 0; k < exposure.size(); ++k) {
     const std::uint32_t i = harvest.flowers[k];
-    const Ripener berry{harvest.bodies[k], situations[i].along, exposure[k], crop.set.volumes[i] > 0};
+    const RipeningInputs berry{harvest.bodies[k], situations[i].along, exposure[k], crop.set.volumes[i] > 0};
     traits.push_back(traits_of(berry, flowers[i], season, seed));
     harvest.bodies[k].shrivel = traits.back().shrivel;
   }
@@ -120,7 +120,7 @@ BerrySurfaces surfaces_of(std::span<const BerryBody> bodies, const BerryForm& fo
 bool on_cane(const Values& values) { return values[leaves] > 0 || values[cane] != 0; }
 
 // Adds the peduncle above the bent skeleton. Returns the internode at which the second bunch begins; -1 without one.
-std::int32_t hang_up(Bent& bent, const Sprout& bunch, const Values& values, std::uint64_t seed) {
+std::int32_t add_peduncle_above(BentSkeleton& bent, const Sprout& bunch, const Values& values, std::uint64_t seed) {
   constexpr float least_under_cane = 30;  // millimetres: berries and cane have room
   const float length = std::max(values[peduncle], on_cane(values) ? least_under_cane : 0.0f);
   const std::int32_t root = bunch.second_root < 0 ? -1 : bent.place_of[static_cast<std::size_t>(bunch.second_root)];
@@ -194,16 +194,16 @@ std::string_view outcome_text(RemovalReason why) {
 }
 
 // Adds the outcome of each flower to the trace of its module.
-void trace_outcomes(lsystem::DerivationTrace& chronicle, std::span<const Flower> flowers, const Crop& crop,
+void trace_outcomes(lsystem::DerivationTrace& trace, std::span<const Flower> flowers, const Crop& crop,
                 const Harvest& hung) {
   for (std::size_t k = 0; k < hung.berries.size(); ++k)
     if (const std::uint32_t module = hung.berries[k].module; module != no_module)
-      chronicle.add_response(module, crop.set.volumes[hung.flowers[k]] > 0 ? "; its flower set, and it bears the berry"
+      trace.add_response(module, crop.set.volumes[hung.flowers[k]] > 0 ? "; its flower set, and it bears the berry"
                                                                          : "; its flower does not set");
   for (const Thinned& one : hung.thinned) {
     const auto flower =
         std::find_if(flowers.begin(), flowers.end(), [&](const Flower& each) { return each.id == one.id; });
-    if (flower != flowers.end() && flower->module != no_module) chronicle.add_response(flower->module, outcome_text(one.why));
+    if (flower != flowers.end() && flower->module != no_module) trace.add_response(flower->module, outcome_text(one.why));
   }
 }
 
@@ -224,15 +224,15 @@ Diagnostic grow_natural(const BunchRequest& request, const Values& values, const
 
   const float size_now = size_at(values[age]);
   const std::vector<FlowerOutcome> outcomes = outcomes_of(crop, flowers, request.seed, values[age], size_now);
-  Bent bent = bend_skeleton(bunch.internodes, flowers, hanging, outcomes, crop.swollen.ends, size_now);
-  grown.second_root = hang_up(bent, bunch, values, request.seed);
+  BentSkeleton bent = bend_skeleton(bunch.internodes, flowers, hanging, outcomes, crop.swollen.ends, size_now);
+  grown.second_root = add_peduncle_above(bent, bunch, values, request.seed);
   Harvest hung = harvest(crop, bunch, hanging, outcomes, bent, size_now, target.berry.size);
   const Season season{values[age], values[sunlight], values[vigour], values[seeds]};
   grown.traits = ripen(hung, crop, flowers, situations, season, sunward, request.seed);
 
-  if (bunch.chronicle) {
-    trace_outcomes(*bunch.chronicle, flowers, crop, hung);
-    grown.chronicle = std::move(bunch.chronicle);
+  if (bunch.trace) {
+    trace_outcomes(*bunch.trace, flowers, crop, hung);
+    grown.trace = std::move(bunch.trace);
   }
   grown.swelling = crop.swollen.work;
   grown.profile = bunch.profile;

@@ -6,7 +6,7 @@
 
 #include "foundation/random.hpp"
 #include "models/bunch/natural/flowers.hpp"
-#include "models/bunch/stock.hpp"
+#include "models/bunch/derived_bunch.hpp"
 
 namespace panicle::bunch {
 

@@ -19,7 +19,7 @@ constexpr float second_order = 0.414214f - golden;  // the same for two axes tha
 constexpr float own_noise = 0.15f;
 
 // The situation of a flower. `own` is its place in the frame of a bunch that hangs straight down.
-Situation situated(const glm::vec3& own, const Envelope& envelope, const Uprighting& upright, const glm::vec3& sun) {
+Situation situated(const glm::vec3& own, const Envelope& envelope, const UprightTransform& upright, const glm::vec3& sun) {
   const float length = envelope.length();
   const float depth = std::clamp(-own.y, 0.0f, length);
   const float x = std::max(1.0f, envelope.half_width(own.x >= 0 ? 0 : 1, depth));
@@ -44,7 +44,7 @@ std::vector<Situation> situate(std::span<const Flower> flowers, std::span<const 
     const std::size_t first = beginning_of(internodes, static_cast<std::size_t>(flower.parent));
     const float stalk = glm::length(parent.end - internodes[first].start);
     const BunchEnvelope& bound = bounds[flower.bunch];
-    const Uprighting upright(bound.stance);
+    const UprightTransform upright(bound.stance);
     const glm::vec3 way = drooping(upright.way(flower.heading), 1);
     const glm::vec3 own = upright.place(internodes[first].start) + way * (stalk + 0.5f * size);
     Situation one = situated(own, bound.envelope, upright, sun);

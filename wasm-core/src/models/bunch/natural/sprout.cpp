@@ -12,7 +12,7 @@
 #include "models/bunch/paper/skeleton_drawing.hpp"
 #include "models/bunch/remarks.hpp"
 #include "models/bunch/roles.hpp"
-#include "models/bunch/stock.hpp"
+#include "models/bunch/derived_bunch.hpp"
 
 namespace panicle::bunch {
 namespace {
@@ -34,25 +34,25 @@ class Inflorescence final : public SkeletonDrawing {
 float slender_of(float wing) { return 0.5f + 0.5f * wing; }
 
 // A planned bunch with its bound text, not drawn yet.
-struct Seedling {
+struct PlannedBunch {
   NaturalPlan plan;
   std::shared_ptr<const lsystem::BoundProgram> text;
 };
 
-class Sower {
+class SproutBuilder {
  public:
-  Sower(const BunchRequest& request, const Values& values, const Limits& limits,
+  SproutBuilder(const BunchRequest& request, const Values& values, const Limits& limits,
         std::shared_ptr<const lsystem::Program> program)
       : request_(request), values_(values), limits_(limits), program_(std::move(program)) {}
 
   // `slender`: the width of its rachis over the width that the berries require.
-  Result<Seedling> plant(const Profile& profile, std::uint64_t seed, float slender) {
-    auto seedling = plant_once(profile, seed, slender);
-    if (!seedling) return seedling;
-    const TextConstants found = constants_of(*seedling->text, constants_);
-    if (found == constants_) return seedling;
+  Result<PlannedBunch> plan_bunch(const Profile& profile, std::uint64_t seed, float slender) {
+    auto planned = plan_once(profile, seed, slender);
+    if (!planned) return planned;
+    const TextConstants found = constants_of(*planned->text, constants_);
+    if (found == constants_) return planned;
     constants_ = found;
-    return plant_once(profile, seed, slender);
+    return plan_once(profile, seed, slender);
   }
 
   // Draws the bunch and the second where there is one.
@@ -75,13 +75,13 @@ class Sower {
     loose_balls_ = drawing.finish();
     sprout.internodes = std::move(drawing.internodes);
     if (sprout.second_root >= static_cast<std::int32_t>(sprout.internodes.size())) sprout.second_root = -1;
-    if (sprout.second_root >= 0) hang_wing(sprout, drawing.balls);
+    if (sprout.second_root >= 0) insert_wing_stalk(sprout, drawing.balls);
     sprout.flowers = flowers_of(sprout.internodes, drawing.balls, second_from);
     return sprout;
   }
 
   // Corrects the number of flowers that the plan assumes, if it was wrong. Returns whether the plan changes.
-  bool corrects(const Sprout& sprout) {
+  bool correct_flower_count(const Sprout& sprout) {
     const bool counts =
         values_[Parameter::count] > 0 ||
         std::any_of(sprout.plans.begin(), sprout.plans.end(), [](const NaturalPlan& plan) { return plan.overfull; });
@@ -93,7 +93,7 @@ class Sower {
 
   // Puts nodes farther apart, for plans that drew more flowers than allowed. Returns false after a few times: a text
   // need not use the plan.
-  bool spaces_out() {
+  bool widen_spacing() {
     if (constants_.wider >= most_wider) return false;
     constants_.wider *= wider_by;
     return true;
@@ -103,13 +103,13 @@ class Sower {
   std::uint32_t loose_balls() const { return loose_balls_; }
 
  private:
-  Result<Seedling> plant_once(const Profile& profile, std::uint64_t seed, float slender) const {
+  Result<PlannedBunch> plan_once(const Profile& profile, std::uint64_t seed, float slender) const {
     const float start = 360 * random_unit(seed, hash_text("first axis"), 0);
     NaturalPlan plan = make_natural_plan(profile, values_, static_cast<float>(limits_.bodies), constants_, start);
     plan.girth *= slender;
     auto text = lsystem::bind(program_, inputs_for(plan, profile, values_), limits_);
     if (!text) return text.error();
-    return Seedling{std::move(plan), std::move(text.value())};
+    return PlannedBunch{std::move(plan), std::move(text.value())};
   }
 
   // The stalk of a wing under the greatest load that has hung from it so far: the load does not rise as berries dry. A
@@ -125,7 +125,7 @@ class Sower {
   }
 
   // Inserts the stalk between the peduncle and the second bunch.
-  void hang_wing(Sprout& sprout, std::vector<Ball>& balls) const {
+  void insert_wing_stalk(Sprout& sprout, std::vector<Ball>& balls) const {
     const NaturalPlan &bunch = sprout.plans[0], &wing = sprout.plans[1];
     std::vector<Internode> stalk = wing_stalk(stalk_of(wing, bunch), sprout.bounds[1].stance, bunch.girth, wing.girth);
     const auto count = static_cast<std::int32_t>(stalk.size()), root = sprout.second_root;
@@ -147,29 +147,29 @@ class Sower {
 
   Diagnostic draw_one(const Profile& profile, std::uint64_t seed, float slender, SkeletonDrawing& drawing,
                       Sprout& sprout, std::vector<std::string>& notes) {
-    auto seedling = plant(profile, seed, slender);
-    if (!seedling) return seedling.error();
-    auto stock = derive_stock(std::move(seedling->text), seed, request_.steps, limits_);
-    if (!stock) return stock.error();
+    auto planned = plan_bunch(profile, seed, slender);
+    if (!planned) return planned.error();
+    auto derived_bunch = derive_bunch(std::move(planned->text), seed, request_.steps, limits_);
+    if (!derived_bunch) return derived_bunch.error();
     const bool first = sprout.plans.empty();
-    stock->first_axis = first ? 0 : static_cast<std::int32_t>(sprout.plans[0].arm.size());
+    derived_bunch->first_axis = first ? 0 : static_cast<std::int32_t>(sprout.plans[0].arm.size());
     const Stance stance = first ? Stance{}
-                                : wing_stance(stalk_of(seedling->plan, sprout.plans[0]), sprout.bounds[0].envelope,
-                                              seedling->plan.envelope);
-    stock->stance = {stance.lean, stance.side, stance.foot / values_[Parameter::unit]};
-    if (first) remark_text(*stock->bound, values_, "natural", used_by_plan, notes);
+                                : wing_stance(stalk_of(planned->plan, sprout.plans[0]), sprout.bounds[0].envelope,
+                                              planned->plan.envelope);
+    derived_bunch->stance = {stance.lean, stance.side, stance.foot / values_[Parameter::unit]};
+    if (first) remark_text(*derived_bunch->bound, values_, "natural", used_by_plan, notes);
     std::vector<std::string> repeated_notes;
-    drawing.begin(*stock->bound, roles_of(*program_, first ? notes : repeated_notes), !first, stock->first_axis);
-    sprout.bounds.push_back({seedling->plan.envelope, stance});
-    sprout.plans.push_back(std::move(seedling->plan));
+    drawing.begin(*derived_bunch->bound, roles_of(*program_, first ? notes : repeated_notes), !first, derived_bunch->first_axis);
+    sprout.bounds.push_back({planned->plan.envelope, stance});
+    sprout.plans.push_back(std::move(planned->plan));
     if (first) {
-      auto trace = trace_derivation(stock.value(), request_, limits_);
+      auto trace = trace_derivation(derived_bunch.value(), request_, limits_);
       if (!trace) return trace.error();
-      sprout.chronicle = std::move(trace.value());
+      sprout.trace = std::move(trace.value());
     }
-    lsystem::DerivationTrace* const chronicle = first && sprout.chronicle ? &*sprout.chronicle : nullptr;
-    drawing.set_trace(chronicle);
-    const Diagnostic trouble = interpret(stock.value(), limits_, drawing, chronicle);
+    lsystem::DerivationTrace* const trace = first && sprout.trace ? &*sprout.trace : nullptr;
+    drawing.set_trace(trace);
+    const Diagnostic trouble = interpret(derived_bunch.value(), limits_, drawing, trace);
     return trouble.reason == Reason::none ? drawing.trouble() : trouble;
   }
 
@@ -201,15 +201,15 @@ Result<Sprout> sprout(const BunchRequest& request, const Values& values, const L
                       std::vector<std::string>& notes) {
   auto program = program_for(request, grammars::grape_bunch_4, limits);
   if (!program) return program.error();
-  Sower sower(request, values, limits, std::move(program.value()));
-  for (bool corrected = false;;) {
+  SproutBuilder builder(request, values, limits, std::move(program.value()));
+  for (bool is_corrected = false;;) {
     Inflorescence drawing(limits);
     std::vector<std::string> drawing_notes;
-    auto drawn = sower.draw(drawing, drawing_notes);
-    if (!drawn && drawing.balls.size() >= limits.organs && sower.spaces_out()) continue;
+    auto drawn = builder.draw(drawing, drawing_notes);
+    if (!drawn && drawing.balls.size() >= limits.organs && builder.widen_spacing()) continue;
     if (!drawn) return drawn.error();
-    if (!std::exchange(corrected, true) && sower.corrects(drawn.value())) continue;
-    remark_drawn({drawn->internodes.size(), drawn->flowers.size(), sower.loose_balls(), false}, drawing_notes);
+    if (!std::exchange(is_corrected, true) && builder.correct_flower_count(drawn.value())) continue;
+    remark_drawn({drawn->internodes.size(), drawn->flowers.size(), builder.loose_balls(), false}, drawing_notes);
     notes.insert(notes.end(), drawing_notes.begin(), drawing_notes.end());
     const Diagnostic astray = to_millimetres(drawn->internodes, values[Parameter::unit]);
     if (astray.reason != Reason::none) return astray;

@@ -22,7 +22,7 @@ struct Sprout {
   std::vector<Internode> internodes;  // parents first; millimetres
   std::vector<Flower> flowers;
   std::int32_t second_root = -1;  // the first internode of the second bunch
-  std::optional<lsystem::DerivationTrace> chronicle;
+  std::optional<lsystem::DerivationTrace> trace;
 };
 
 // Plans each bunch with the constants of the text, so that both place the same nodes; where the plan depends on the

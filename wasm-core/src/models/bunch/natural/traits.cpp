@@ -5,7 +5,7 @@
 
 namespace panicle::bunch {
 
-Traits traits_of(const Ripener& berry, const Flower& flower, const Season& season, std::uint64_t seed) {
+Traits traits_of(const RipeningInputs& berry, const Flower& flower, const Season& season, std::uint64_t seed) {
   const float random_value = random_value_of(flower, seed, "ripen");
   const Stage stage = stage_at(season.age, {berry.along, random_value, berry.exposure, season.sunlight, season.vigour});
   Traits traits;

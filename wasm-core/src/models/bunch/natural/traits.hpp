@@ -13,7 +13,7 @@
 namespace panicle::bunch {
 
 // The inputs of one berry's traits.
-struct Ripener {
+struct RipeningInputs {
   BerryBody body;      // millimetres
   float along = 0;     // 0 at the base … 1 at the tip of the bunch
   float exposure = 0;  // 0 … 1
@@ -27,6 +27,6 @@ struct Season {
   float seeds = 4;     // most seeds of a berry
 };
 
-Traits traits_of(const Ripener& berry, const Flower& flower, const Season& season, std::uint64_t seed);
+Traits traits_of(const RipeningInputs& berry, const Flower& flower, const Season& season, std::uint64_t seed);
 
 }  // namespace panicle::bunch

@@ -23,7 +23,7 @@ void PaperGrowth::begin(const lsystem::BoundProgram& text, const SymbolRoles& ro
 
 Newborn PaperGrowth::newborn(const Question& question, const lsystem::Turtle& turtle, std::span<const float> parameters,
                         std::uint64_t address) const {
-  const Slots& slots = question.slots;
+  const ParameterSlots& slots = question.slots;
   Newborn newborn;
   newborn.pedicel = question.pedicel;
   newborn.flat = slots.phi == 0;
@@ -48,7 +48,7 @@ SkeletonDrawing::Answer PaperGrowth::answer(const Question& question, const lsys
   } else if ((!in_rachis_pass_ || rachis) && within(structure_.spheres().size(), limits().spheres, "spheres")) {
     const Newborn newcomer = newborn(question, turtle, parameters, lineage.address);
     room = find_room(structure_, turtle, newcomer, options_);
-    if (is_traced(lineage)) why = description_of(room, newcomer);
+    if (is_traced(lineage)) why = describe_room(room, newcomer);
   }
   parameters[question.slots.theta] = room.theta;
   if (question.slots.phi) parameters[question.slots.phi] = room.phi;
@@ -81,7 +81,7 @@ std::string in_hundredths(float value) { return expression::number_text(std::flo
 
 // Describes the sphere that overlaps a probe most: `touches the berry of module 12`, `overlaps … by 3.2`; empty without
 // an overlap.
-std::string PaperGrowth::in_the_way(const Sphere& probe, std::uint32_t except) const {
+std::string PaperGrowth::describe_obstacle(const Sphere& probe, std::uint32_t except) const {
   const std::span<const Sphere> spheres = structure_.spheres();
   std::uint32_t nearest = SphereGrid::no_sphere;
   float depth = 0, most = 0;
@@ -100,11 +100,11 @@ std::string PaperGrowth::in_the_way(const Sphere& probe, std::uint32_t except) c
   return depth < 0.005f ? "touches " + whose : "overlaps " + whose + " by " + in_hundredths(depth);
 }
 
-std::string PaperGrowth::description_of(const Room& room, const Newborn& newborn) const {
+std::string PaperGrowth::describe_room(const Room& room, const Newborn& newborn) const {
   if (room.found && room.adjustments == 0) return "; there is room at once";
   const std::string turned = in_hundredths(room.turned) + "° in " + std::to_string(room.adjustments) +
                              (room.adjustments == 1 ? " turn" : " turns");
-  const std::string way = in_the_way(room.found ? room.unturned : room.sphere, newborn.parent);
+  const std::string way = describe_obstacle(room.found ? room.unturned : room.sphere, newborn.parent);
   if (room.found) return "; there is room after " + turned + (way.empty() ? "" : "; straight on it " + way);
   return "; no room after " + turned + (way.empty() ? "" : ": it still " + way) +
          (newborn.pedicel ? ", and withers" : ", and is cut");

@@ -59,8 +59,8 @@ class PaperGrowth final : public SkeletonDrawing {
   Newborn newborn(const Question& question, const lsystem::Turtle& turtle, std::span<const float> parameters,
                   std::uint64_t address) const;
   const ReservedRoom* find_reserved(std::uint64_t address) const;
-  std::string description_of(const Room& room, const Newborn& newborn) const;
-  std::string in_the_way(const Sphere& probe, std::uint32_t except) const;
+  std::string describe_room(const Room& room, const Newborn& newborn) const;
+  std::string describe_obstacle(const Sphere& probe, std::uint32_t except) const;
 
   InteractionOptions options_;
   SphereGrid structure_;

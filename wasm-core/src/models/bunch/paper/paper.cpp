@@ -12,7 +12,7 @@
 #include "models/bunch/paper/growth.hpp"
 #include "models/bunch/remarks.hpp"
 #include "models/bunch/shape.hpp"
-#include "models/bunch/stock.hpp"
+#include "models/bunch/derived_bunch.hpp"
 #include "models/bunch/units.hpp"
 
 namespace panicle::bunch {
@@ -20,32 +20,32 @@ namespace {
 
 // The plan: one bunch, or two on one peduncle.
 struct Planned {
-  Stock first;
-  std::optional<Stock> second;
+  DerivedBunch first;
+  std::optional<DerivedBunch> second;
 };
 
-Result<Stock> stock_for(const Shape& shape, const Values& values, std::shared_ptr<const lsystem::Program> program,
+Result<DerivedBunch> derived_bunch_for(const Shape& shape, const Values& values, std::shared_ptr<const lsystem::Program> program,
                         std::uint64_t seed, std::optional<std::uint32_t> steps, const Limits& limits) {
   auto bound = lsystem::bind(std::move(program), inputs_for(shape, values), limits);
   if (!bound) return bound.error();
-  return derive_stock(std::move(bound.value()), seed, steps, limits);
+  return derive_bunch(std::move(bound.value()), seed, steps, limits);
 }
 
-Result<Planned> plan_stocks(const BunchRequest& request, const Values& values, const Limits& limits, GrownBunch& grown) {
+Result<Planned> plan_bunches(const BunchRequest& request, const Values& values, const Limits& limits, GrownBunch& grown) {
   using enum Parameter;
   const Profile profile = values.profile();
   auto shape = shape_for(request, profile, values[fit]);
   if (!shape) return shape.error();
   auto program = program_for(request, grammars::grape_bunch_3, limits);
   if (!program) return program.error();
-  auto first = stock_for(shape.value(), values, program.value(), request.seed, request.steps, limits);
+  auto first = derived_bunch_for(shape.value(), values, program.value(), request.seed, request.steps, limits);
   if (!first) return first.error();
   grown.plan = std::move(shape->plan);
   Planned planned{std::move(first.value()), std::nullopt};
   if (!(values[wing] > 0)) return planned;
 
   Shape smaller = shape_of(scaled(profile, values[wing]), values[fit]);
-  auto second = stock_for(smaller, values, program.value(), second_seed(request.seed), request.steps, limits);
+  auto second = derived_bunch_for(smaller, values, program.value(), second_seed(request.seed), request.steps, limits);
   if (!second) return second.error();
   second->first_axis = grown.plan.m - 1;
   second->stance.lean = values[wing_angle];
@@ -55,28 +55,28 @@ Result<Planned> plan_stocks(const BunchRequest& request, const Values& values, c
 }
 
 // Interprets a bunch into the growth, among the structure that is there already.
-Diagnostic grow_stock(const Stock& stock, const SymbolRoles& roles, const Limits& limits, PaperGrowth& growth, bool second,
-                      lsystem::DerivationTrace* chronicle = nullptr) {
-  growth.begin(*stock.bound, roles, second, stock.seed, stock.first_axis);
-  const Diagnostic trouble = interpret(stock, limits, growth, chronicle);
+Diagnostic grow_bunch(const DerivedBunch& derived_bunch, const SymbolRoles& roles, const Limits& limits, PaperGrowth& growth, bool second,
+                      lsystem::DerivationTrace* trace = nullptr) {
+  growth.begin(*derived_bunch.bound, roles, second, derived_bunch.seed, derived_bunch.first_axis);
+  const Diagnostic trouble = interpret(derived_bunch, limits, growth, trace);
   return trouble.reason == Reason::none ? growth.trouble() : trouble;
 }
 
 // Grows both bunches. The second bunch's rachis is placed first, for it would find no way through the first's berries;
 // the berries of both come later, as in nature. `second_from` becomes the number of the second's first berry.
-Diagnostic grow_stocks(const Planned& planned, const SymbolRoles& roles, const Limits& limits, PaperGrowth& growth,
-                       lsystem::DerivationTrace* chronicle, std::size_t& second_from) {
+Diagnostic grow_bunches(const Planned& planned, const SymbolRoles& roles, const Limits& limits, PaperGrowth& growth,
+                       lsystem::DerivationTrace* trace, std::size_t& second_from) {
   Diagnostic trouble;
   if (planned.second) {
     growth.begin_rachis_pass();
-    trouble = grow_stock(*planned.second, roles, limits, growth, true);
+    trouble = grow_bunch(*planned.second, roles, limits, growth, true);
     growth.end_rachis_pass();
   }
-  growth.set_trace(chronicle);
-  if (trouble.reason == Reason::none) trouble = grow_stock(planned.first, roles, limits, growth, false, chronicle);
+  growth.set_trace(trace);
+  if (trouble.reason == Reason::none) trouble = grow_bunch(planned.first, roles, limits, growth, false, trace);
   second_from = growth.attached_balls();
   if (trouble.reason == Reason::none && planned.second)
-    trouble = grow_stock(*planned.second, roles, limits, growth, true);
+    trouble = grow_bunch(*planned.second, roles, limits, growth, true);
   return trouble;
 }
 
@@ -128,19 +128,19 @@ std::vector<HungEnvelope> envelopes_of(const Planned& planned, const Values& val
 
 Diagnostic grow_paper(const BunchRequest& request, const Values& values, const Limits& limits, GrownBunch& grown) {
   using enum Parameter;
-  const auto planned = plan_stocks(request, values, limits, grown);
+  const auto planned = plan_bunches(request, values, limits, grown);
   if (!planned) return planned.error();
   const lsystem::BoundProgram& text = *planned->first.bound;
   const SymbolRoles roles = roles_of(lsystem::program_of(text), grown.notes);
 
   const InteractionOptions interaction{values[delta], static_cast<std::uint32_t>(values[t]), values[sag]};
   PaperGrowth growth(interaction, limits, std::max(values[rmin], values[rmax]));
-  auto trace = trace_derivation(planned->first, request, limits);
-  if (!trace) return trace.error();
-  grown.chronicle = std::move(trace.value());
-  lsystem::DerivationTrace* const chronicle = grown.chronicle ? &*grown.chronicle : nullptr;
+  auto traced = trace_derivation(planned->first, request, limits);
+  if (!traced) return traced.error();
+  grown.trace = std::move(traced.value());
+  lsystem::DerivationTrace* const trace = grown.trace ? &*grown.trace : nullptr;
   std::size_t second_from = 0;
-  Diagnostic trouble = grow_stocks(planned.value(), roles, limits, growth, chronicle, second_from);
+  Diagnostic trouble = grow_bunches(planned.value(), roles, limits, growth, trace, second_from);
   if (trouble.reason != Reason::none) return trouble;
   const std::uint32_t loose = growth.finish();
 

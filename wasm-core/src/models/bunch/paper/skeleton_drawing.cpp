@@ -29,9 +29,9 @@ void SkeletonDrawing::query(const lsystem::Turtle& turtle, std::span<float> para
   question.pedicel = parameters[0] == pedicel_type;
   question.width = question.slots.width ? parameters[question.slots.width] : width_;
   const bool is_traced_here = is_traced(lineage);
-  if (is_traced_here) chronicle_->add_response(lineage.module, "asked" + lsystem::numbers_text(parameters));
+  if (is_traced_here) trace_->add_response(lineage.module, "asked" + lsystem::numbers_text(parameters));
   answer_ = answer(question, turtle, parameters, lineage);
-  if (is_traced_here) chronicle_->add_response(lineage.module, " →" + lsystem::numbers_text(parameters) + answer_.why);
+  if (is_traced_here) trace_->add_response(lineage.module, " →" + lsystem::numbers_text(parameters) + answer_.why);
   answering_ = true;
   query_address_ = lineage.address;
   ++questions_;

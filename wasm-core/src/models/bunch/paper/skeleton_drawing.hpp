@@ -26,7 +26,7 @@ class SkeletonDrawing : public Drawing {
   void begin(const lsystem::BoundProgram& text, const SymbolRoles& roles, bool second, std::int32_t first_axis);
 
   // From now on the queries and answers of the first bunch's modules are traced in `chronicle`, unless it is null.
-  void set_trace(lsystem::DerivationTrace* chronicle) { chronicle_ = chronicle; }
+  void set_trace(lsystem::DerivationTrace* trace) { trace_ = trace; }
 
   void line(std::int32_t id, const lsystem::Turtle& before, const lsystem::Turtle& after,
             const lsystem::Lineage& lineage) override;
@@ -46,7 +46,7 @@ class SkeletonDrawing : public Drawing {
   struct Question {
     bool pedicel = false;
     float width = 0;
-    Slots slots;
+    ParameterSlots slots;
   };
   // The answer to a query: properties of every line that the module draws, known by the address of its ?E.
   struct Answer {
@@ -65,7 +65,7 @@ class SkeletonDrawing : public Drawing {
 
   // Whether queries of this module are traced.
   bool is_traced(const lsystem::Lineage& lineage) const {
-    return chronicle_ != nullptr && !second_ && chronicle_->has(lineage.module);
+    return trace_ != nullptr && !second_ && trace_->has(lineage.module);
   }
   bool second() const { return second_; }
 
@@ -93,7 +93,7 @@ class SkeletonDrawing : public Drawing {
   std::size_t first_segment_ = 0, first_ball_ = 0;  // of this interpretation
   std::int32_t first_axis_ = 0;
   bool second_ = false;
-  lsystem::DerivationTrace* chronicle_ = nullptr;
+  lsystem::DerivationTrace* trace_ = nullptr;
 
   Answer answer_;  // the last
   bool answering_ = false;

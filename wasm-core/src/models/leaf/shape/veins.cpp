@@ -120,9 +120,9 @@ Result<Veins> grow_veins(const LeafRequest& leaf_request, const Limits& limits, 
     Trails trails = crowd.trails();
     if (values[smoothing] > 0) {
       const float share = values[smoothing];
-      bed(trails, guide.ribs(), guide, share * bedded * veins.spacing);
+      move_onto_ribs(trails, guide.ribs(), guide, share * bedded * veins.spacing);
       smooth(trails, guide, share);
-      bed(trails, guide.ribs(), guide, share * bedded_again * veins.spacing);
+      move_onto_ribs(trails, guide.ribs(), guide, share * bedded_again * veins.spacing);
       smooth(trails, guide, share * smoothed_again);
       trails = simplified(trails, share * simplified_within * veins.spacing);
     }

@@ -19,7 +19,7 @@ struct Veins {
   Outline outline;
   std::vector<Trails> crowds;  // one for each target, polished, once all have arrived; leaf lengths
   std::vector<double> all;     // for each: the energy of the whole leaf, by which thickness is scaled
-  Tally tally;
+  RunTotals tally;
   Timeline timeline;
   float spacing = 0;  // of the particles
   float stride = 0;   // of a particle

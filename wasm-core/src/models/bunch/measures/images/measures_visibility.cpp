@@ -38,9 +38,9 @@ float dot(const glm::vec3& a, const glm::vec3& b) { return a.x * b.x + a.y * b.y
 // Paints berries front to back and counts pixels: a clear pixel that is painted is visible. For balls that do not
 // overlap the order of their centres is the order in which any line of sight meets them, since a plane between them is
 // at right angles to the line of centres; for other forms nearly so. Reuses its buffers from view to view.
-class Onlooker {
+class VisibilityRenderer {
  public:
-  explicit Onlooker(const Subject& subject) : subject_(subject) {
+  explicit VisibilityRenderer(const Subject& subject) : subject_(subject) {
     for (const Stem& pedicel : subject.pedicels) pedicel_length_ += length_of(pedicel);
   }
 
@@ -56,7 +56,7 @@ class Onlooker {
           length += length_of(subject_.pedicels[entry.index]) / points;
         continue;
       }
-      const Inked inked = draw(image_, grid_, projected_[entry.index]);
+      const DrawnPixels inked = draw(image_, grid_, projected_[entry.index]);
       seen += inked.pixels > 0 && static_cast<float>(inked.fresh) >= least_seen * static_cast<float>(inked.pixels);
     }
     berries_ = static_cast<float>(seen) / static_cast<float>(projected_.size());
@@ -84,7 +84,7 @@ class Onlooker {
         entries_.push_back({dot(p, view.towards), {dot(p, view.right), dot(p, view.up)}, i, false});
       }
     }
-    bring_in_order();
+    sort_entries();
     const float size = std::max(high.x - low.x, high.y - low.y);
     grid_ = PixelGrid::over(low, high, std::max(subject_.mean_radius / pixels_to_radius, size / most_pixels), 1);
     image_.reset(grid_.columns, grid_.rows);
@@ -92,7 +92,7 @@ class Onlooker {
 
   const Subject& subject_;
   // Sorts by depth, and at equal depth by the other members, which hardly ever moves anything.
-  void bring_in_order() {
+  void sort_entries() {
     depths_.clear();
     for (const Entry& entry : entries_) depths_.push_back(-entry.depth);
     sorted_.clear();
@@ -116,7 +116,7 @@ class Onlooker {
 
 Visibility visibility(const Subject& subject) {
   Visibility result;
-  Onlooker onlooker(subject);
+  VisibilityRenderer onlooker(subject);
   constexpr float directions = 26, faces = 4;
   for (int x = -1; x <= 1; ++x)
     for (int y = -1; y <= 1; ++y)

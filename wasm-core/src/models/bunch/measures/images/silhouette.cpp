@@ -44,12 +44,12 @@ PixelGrid PixelGrid::over(glm::vec2 low, glm::vec2 high, float pitch, std::int32
 
 // In pixels from here on: a row at `up` pixels from the centre meets the ellipse at middle ± half, where
 // half² = (uu − up² (uu vv − uv²)) / uu².
-Inked draw(BitImage& image, const PixelGrid& grid, const ProjectedBerry& berry) {
+DrawnPixels draw(BitImage& image, const PixelGrid& grid, const ProjectedBerry& berry) {
   const float square = grid.pitch * grid.pitch;
   const float uu = berry.uu * square, uv = berry.uv * square, vv = berry.vv * square;
   const float across = 1 / uu, determinant = uu * vv - uv * uv;
   const float x = (berry.centre.x - grid.left) / grid.pitch - 0.5f, y = (grid.top - berry.centre.y) / grid.pitch - 0.5f;
-  Inked inked;
+  DrawnPixels inked;
   const std::int32_t end = grid.end_row(berry.centre.y - berry.half.y);
   for (std::int32_t row = grid.first_row(berry.centre.y + berry.half.y); row < end; ++row) {
     const float up = y - static_cast<float>(row);

@@ -36,11 +36,11 @@ struct PixelGrid {
 };
 
 // The number of pixels of an outline in the picture, and of those that it was the first to set.
-struct Inked {
+struct DrawnPixels {
   std::int32_t pixels = 0, fresh = 0;
 };
 
-Inked draw(BitImage& image, const PixelGrid& grid, const ProjectedBerry& berry);
+DrawnPixels draw(BitImage& image, const PixelGrid& grid, const ProjectedBerry& berry);
 
 // Draws a stem: all points within a radius that changes evenly from that at `start` to that at `end`.
 void draw_stem(BitImage& image, const PixelGrid& grid, glm::vec2 start, float radius, glm::vec2 end, float radius_end);

@@ -32,11 +32,11 @@ class Bending {
           std::span<const FlowerOutcome> outcomes, std::span<const glm::vec3> ends, float size)
       : internodes_(internodes), flowers_(flowers), hanging_(hanging), outcomes_(outcomes), ends_(ends), size_(size) {}
 
-  Bent run() {
+  BentSkeleton run() {
     find_what_stays();
     place_stalks();
     const float girth = girth_at(size_) * metres_per_millimetre;
-    Bent bent;
+    BentSkeleton bent;
     bent.place_of.assign(internodes_.size(), -1);
     std::vector<glm::vec3> ends(internodes_.size());
     for (std::size_t i = 0; i < internodes_.size(); ++i) {
@@ -152,7 +152,7 @@ class Bending {
 
 }  // namespace
 
-Bent bend_skeleton(std::span<const Internode> internodes, std::span<const Flower> flowers, const Hanging& hanging,
+BentSkeleton bend_skeleton(std::span<const Internode> internodes, std::span<const Flower> flowers, const Hanging& hanging,
                    std::span<const FlowerOutcome> outcomes, std::span<const glm::vec3> ends, float size) {
   return Bending(internodes, flowers, hanging, outcomes, ends, size).run();
 }

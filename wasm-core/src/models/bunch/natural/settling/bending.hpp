@@ -24,7 +24,7 @@ struct FlowerOutcome {
   glm::vec3 seat{0};  // of a berry: where its stalk ends, millimetres
 };
 
-struct Bent {
+struct BentSkeleton {
   std::vector<Internode> internodes;   // those left, parents first; metres
   std::vector<std::int32_t> place_of;  // per internode of the sprout: where it is in `internodes`; −1 where it fell
 };
@@ -32,7 +32,7 @@ struct Bent {
 // `outcomes` are the flowers', `ends` those of the hanging's branches once all has swollen (millimetres), `size` the
 // berries' width now over the ripe one. Stems that have lost all their flowers fall, except the rachis; stems that
 // never had a flower stay, as the text draws them.
-Bent bend_skeleton(std::span<const Internode> internodes, std::span<const Flower> flowers, const Hanging& hanging,
+BentSkeleton bend_skeleton(std::span<const Internode> internodes, std::span<const Flower> flowers, const Hanging& hanging,
                    std::span<const FlowerOutcome> outcomes, std::span<const glm::vec3> ends, float size);
 
 }  // namespace panicle::bunch

@@ -25,7 +25,7 @@ constexpr int tries = 3;
 constexpr float most_step = 0.7f;
 constexpr float usual_steepness = 1.4f, least_steepness = 0.7f, most_steepness = 3;
 
-struct Try {
+struct FillSample {
   float fill = 0;
   float crowding = 0;
 };
@@ -84,14 +84,14 @@ float crowding_at(float density, float elongation) {
 float fill_for(std::span<const Bud> buds, std::span<const float> ranks, float density, const BerrySize& berry) {
   const auto attempt = [&](float fill) {
     const std::vector<float> volumes = choose_set({ranks.begin(), ranks.end()}, exponential(fill));
-    return Try{fill, logarithm(std::max(crowding(buds, volumes, berry), 1e-6f))};
+    return FillSample{fill, logarithm(std::max(crowding(buds, volumes, berry), 1e-6f))};
   };
   const float wanted = logarithm(crowding_at(density, berry.elongation));
-  Try last = attempt(logarithm(fill_of(density)));
+  FillSample last = attempt(logarithm(fill_of(density)));
   float steepness = usual_steepness;
   for (int k = 0; k < tries; ++k) {
     const float step = std::clamp((wanted - last.crowding) / steepness, -most_step, most_step);
-    const Try next = attempt(last.fill + step);
+    const FillSample next = attempt(last.fill + step);
     // Weight of the chord: near 1 where the two points are far enough apart for a slope.
     const float reliability = step * step / (step * step + 1e-4f);
     const float chord = std::abs(step) > 0 ? (next.crowding - last.crowding) / step : 0;

@@ -40,7 +40,7 @@ constexpr float youngest = 0.08f;       // size of a berry that joins
 constexpr float rounding = 1.0001f;     // factor for a squared distance: berries farther apart than that cannot touch
 
 // A berry and a stem that it may lean on.
-struct Leaning {
+struct BerryStemPair {
   std::uint32_t berry, stem;
 };
 
@@ -189,10 +189,10 @@ class Solver {
     pushes_.resize(pairs_.size());
     bound_pushes_.resize(berries_.size());
 
-    leaning_.clear();
+    berry_stem_pairs_.clear();
     for (std::uint32_t k = 0; k < branches_.size(); ++k) {
       for (const std::uint32_t i : nearby_.along(start_of(k), ends_[k], branches_[k].radius + half_margin))
-        if (berries_[i].branch != k) leaning_.push_back({i, k});
+        if (berries_[i].branch != k) berry_stem_pairs_.push_back({i, k});
     }
   }
 
@@ -272,16 +272,16 @@ class Solver {
     }
   }
 
-  // `leaning_` lists the berries of one stem after another: the values computed for a stem serve all its berries, until
+  // `berry_stem_pairs_` lists the berries of one stem after another: the values computed for a stem serve all its berries, until
   // one of them pushes its end.
   void part_stems() {
-    work_.looks += leaning_.size();
-    for (std::size_t at = 0; at < leaning_.size();) {
-      const std::uint32_t k = leaning_[at].stem;
+    work_.looks += berry_stem_pairs_.size();
+    for (std::size_t at = 0; at < berry_stem_pairs_.size();) {
+      const std::uint32_t k = berry_stem_pairs_[at].stem;
       const glm::vec3 start = start_of(k);
       StemPlace stem = place_of_stem(start, ends_[k]);
-      for (; at < leaning_.size() && leaning_[at].stem == k; ++at)
-        if (part_from_stem(leaning_[at].berry, k, stem)) stem = place_of_stem(start, ends_[k]);
+      for (; at < berry_stem_pairs_.size() && berry_stem_pairs_[at].stem == k; ++at)
+        if (part_from_stem(berry_stem_pairs_[at].berry, k, stem)) stem = place_of_stem(start, ends_[k]);
     }
   }
 
@@ -309,7 +309,7 @@ class Solver {
     for (std::size_t i = 0; i < berries_.size(); ++i) {
       if (gone(i)) continue;
       const BunchEnvelope& bound = bounds_[berries_[i].bunch];
-      const Uprighting& turn = turns_[berries_[i].bunch];
+      const UprightTransform& turn = turns_[berries_[i].bunch];
       glm::vec3 c = turn.place(centres_[i]);
       const glm::vec3 before = c;
       // A long berry's extent depends on the direction of its core.
@@ -339,8 +339,8 @@ class Solver {
   }
 
   // The pairs of berries that press on each other, with their depths: valid until a berry moves.
-  std::vector<Press> presses() {
-    std::vector<Press> presses;
+  std::vector<PressedPair> presses() {
+    std::vector<PressedPair> presses;
     presses.reserve(pairs_.size());
     work_.thinning_looks += pairs_.size();
     for (const auto [i, j] : pairs_) {
@@ -353,12 +353,12 @@ class Solver {
 
   // Removes the most pressed berries, up to so many rounds.
   void thin(int rounds) {
-    std::vector<Press> pressing = presses();
+    std::vector<PressedPair> pressing = presses();
     for (int round = 0; round < rounds; ++round) {
       const std::vector<std::uint32_t> lost = crowded_out(pressing, sizes_);
       if (lost.empty()) break;
       for (const std::uint32_t i : lost) lost_[i] = RemovalReason::no_room;
-      std::erase_if(pressing, [&](const Press& press) { return gone(press.a) || gone(press.b); });
+      std::erase_if(pressing, [&](const PressedPair& press) { return gone(press.a) || gone(press.b); });
     }
     drop_pairs();
   }
@@ -381,10 +381,10 @@ class Solver {
   float young_share_ = 1;              // their age among the others, 0 … 1
   std::vector<RemovalReason> lost_;
   bool settled_ = false;
-  std::vector<Uprighting> turns_;
+  std::vector<UprightTransform> turns_;
   SphereOverlapQuery nearby_;
   std::vector<SpherePair> pairs_;  // berries that may touch
-  std::vector<Leaning> leaning_;   // by stem
+  std::vector<BerryStemPair> berry_stem_pairs_;   // by stem
   std::vector<float> pushes_, bound_pushes_;
   SwellingWork work_;
 };

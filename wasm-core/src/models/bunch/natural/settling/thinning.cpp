@@ -15,7 +15,7 @@ float cap_share(const SwollenSize& size, float deep) {
 
 }  // namespace
 
-std::vector<std::uint32_t> crowded_out(std::span<const Press> presses, std::span<const SwollenSize> sizes) {
+std::vector<std::uint32_t> crowded_out(std::span<const PressedPair> presses, std::span<const SwollenSize> sizes) {
   std::vector<float> pressed(sizes.size(), 0);
   for (const auto& [a, b, deep] : presses) {
     if (deep <= 0) continue;

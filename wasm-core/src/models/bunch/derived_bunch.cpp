@@ -1,4 +1,4 @@
-#include "models/bunch/stock.hpp"
+#include "models/bunch/derived_bunch.hpp"
 
 #include <utility>
 
@@ -14,36 +14,36 @@ Result<std::shared_ptr<const lsystem::Program>> program_for(const BunchRequest& 
   return lsystem::compile(request.grammar.empty() ? built_in : request.grammar, limits, lsystem::Lineages::always);
 }
 
-Result<Stock> derive_stock(std::shared_ptr<const lsystem::BoundProgram> bound, std::uint64_t seed,
+Result<DerivedBunch> derive_bunch(std::shared_ptr<const lsystem::BoundProgram> bound, std::uint64_t seed,
                            std::optional<std::uint32_t> steps, const Limits& limits) {
   auto derived = lsystem::develop(*bound, seed, steps, limits);
   if (!derived) return derived.error();
-  return Stock{std::move(bound), std::move(derived->string), seed, 0, {}};
+  return DerivedBunch{std::move(bound), std::move(derived->string), seed, 0, {}};
 }
 
 std::uint64_t second_seed(std::uint64_t seed) { return hash_combine(seed, hash_text("second bunch")); }
 
-Result<std::optional<lsystem::DerivationTrace>> trace_derivation(const Stock& stock, const BunchRequest& request,
+Result<std::optional<lsystem::DerivationTrace>> trace_derivation(const DerivedBunch& derived_bunch, const BunchRequest& request,
                                                                  const Limits& limits) {
-  if (!request.chronicle) return std::optional<lsystem::DerivationTrace>();
-  auto trace = lsystem::trace_derivation(*stock.bound, stock.seed, request.steps, limits, {}, *request.chronicle);
+  if (!request.trace) return std::optional<lsystem::DerivationTrace>();
+  auto trace = lsystem::trace_derivation(*derived_bunch.bound, derived_bunch.seed, request.steps, limits, {}, *request.trace);
   if (!trace) return trace.error();
   // After a limit the traced string differs from the drawn one.
-  if (trace->stopped().reason == Reason::none) trace->watch_drawing(stock.string);
+  if (trace->stopped().reason == Reason::none) trace->watch_drawing(derived_bunch.string);
   return std::optional(std::move(trace.value()));
 }
 
-Diagnostic interpret(const Stock& stock, const Limits& limits, lsystem::Listener& listener,
-                     lsystem::DerivationTrace* chronicle) {
+Diagnostic interpret(const DerivedBunch& derived_bunch, const Limits& limits, lsystem::Listener& listener,
+                     lsystem::DerivationTrace* trace) {
   lsystem::Turtle turtle;
-  const auto& [lean, side, foot] = stock.stance;
+  const auto& [lean, side, foot] = derived_bunch.stance;
   turtle.position = foot;
   if (side < 2)
     lsystem::turn(turtle, side == 0 ? lean : -lean);
   else
     lsystem::pitch(turtle, side == 2 ? -lean : lean);
   const auto drawn =
-      lsystem::interpret(*stock.bound, *stock.string, turtle, listener, stock.seed, limits, nullptr, chronicle);
+      lsystem::interpret(*derived_bunch.bound, *derived_bunch.string, turtle, listener, derived_bunch.seed, limits, nullptr, trace);
   return drawn ? Diagnostic{} : drawn.error();
 }
 

@@ -9,11 +9,11 @@ namespace panicle::particles {
 
 // Value noise: random values at the points of a lattice about the origin, interpolated between them. Values depend on
 // the point alone: overlapping boxes agree.
-class Billows {
+class ValueNoise {
  public:
-  Billows() = default;
+  ValueNoise() = default;
   // `edge`: of the lattice. Places outside of the box have the value of the nearest cell.
-  Billows(const glm::vec3& low, const glm::vec3& high, float edge, std::uint64_t seed);
+  ValueNoise(const glm::vec3& low, const glm::vec3& high, float edge, std::uint64_t seed);
 
   // 0 … 1.
   float at(const glm::vec3& p) const;

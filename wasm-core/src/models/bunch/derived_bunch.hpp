@@ -13,7 +13,7 @@
 
 namespace panicle::bunch {
 
-struct Stock {
+struct DerivedBunch {
   std::shared_ptr<const lsystem::BoundProgram> bound;
   std::shared_ptr<const lsystem::String> string;
   std::uint64_t seed = 0;
@@ -27,19 +27,19 @@ Result<std::shared_ptr<const lsystem::Program>> program_for(const BunchRequest& 
                                                             const Limits& limits);
 
 // `steps` as for lsystem::develop.
-Result<Stock> derive_stock(std::shared_ptr<const lsystem::BoundProgram> bound, std::uint64_t seed,
+Result<DerivedBunch> derive_bunch(std::shared_ptr<const lsystem::BoundProgram> bound, std::uint64_t seed,
                            std::optional<std::uint32_t> steps, const Limits& limits);
 
 // The seed of the second bunch of a specimen.
 std::uint64_t second_seed(std::uint64_t seed);
 
-// Traces the derivation, if the request has a `chronicle`. Errors: those of lsystem::chronicle.
-Result<std::optional<lsystem::DerivationTrace>> trace_derivation(const Stock& stock, const BunchRequest& request,
+// Traces the derivation, if the request has a `chronicle`. Errors: those of lsystem::trace_derivation.
+Result<std::optional<lsystem::DerivationTrace>> trace_derivation(const DerivedBunch& derived_bunch, const BunchRequest& request,
                                                                  const Limits& limits);
 
 // Walks the derived string from p1 on, and adds answers to `chronicle`, if not null. Returns the error of the
 // interpretation itself.
-Diagnostic interpret(const Stock& stock, const Limits& limits, lsystem::Listener& listener,
-                     lsystem::DerivationTrace* chronicle = nullptr);
+Diagnostic interpret(const DerivedBunch& derived_bunch, const Limits& limits, lsystem::Listener& listener,
+                     lsystem::DerivationTrace* trace = nullptr);
 
 }  // namespace panicle::bunch

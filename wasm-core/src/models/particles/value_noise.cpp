@@ -1,4 +1,4 @@
-#include "models/particles/billows.hpp"
+#include "models/particles/value_noise.hpp"
 
 #include <algorithm>
 #include <glm/common.hpp>
@@ -14,7 +14,7 @@ constexpr float most_along = 160;
 
 }  // namespace
 
-Billows::Billows(const glm::vec3& low, const glm::vec3& high, float edge, std::uint64_t seed)
+ValueNoise::ValueNoise(const glm::vec3& low, const glm::vec3& high, float edge, std::uint64_t seed)
     : edge_(std::max(
           {edge, (high.x - low.x) / most_along, (high.y - low.y) / most_along, (high.z - low.z) / most_along})) {
   first_ = glm::ivec3(glm::floor(low / edge_));
@@ -29,7 +29,7 @@ Billows::Billows(const glm::vec3& low, const glm::vec3& high, float edge, std::u
                         hash_combine(hash_combine(word(first_.x + x), word(first_.y + y)), word(first_.z + z))));
 }
 
-float Billows::at(const glm::vec3& p) const {
+float ValueNoise::at(const glm::vec3& p) const {
   const glm::vec3 scaled = p / edge_, base = glm::floor(scaled), share = scaled - base,
                   ease = share * share * (3.0f - 2.0f * share);
   const glm::ivec3 cell = glm::clamp(glm::ivec3(base) - first_, glm::ivec3(0), glm::max(count_ - 2, 0));
