@@ -103,7 +103,7 @@ void expect_error(std::string_view text, const std::string& where, const std::st
 
 }  // namespace
 
-TEST_CASE("statements of cpfg are told what they mean and what to do") {
+TEST_CASE("errors of cpfg statements explain their meaning and replacement") {
   expect_error("axiom: A\nLsystem: 2\nA --> B", "syntax 2:1", "needs a name, Lsystem: leaf");
   expect_error("axiom: A\nA --> ?leaf(2) B", "syntax 2:7", "There is no ?leaf");
   expect_error("axiom: A\nA --> ?leaf(2) B\nLsystem: leaf\nB --> C", "syntax 2:7", "put brackets about it");
@@ -128,7 +128,7 @@ TEST_CASE("statements of cpfg are told what they mean and what to do") {
   CHECK(after("axiom: ω seed\nω --> F ignore", 1) == "F ignore seed");
 }
 
-TEST_CASE("labels, printed arrows and comments are told what they are taken for") {
+TEST_CASE("errors of labels, printed arrows and comments explain how they are read") {
   expect_error("axiom: A\np1: A --> B", "syntax 2:1", "'p1:' labels a production");
   expect_error("axiom: A(1)\np1: A(i) : i>0 --> B", "syntax 2:1", "labels a production");
   expect_error("axiom: A\np1 : A < B --> C", "syntax 2:1", "labels a production");
@@ -145,7 +145,7 @@ TEST_CASE("labels, printed arrows and comments are told what they are taken for"
   expect_error("axiom: A\n// end of it.", "syntax 2:13", "A comment is written /*");
 }
 
-TEST_CASE("signs of cpfg are told what they do there") {
+TEST_CASE("errors of cpfg signs explain their meaning") {
   expect_error("axiom: F @X(2)", "syntax 1:10", "There is no @X; there are @O");
   expect_error("axiom: F @ O", "syntax 1:10", "in one word, such as @O(1)");
   expect_error("axiom: ~", "syntax 1:8", "such as ~leaf");
@@ -156,7 +156,7 @@ TEST_CASE("signs of cpfg are told what they do there") {
   expect_error("axiom: F `", "syntax 1:10", "not part of the notation");
 }
 
-TEST_CASE("what cannot stand in an expression is told what to do instead") {
+TEST_CASE("errors in expressions suggest a replacement") {
   expect_error("axiom: A(1 2)", "syntax 1:12", "'2' follows a value; put an operator such as * between them");
   expect_error("axiom: A(2(3))", "syntax 1:11", "Two values stand side by side");
   expect_error("axiom: A(1)\nA(x) --> B(x>1 ? 2 : 3)", "syntax 2:16", "There is no choice by ?:");
@@ -166,7 +166,7 @@ TEST_CASE("what cannot stand in an expression is told what to do instead") {
   expect_error("#define n[3] 1\naxiom: A", "syntax 1:11", "nothing between the brackets");
 }
 
-TEST_CASE("names that nothing defines") {
+TEST_CASE("undefined names are errors") {
   std::string message;
   CHECK(trouble("axiom: A(x)", {}, {}, &message) == "undefined 1:10");
   CHECK(message ==
@@ -191,7 +191,7 @@ TEST_CASE("inputs without a value are named") {
   CHECK(trouble("#define x 1\naxiom: A", {{{"x", 1 / 0.0f}}, {}}) == "bad_input 1:9");
 }
 
-TEST_CASE("numbers that are none are refused before the turtle sees them") {
+TEST_CASE("numbers that are not finite are errors before the turtle uses them") {
   std::string message;
   CHECK(trouble("axiom: A(1)\nA(x) --> B F(x/0)", {}, {}, &message) == "evaluation 2:14");
   CHECK(message == "F needs a finite number; here it is given infinity.");

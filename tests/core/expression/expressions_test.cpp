@@ -120,14 +120,14 @@ TEST_CASE("arithmetic is single precision") {
   CHECK(after("#define l_w 0.7\naxiom: A(7/10)\nA(l) : l=l_w --> B", 1) == (7 / 10.0f == 0.7f ? "B" : "A(0.7)"));
 }
 
-TEST_CASE("defines use those before them, and an input's value takes a define's place for all that follow") {
+TEST_CASE("a #define may use earlier ones, and an input replaces its value for all later ones") {
   const char* text = "#define a 2\n#define b a*3\n#define c b+a\naxiom: V(a,b,c)";
   CHECK(after(text, 0) == "V(2,6,8)");
   CHECK(after(text, 0, {{{"a", 5}}, {}}) == "V(5,15,20)");
   CHECK(after(text, 0, {{{"b", 1}, {"unknown", 7}}, {}}) == "V(2,1,3)");
 }
 
-TEST_CASE("a parameter hides a define of the same name in its production alone") {
+TEST_CASE("a parameter hides a #define of the same name in its production alone") {
   CHECK(after("#define l 60\naxiom: A(1)\nA(l) --> V(l) B(2)\nB(j) --> V(l)", 2) == "V(1)V(60)");
 }
 
@@ -136,7 +136,7 @@ TEST_CASE("equal parts are worked out once, but not where the first was passed o
   CHECK(after("axiom: A(3)\nA(x) --> V((x>1 || x*x*x>0) + x*x*x, x*x*x)", 1) == "V(28,27)");
 }
 
-TEST_CASE("arrays are read from 1, and beyond their ends the place is told") {
+TEST_CASE("arrays are read from 1, and an index beyond their ends is an error with its place") {
   Inputs inputs;
   inputs.arrays = {{"n", {10, 20, 30}}};
   CHECK(after("#input n[]\n#define k n[2]\naxiom: V(n[1],k,n[k/10+1])", 0, inputs) == "V(10,20,30)");

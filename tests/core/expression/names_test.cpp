@@ -32,7 +32,7 @@ TEST_CASE("names are copied, may be empty and hold any bytes") {
   CHECK(names.find("") == 1);
 }
 
-TEST_CASE("a hundred thousand names are told apart") {
+TEST_CASE("a hundred thousand names have different numbers") {
   Names names;
   for (std::uint32_t i = 0; i < 100'000; ++i) REQUIRE(names.add("A" + std::to_string(i)) == i);
   for (std::uint32_t i = 0; i < 100'000; ++i) REQUIRE(names.find("A" + std::to_string(i)) == i);

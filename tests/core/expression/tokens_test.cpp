@@ -28,7 +28,7 @@ Diagnostic failure(std::string_view text) {
 
 }  // namespace
 
-TEST_CASE("names, numbers, signs and arrows are told apart") {
+TEST_CASE("tokenize recognises names, numbers, signs and arrows") {
   CHECK(listed("Ar1(l_i,2.5e-3) --> //F") ==
         "n:Ar1@1:1 s:(@1:4 n:l_i@1:5 s:,@1:8 d:2.5e-3@1:9 s:)@1:15 a:-->@1:17 s:/@1:21 s:/@1:22 n:F@1:23");
   CHECK(listed("1.5 .25 3. 2e 7e+2x") == "d:1.5@1:1 d:.25@1:5 d:3.@1:9 d:2@1:12 n:e@1:13 d:7e+2@1:15 n:x@1:19");
@@ -64,7 +64,7 @@ TEST_CASE("the first token of each line is marked") {
   CHECK(firsts == "1011");
 }
 
-TEST_CASE("what is not part of the notation is refused where it stands") {
+TEST_CASE("characters outside the notation are errors at their place") {
   CHECK(failure("A → B").message == "'→' is not part of the notation; write -->.");
   CHECK(failure("A → B").column == 3);
   CHECK(failure("δ\n ≤").line == 2);

@@ -24,7 +24,7 @@ struct Block {
 
 }  // namespace
 
-TEST_CASE("what is written into a container is read out of it") {
+TEST_CASE("read_container returns the written columns") {
   const std::vector<float> places{1, 2, 3, 4, 5, 6};
   const std::vector<std::int32_t> parents{-1, 0};
   const std::vector<std::uint8_t> octets{7, 8, 9};
@@ -51,7 +51,7 @@ TEST_CASE("what is written into a container is read out of it") {
   for (const ColumnView& column : columns) CHECK((column.data - block.bytes) % 4 == 0);
 }
 
-TEST_CASE("whatever the bytes are, a container is read within them or refused") {
+TEST_CASE("read_container never reads outside the bytes, for random bytes") {
   ContainerWriter writer;
   const std::vector<float> values(9, 0.5f);
   writer.add("values", values, 3);
@@ -111,7 +111,7 @@ TEST_CASE("copied columns are written into the block at any size, and their sour
   std::free(block);
 }
 
-TEST_CASE("what fills up to the next word is zero, whatever was in the memory") {
+TEST_CASE("padding up to the next word is zero, also in reused memory") {
   ContainerWriter writer;
   const std::vector<std::uint8_t> octets{1, 2, 3, 4, 5};
   writer.add("odd", octets);

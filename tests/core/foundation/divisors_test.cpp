@@ -94,7 +94,7 @@ TEST_CASE("convolution sums keep Besge's identity") {
   }
 }
 
-TEST_CASE("factors in the arguments of a convolution sum count where they stand") {
+TEST_CASE("a convolution sum applies the factor of each argument") {
   const Sums sigma = sums_of({}, 40);
   // N = 3: σ(2 · 1) σ(4 · 2) + σ(2 · 2) σ(4 · 1) = 3 · 15 + 7 · 7
   CHECK(convolution_sum(sigma, 2, sigma, 4, 3).value() == 94);

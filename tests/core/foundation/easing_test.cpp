@@ -16,7 +16,7 @@ TEST_CASE("a step is 0 before, 1 after, half in the middle, and rises between") 
   CHECK(smooth(0.25f) == 0.15625f);
 }
 
-TEST_CASE("several at once are as one after another") {
+TEST_CASE("smooth() of four lanes equals four single calls") {
   const Four four = smooth(Four{0, 0.125f, 0.7f, 1});
   CHECK(four[0] == smooth(0.0f));
   CHECK(four[1] == smooth(0.125f));
@@ -24,7 +24,7 @@ TEST_CASE("several at once are as one after another") {
   CHECK(four[3] == smooth(1.0f));
 }
 
-TEST_CASE("a hill is 1 at its middle, ends without a corner, and its slope is its change") {
+TEST_CASE("a hill is 1 at its middle, ends smoothly, and slope_of_hill is its derivative") {
   CHECK(hill(0) == 1);
   CHECK(hill(0.5f) == 0.5625f);
   CHECK(hill(-0.5f) == 0.5625f);

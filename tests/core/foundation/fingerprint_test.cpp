@@ -18,13 +18,13 @@ std::uint64_t of(Words... words) {
 
 }  // namespace
 
-TEST_CASE("nothing is FNV's start; each word is xor, then times the prime") {
+TEST_CASE("the fingerprint of no data is FNV's offset; each word is xor, then times the prime") {
   CHECK(of() == 0xcbf29ce484222325u);
   CHECK(of(0u) == 0xcbf29ce484222325u * 0x100000001b3u);
   CHECK(of(1u, 2u) == ((0xcbf29ce484222325u ^ 1) * 0x100000001b3u ^ 2) * 0x100000001b3u);
 }
 
-TEST_CASE("a float counts by its bits, −0 as 0 and every NaN alike") {
+TEST_CASE("a float is hashed by its bits, with −0 as 0 and all NaN alike") {
   CHECK(of(1.0f) == of(0x3f800000u));
   CHECK(of(-0.0f) == of(0.0f));
   CHECK(of(-0.0f) == of(0u));

@@ -8,7 +8,7 @@
 
 using namespace panicle;
 
-TEST_CASE("of four at once e to the power of what is 0 at the most is within 2 ulp, and 1 of 0") {
+TEST_CASE("exponential of four lanes is within 2 ulp for x ≤ 0, and 1 at 0") {
   double worst = 0;
   for (float x = 0; x > -87; x -= 0.00137f) {
     const Four four = exponential(Four{x, 0, 0.5f * x, -87});

@@ -167,7 +167,7 @@ TEST_CASE("results never change: bits of a few values") {
   CHECK(bit_cast<std::uint32_t>(power(1.7f, -3.3f)) == 0x3e31c0eeu);
 }
 
-TEST_CASE("the cube root is the cube's, to a few ulp, and 0 for what has none") {
+TEST_CASE("cube_root inverts the cube to a few ulp, and is 0 below 0") {
   for (float x = 1e-6f; x < 1e6f; x *= 1.37f)
     CHECK(cube_root(x) == doctest::Approx(std::cbrt(double{x})).epsilon(1e-6));
   CHECK(cube_root(1) == 1);

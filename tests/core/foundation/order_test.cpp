@@ -12,7 +12,7 @@
 
 using namespace panicle;
 
-TEST_CASE("places come in the order of their keys, equal ones as they stood") {
+TEST_CASE("order_of sorts places by their keys and is stable") {
   const std::vector<float> keys{
       2, -1, 0.5f, -0.0f, 0.0f, -1, std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()};
   CHECK(order_of(keys) == std::vector<std::uint32_t>{7, 1, 5, 3, 4, 2, 0, 6});
@@ -22,7 +22,7 @@ TEST_CASE("places come in the order of their keys, equal ones as they stood") {
   CHECK(order_of(std::span<const float>()).empty());
 }
 
-TEST_CASE("the order is that of a stable sort, whatever the keys") {
+TEST_CASE("order_of equals a stable sort for random keys") {
   for (std::uint64_t round = 0; round < 50; ++round) {
     std::vector<float> keys(200);
     for (std::size_t i = 0; i < keys.size(); ++i) keys[i] = std::floor(random_unit(round, 1, i) * 40 - 20) / 4;

@@ -83,7 +83,7 @@ TEST_CASE("every input bit moves about half of the output bits") {
   }
 }
 
-TEST_CASE("random_integer reaches both ends and nothing beyond, evenly") {
+TEST_CASE("random_integer is uniform from end to end, both included") {
   std::vector<int> bins(13);
   for (std::uint64_t i = 0; i < 130000; ++i) {
     const std::int32_t value = random_integer(5, stream, i, -6, 6);
@@ -118,7 +118,7 @@ TEST_CASE("random_direction is of unit length and uniform on the sphere") {
   CHECK(std::fabs(mean[0]) + std::fabs(mean[1]) + std::fabs(mean[2]) < 0.02);
 }
 
-TEST_CASE("hash_text tells texts apart, hash_combine its order") {
+TEST_CASE("hash_text differs between texts, hash_combine depends on the order") {
   std::set<std::uint64_t> seen;
   for (int i = 0; i < 20000; ++i) seen.insert(hash_text(std::to_string(i)));
   seen.insert(hash_text(""));
@@ -129,7 +129,7 @@ TEST_CASE("hash_text tells texts apart, hash_combine its order") {
   CHECK(hash_combine(0, 0) != 0);
 }
 
-TEST_CASE("values never change: links of ten years ago depend on them") {
+TEST_CASE("random values are frozen: links depend on them") {
   CHECK(hash_text("") == 0xe220a8397b1dcdafu);
   CHECK(hash_text("berry radius") == 0x7d63a983bd8f5efcu);
   CHECK(hash_combine(1, 2) == 0x081a5c1377856b73u);

@@ -70,7 +70,7 @@ constexpr Shape cube{};
 
 }  // namespace
 
-TEST_CASE("frames are right-handed and unit, whatever they stand on") {
+TEST_CASE("frames are right-handed and of unit length on every face") {
   for (const std::uint32_t order : {3u, 4u, 21u})
     for (Face face = 0; face < order + 2; ++face) {
       const Frame frame = turned(on_face(turned({}, {10, -40, 200}), order, face), {5, 6, 7});
@@ -80,7 +80,7 @@ TEST_CASE("frames are right-handed and unit, whatever they stand on") {
     }
 }
 
-TEST_CASE("turns go about the axes as they then are") {
+TEST_CASE("turns are applied one after another about the turned axes") {
   const Frame over = turned({}, {90, 0, 0});
   check_near(over.z, {0, -1, 0});
   check_near(over.y, {0, 0, 1});
@@ -112,7 +112,7 @@ TEST_CASE("a planted prism stands at the origin; order 4 is a box, others have t
   CHECK(disc.at(round.base_corner(0, 0)).x < disc.at(round.base_corner(0, 1)).x);
 }
 
-TEST_CASE("on each face stands what has grown there, outwards, with the face for its base") {
+TEST_CASE("a volume on each face stands outwards, with the face for its base") {
   Map map;
   map.plant(4, 0);
   for (Face face = 0; face < 6; ++face) map.grow(0, face, 4, 0);
@@ -134,7 +134,7 @@ TEST_CASE("on each face stands what has grown there, outwards, with the face for
   }
 }
 
-TEST_CASE("where the parent turns its child goes, and its base stays on the parent's end") {
+TEST_CASE("a child turns with its parent, and its base stays on the parent's end") {
   Map map = stack_of(6, 3);
   const Placed placed(map, {{0, 0, 0, 2}, {90, 0, 0, 3}, {0, 0, 0, 1}});
   check_near(centre_of(map, placed, 0, end_face), {0, 0, 2});
@@ -143,7 +143,7 @@ TEST_CASE("where the parent turns its child goes, and its base stays on the pare
   for (std::uint32_t i = 0; i < 6; ++i) check_near(placed.at(map.base_corner(1, i)), placed.at(map.end_corner(0, i)));
 }
 
-TEST_CASE("what is attached has a base of its own, in the middle of the face") {
+TEST_CASE("an attached volume has a base of its own, in the middle of the face") {
   Map map;
   map.plant(18, 0);
   map.grow(0, end_face, 6, 0);
@@ -154,7 +154,7 @@ TEST_CASE("what is attached has a base of its own, in the middle of the face") {
   CHECK(glm::distance(placed.at(map.base_corner(1, 0)), {0, 0, 2}) == doctest::Approx(0.5));
 }
 
-TEST_CASE("what is glued meets in the mean of what both propose") {
+TEST_CASE("glued vertices are at the mean of both proposals") {
   Map map = corner_of_cubes();
   const Placed apart(map, {cube, cube, cube});
   const Adjacency hinge = map.adjacent(1, side(2), 0, side(4));
@@ -169,7 +169,7 @@ TEST_CASE("what is glued meets in the mean of what both propose") {
   CHECK(together.embedding.vertices() == apart.embedding.vertices() - 2);
 }
 
-TEST_CASE("a vertex of a cut that nobody proposes lies midway on its edge, and what stands there on it") {
+TEST_CASE("a vertex of a cut without proposals lies midway on its edge, and children stand on it") {
   Map map = stack_of(4, 2);
   const SplitResult parted = map.split(1, side(2), 0, 0);
   // The part has half the length, at half the distance: together the shape before the split.
@@ -184,7 +184,7 @@ TEST_CASE("a vertex of a cut that nobody proposes lies midway on its edge, and w
   CHECK(volume_of(map, placed, parted.part) == doctest::Approx(0.5));
 }
 
-TEST_CASE("split along its end and base, two volumes fill what one did") {
+TEST_CASE("split along its end and base, the parts fill the volume") {
   for (const Face face : {end_face, base_face}) {
     Map map = stack_of(5, 3);
     map.split(1, face, 0, 0);
@@ -213,7 +213,7 @@ TEST_CASE("placing again with the same shapes gives the same bytes, with others 
   CHECK(std::memcmp(before.data(), placed.embedding.positions().data(), before.size() * sizeof(glm::vec3)) == 0);
 }
 
-TEST_CASE("whatever has been grown, glued and split has a place for every vertex") {
+TEST_CASE("every vertex of random maps has a finite position") {
   // In the first 400 maps one vertex is in no volume's end and was made by no cut.
   for (std::uint64_t seed = 240; seed < 300; ++seed) {
     CAPTURE(seed);

@@ -6,7 +6,7 @@
 
 using namespace panicle::generalized_map;
 
-TEST_CASE("a prism has 12 n darts, 2 n vertices, 3 n edges and n + 2 faces, whatever its order") {
+TEST_CASE("a prism of any order n has 12 n darts, 2 n vertices, 3 n edges and n + 2 faces") {
   for (const std::uint32_t n : {3u, 4u, 5u, 21u, 1000u, 4096u}) {
     CAPTURE(n);
     Map map;
@@ -30,7 +30,7 @@ TEST_CASE("a prism has 12 n darts, 2 n vertices, 3 n edges and n + 2 faces, what
   }
 }
 
-TEST_CASE("what grows where orders agree is sewn: two faces become one, and what they bound") {
+TEST_CASE("a volume that grows on a face of its order is sewn: the two faces become one") {
   Map map;
   map.plant(6, 0);
   const GrowResult up = map.grow(0, end_face, 6, 1);
@@ -51,7 +51,7 @@ TEST_CASE("what grows where orders agree is sewn: two faces become one, and what
   CHECK(map.alpha(3, map.base_corner(2, 0)) == map.dart_of(1, side(3)));
 }
 
-TEST_CASE("what grows on a base turns its first side to the base's first, and the map stays orientable") {
+TEST_CASE("a volume on a base has its first side at the base's first edge, and the map is orientable") {
   Map map;
   map.plant(5, 0);
   CHECK_FALSE(map.grow(0, base_face, 5, 0).attached);
@@ -61,7 +61,7 @@ TEST_CASE("what grows on a base turns its first side to the base's first, and th
   CHECK(map.alpha(3, corner) == map.alpha(0, map.base_corner(0, 0)));
 }
 
-TEST_CASE("where orders differ the volume stands on the face, sewn to nothing, and the face is taken") {
+TEST_CASE("where orders differ the volume is attached to the face, not sewn, and the face is occupied") {
   Map map;
   map.plant(18, 0);
   const GrowResult carpel = map.grow(0, end_face, 6, 1);
@@ -79,7 +79,7 @@ TEST_CASE("where orders differ the volume stands on the face, sewn to nothing, a
   CHECK(map.volumes() == 3);
 }
 
-TEST_CASE("operations refuse what they cannot do, and leave the map as it was") {
+TEST_CASE("operations that are refused leave the map unchanged") {
   Map map = stack_of(4, 2);
   const std::uint32_t darts = map.darts();
   CHECK(map.plant(2, 0).refusal == Refusal::order);
@@ -100,7 +100,7 @@ TEST_CASE("operations refuse what they cannot do, and leave the map as it was") 
     CHECK(std::string_view(words(static_cast<Refusal>(i))).size() > 20);
 }
 
-TEST_CASE("a map has no more darts than it may") {
+TEST_CASE("a map refuses to have more darts than its limit") {
   Map map(200);
   CHECK(map.plant(4, 0).refusal == Refusal::nothing);
   for (std::uint32_t v = 0; v < 3; ++v) CHECK(map.grow(v, end_face, 4, 0).refusal == Refusal::nothing);
@@ -139,7 +139,7 @@ TEST_CASE("faces of different order are adjacent, and are not glued") {
   CHECK(is_whole(map));
 }
 
-TEST_CASE("neighbours are told by their labels and faces") {
+TEST_CASE("neighbours are listed with their labels and faces") {
   Map map = corner_of_cubes(1);
   map.relabel(2, 9);
   map.glue(1, side(2), 2, side(4));
@@ -151,7 +151,7 @@ TEST_CASE("neighbours are told by their labels and faces") {
   CHECK(neighbours(walk, map, 1, 4).empty());
 }
 
-TEST_CASE("an orbit holds what its involutions reach, and questions do not mix") {
+TEST_CASE("an orbit has the darts that its involutions reach, independent of earlier queries") {
   Map map = stack_of(4, 2);
   OrbitWalk walk(map);
   const std::uint32_t dart = map.end_corner(0, 2);
@@ -166,7 +166,7 @@ TEST_CASE("an orbit holds what its involutions reach, and questions do not mix")
   CHECK(walk.of(dart, all_involutions).front() == dart);
 }
 
-TEST_CASE("what is cleared begins anew") {
+TEST_CASE("a cleared map equals a new one") {
   Map map = corner_of_cubes();
   map.split(0, end_face, 0, 0);
   map.clear();

@@ -19,7 +19,7 @@ std::uint32_t beyond(const Map& map, std::uint32_t v, Face face) {
 
 }  // namespace
 
-TEST_CASE("split along its end, a prism is two: the rest below, the part above") {
+TEST_CASE("split along its end, a prism becomes the rest below and the part above") {
   for (const std::uint32_t n : {3u, 4u, 7u}) {
     CAPTURE(n);
     Map map = stack_of(n, 3, 1);
@@ -63,7 +63,7 @@ TEST_CASE("split along its base, the part stands on the support and the rest on 
   CHECK(is_whole(map));
 }
 
-TEST_CASE("split along a side, the part is a cube that stands on the cut and the rest what it was") {
+TEST_CASE("split along a side, the part is a cube that stands on the cut, and the rest is the prism") {
   Map map;
   map.plant(6, 1);
   map.grow(0, side(2), 4, 4);
@@ -105,7 +105,7 @@ TEST_CASE("a neighbour gets vertices on the edges that are cut and an edge acros
   CHECK(map.volume(1).parent == 0);
 }
 
-TEST_CASE("neighbours split in one step are cut along one surface, others each for themselves") {
+TEST_CASE("neighbours split in one step share the cut, others have separate ones") {
   for (const bool together : {true, false}) {
     CAPTURE(together);
     Map map;
@@ -142,7 +142,7 @@ TEST_CASE("a volume that is split from both sides in one step is cut twice") {
   CHECK(map.cuts().size() == 8);
 }
 
-TEST_CASE("a face that a neighbour has divided, and one with a vertex more, are split along what they are") {
+TEST_CASE("faces that a neighbour's split has changed are split as they are") {
   Map map;
   map.plant(4, 0);
   map.grow(0, side(3), 4, 0);
@@ -177,7 +177,7 @@ TEST_CASE("a corner that no edge leaves is refused") {
   CHECK(uneven == 2);
 }
 
-TEST_CASE("what stands unsewn on the face that is cut off goes with it") {
+TEST_CASE("a volume attached to the face that is cut off goes with it") {
   Map map;
   map.plant(8, 0);
   map.grow(0, end_face, 3, 0);

@@ -9,7 +9,7 @@ namespace {
 
 const std::vector<LightDirection> above{{{0, 1, 0}, 1}};
 
-TEST_CASE("cells of a box that is not finite, or has very many of them along an axis, are one along that axis") {
+TEST_CASE("a box that is not finite, or too long, has one cell along that axis") {
   constexpr float infinity = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
   constexpr float large = std::numeric_limits<float>::max();
   for (const float far : {infinity, nan, large, -infinity})
@@ -25,7 +25,7 @@ TEST_CASE("cells of a box that is not finite, or has very many of them along an 
     }
 }
 
-TEST_CASE("matter beside the cells is in the nearest one") {
+TEST_CASE("matter outside the box is added to the nearest cell") {
   const auto dark = [](const glm::vec3& place) {
     DensityGrid cells({0, 0, 0}, {3, 3, 3}, 1);
     cells.put(place, 5);

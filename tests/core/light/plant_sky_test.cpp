@@ -42,7 +42,7 @@ MeshPart whole(const Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("a stem hides as much as it shows, taken over all sides, in pieces along it") {
+TEST_CASE("the bodies of a stem hide the mean of its silhouettes") {
   const Segment thin{4, 0, {0, 0, 0}, {0, 10, 0}, 0.2f, 0.2f}, thick{-1, 0, {0, 0, 0}, {0, 1, 0}, 1, 0.5f};
   std::vector<SkyBody> specks;
   add_specks(thin, 3, specks);
@@ -58,7 +58,7 @@ TEST_CASE("a stem hides as much as it shows, taken over all sides, in pieces alo
   CHECK(specks[0].square == doctest::Approx(0.5 * 0.75));
 }
 
-TEST_CASE("a sheet is discs that face as it does; what goes round is balls of a quarter of its surface") {
+TEST_CASE("a sheet becomes discs that face as it does; a round part becomes balls of a quarter of its surface") {
   std::vector<SkyBody> specks;
   const Mesh leaf = sheet(12, 0);
   add_specks(leaf, whole(leaf), 7, specks);
@@ -78,7 +78,7 @@ TEST_CASE("a sheet is discs that face as it does; what goes round is balls of a 
   for (const SkyBody& speck : specks) CHECK(glm::length(speck.facing) == doctest::Approx(1));
 }
 
-TEST_CASE("a leaf above takes sky from what lies below it, and tells the better of its own two sides") {
+TEST_CASE("a leaf hides sky from parts below it, and has the sky of the better of its two sides") {
   const Mesh upper = sheet(12, 0.5f), lower = sheet(12, 0);
   std::vector<SkyBody> specks;
   add_specks(upper, whole(upper), 0, specks);
@@ -97,7 +97,7 @@ TEST_CASE("a leaf above takes sky from what lies below it, and tells the better 
   CHECK(top[middle] > 200);
 }
 
-TEST_CASE("a stem's own neighbours along it hide nothing; a ball beside it does, on that side") {
+TEST_CASE("adjacent segments of a stem hide nothing from each other; a ball beside it does, on that side") {
   const std::vector<Segment> segments{{-1, 0, {0, 0, 0}, {0, 1, 0}, 0.1f, 0.1f},
                                       {0, 0, {0, 1, 0}, {0, 2, 0}, 0.1f, 0.1f}};
   const StemMesh stems = sweep_stems({segments}, {}, 1);

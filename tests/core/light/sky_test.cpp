@@ -75,9 +75,9 @@ std::vector<SkyBody> soup(std::uint64_t seed, std::size_t count, float room = 0.
 
 }  // namespace
 
-TEST_CASE("nothing around hides nothing") { CHECK(seen({}, {1, 2, 3}, up) == 255); }
+TEST_CASE("without bodies all of the sky is visible") { CHECK(seen({}, {1, 2, 3}, up) == 255); }
 
-TEST_CASE("a ball above the horizon hides sin²α · cos γ, whatever stands behind") {
+TEST_CASE("a ball above the horizon hides sin²α · cos γ, independent of bodies behind") {
   for (int k = 0; k < 60; ++k) {
     CAPTURE(k);
     const float lift = 0.05f + 0.015f * static_cast<float>(k), away = 1.3f + 0.05f * static_cast<float>(k % 20);
@@ -109,7 +109,7 @@ TEST_CASE("a ball sets smoothly") {
   }
 }
 
-TEST_CASE("many balls leave what rays find that they leave") {
+TEST_CASE("the sky between many balls agrees with ray casting") {
   for (const std::size_t count : {std::size_t{2}, std::size_t{5}, std::size_t{8}}) {
     double error = 0, bias = 0;
     constexpr int times = 120;
@@ -127,7 +127,7 @@ TEST_CASE("many balls leave what rays find that they leave") {
   }
 }
 
-TEST_CASE("one ball more hides more or as much") {
+TEST_CASE("an additional ball never increases the sky") {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     CAPTURE(seed);
     const std::vector<SkyBody> balls = soup(seed, Sky::nearest);
@@ -144,7 +144,7 @@ TEST_CASE("one ball more hides more or as much") {
   }
 }
 
-TEST_CASE("turning everything changes nothing") {
+TEST_CASE("the sky is invariant under rotation") {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     CAPTURE(seed);
     const glm::vec3 x = direction(seed, 1), y = glm::normalize(glm::cross(x, direction(seed, 2))), z = glm::cross(x, y);
@@ -165,7 +165,7 @@ TEST_CASE("turning everything changes nothing") {
   }
 }
 
-TEST_CASE("a point in a frame sees what the same point sees outside of it") {
+TEST_CASE("a point in a frame sees the same sky as outside of it") {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     CAPTURE(seed);
     const glm::vec3 x = direction(seed, 1), y = glm::normalize(glm::cross(x, direction(seed, 2))), z = glm::cross(x, y);
@@ -185,7 +185,7 @@ TEST_CASE("a point in a frame sees what the same point sees outside of it") {
   }
 }
 
-TEST_CASE("nobody's sky is hidden by itself, by its bearer, by what it bears or by what its bearer bears besides") {
+TEST_CASE("a body hides no sky from itself, its parent, its children and its siblings") {
   SkyBody speck{{0, 1, 0}, 0.5f, glm::vec3(0), 5, 3};
   const auto hides_from = [&](std::int32_t owner, std::int32_t parent) {
     Sky sky({}, std::span(&speck, 1));
@@ -205,7 +205,7 @@ TEST_CASE("nobody's sky is hidden by itself, by its bearer, by what it bears or 
   CHECK(seen(sky, glm::vec3(0), up, {glm::vec3(0), 0.1f, 3, -1}) < 200);
 }
 
-TEST_CASE("a disc hides what it shows of itself; a ball the same from everywhere") {
+TEST_CASE("a disc hides its projected area; a ball the same in all directions") {
   const float away = 2, square = 0.25f;
   const auto hidden = [&](const glm::vec3& facing) {
     const SkyBody disc{{0, away, 0}, square, facing};
@@ -219,7 +219,7 @@ TEST_CASE("a disc hides what it shows of itself; a ball the same from everywhere
   CHECK(std::abs(hidden(glm::normalize(glm::vec3(1, 1, 0))) - 255 * (1 - std::exp(-sum * std::sqrt(0.5)))) <= 1);
 }
 
-TEST_CASE("what is not finite, or of no size, is not there") {
+TEST_CASE("bodies that are not finite or have no size are ignored") {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
   const SkyBody odd[] = {ball({nan, 1, 0}, 1),      ball({0, infinity, 0}, 1), ball({0, 2, 0}, nan),
                          ball({0, 2, 0}, infinity), ball({0, 2, 0}, 0),        {{0, 2, 0}, -1}};
@@ -228,7 +228,7 @@ TEST_CASE("what is not finite, or of no size, is not there") {
   CHECK(seen(std::span(&one, 1), {nan, nan, nan}, up) >= 0);  // any byte, and no trap
 }
 
-TEST_CASE("any number of points at once, each as it would be alone") {
+TEST_CASE("sample gives the same for many points as for each alone") {
   const std::vector<SkyBody> balls = soup(3, 12);
   Sky sky(balls, {});
   for (std::size_t count = 0; count <= 9; ++count) {
@@ -248,7 +248,7 @@ TEST_CASE("any number of points at once, each as it would be alone") {
   }
 }
 
-TEST_CASE("what lies behind a point takes nothing from its sky, and adds nothing") {
+TEST_CASE("bodies behind a point do not change its sky") {
   std::vector<SkyBody> behind;
   for (int k = 0; k < 40; ++k)
     behind.push_back(ball(glm::vec3(0.05f * static_cast<float>(k % 5), -1 - 0.1f * static_cast<float>(k), 0), 0.3f, k));

@@ -19,7 +19,7 @@ std::vector<Occluder> crowd(float scale) {
 
 }  // namespace
 
-TEST_CASE("matter is laid into the cells that its places are in") {
+TEST_CASE("put adds matter to the cell of its place") {
   // Three cells in a row, an area of 0.5 in the last one, of which half a length of 2 is in the way of a cell's middle.
   DensityGrid cells({0, 0, 0}, {5, 0, 0}, 2);
   cells.put({4.5f, 0.1f, 0.1f}, 0.5f);
@@ -35,7 +35,7 @@ TEST_CASE("matter is laid into the cells that its places are in") {
   CHECK(beside.light(all_round(12)).at({5, 1, 1}) == cells.light(all_round(12)).at({5, 1, 1}));
 }
 
-TEST_CASE("a plant is open about its edge and dark within, however large it is") {
+TEST_CASE("a plant is light at its edge and dark within, at any size") {
   const SkyVisibility alone({}, {});
   CHECK(alone.at({1, 2, 3}) == 255);
   const SkyVisibility small({}, crowd(1)), large({}, crowd(64));
@@ -46,7 +46,7 @@ TEST_CASE("a plant is open about its edge and dark within, however large it is")
   CHECK(large.at({32, 76.8f, 32}) == above);
 }
 
-TEST_CASE("many places at once are as open as each of them alone, outside the lattice too") {
+TEST_CASE("of() gives the same for many places as at() for each, outside the lattice too") {
   const SkyVisibility open({}, crowd(1));
   std::vector<glm::vec3> places;
   for (std::uint64_t i = 0; i < 403; ++i) places.push_back(2.0f * random_direction(5, 1, i) * random_unit(5, 2, i));
@@ -56,7 +56,7 @@ TEST_CASE("many places at once are as open as each of them alone, outside the la
   for (std::size_t i = 0; i < places.size(); ++i) CHECK(bytes[i] == open.at(places[i]));
 }
 
-TEST_CASE("a rod hides as much as a screen of a quarter of its surface") {
+TEST_CASE("a rod hides as much as an occluder of a quarter of its surface") {
   Segment rod;
   rod.end = {0, 2, 0};
   rod.radius = 0.2f;

@@ -31,7 +31,7 @@ TEST_CASE("from above, light falls by the law of Beer and Lambert") {
     CHECK(light.at({5, y, 5}) == doctest::Approx(std::exp(-0.4f * (6 - y))).epsilon(1e-3));
 }
 
-TEST_CASE("aslant, it goes the longer way through the same layer, towards each side") {
+TEST_CASE("slanting light takes the longer way through a layer, in each direction") {
   for (const glm::vec3& way : {glm::vec3(0.6f, 0.8f, 0), glm::vec3(-0.36f, 0.8f, 0.48f), glm::vec3(0, 0.8f, -0.6f)}) {
     const VoxelLight light = filled(0.5f, {{way, 1}}, 3, 4);
     // Below the layer of 1 m, away from the box's sides.
@@ -43,7 +43,7 @@ TEST_CASE("aslant, it goes the longer way through the same layer, towards each s
   CHECK(level.at({5.125f, 3, 5}) == doctest::Approx(std::exp(-0.1f * 4.875f)).epsilon(2e-3));
 }
 
-TEST_CASE("between the middles of cells light is in between, and beyond the box as at its edge") {
+TEST_CASE("light is interpolated between cells, and beyond the box is that of its edge") {
   const VoxelLight light = filled(1, {{{0, 1, 0}, 1}});
   const float above = light.at({5, 3.125f, 5}), below = light.at({5, 2.875f, 5});
   CHECK(light.at({5, 3, 5}) == doctest::Approx(0.5f * (above + below)).epsilon(1e-4));
@@ -51,7 +51,7 @@ TEST_CASE("between the middles of cells light is in between, and beyond the box 
   CHECK(light.at({-9, 3, 5}) == light.at({0, 3, 5}));
 }
 
-TEST_CASE("a block casts its shadow where it stands between, and nowhere else") {
+TEST_CASE("a block casts its shadow away from the light, and nowhere else") {
   std::vector<float> matter(std::size_t{across} * up * across, 0);
   const auto at = [](std::uint32_t x, std::uint32_t y, std::uint32_t z) {
     return (std::size_t{z} * up + y) * across + x;
@@ -68,7 +68,7 @@ TEST_CASE("a block casts its shadow where it stands between, and nowhere else") 
   CHECK(light.at(block - 2.5f * way + glm::vec3(0, 0, 3)) > 0.99f);
 }
 
-TEST_CASE("what comes of all lamps where nothing is in the way is all of it") {
+TEST_CASE("without matter all light arrives") {
   for (const auto& lamps : {overcast(24), all_round(32)}) {
     float shares = 0;
     glm::vec3 mean(0);
@@ -93,7 +93,7 @@ TEST_CASE("what comes of all lamps where nothing is in the way is all of it") {
   CHECK(std::fabs(all) < 0.01f);
 }
 
-TEST_CASE("under an overcast sky a deep layer is as the integral over the sky says") {
+TEST_CASE("light below a deep layer under an overcast sky equals the integral over the sky") {
   // ∫ e^(−τ/cos θ) 2 cos θ d(cos θ) = 2 E₃(τ); for τ = 0.5: 0.4432.
   const VoxelLight light = filled(0.5f, overcast(96), 4, 5);
   CHECK(light.at({5, 3.5f, 5}) == doctest::Approx(0.4432f).epsilon(0.03));

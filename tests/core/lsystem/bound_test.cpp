@@ -34,7 +34,7 @@ std::string trouble_when_bound(std::string_view text, const Inputs& inputs, bool
 
 }  // namespace
 
-TEST_CASE("one program serves all inputs, and does not need its text any more") {
+TEST_CASE("one program serves all inputs, without its text") {
   const auto program = program_from(
       "#input m\n#input n[]\n#define k 2*m\n#define deep k>4 && n[k]>1\n"
       "axiom: A(m, k+1) V(deep)\nA(i,x) : i>0 && x>k-4 --> V(n[i]*k, x/k, min(k,m), n[m]) A(i-1, x-1)");
@@ -45,7 +45,7 @@ TEST_CASE("one program serves all inputs, and does not need its text any more") 
         "V(6,1.1666666,3,1)V(6,1,3,1)V(6,0.8333333,3,1)A(0,4)V(1)");
 }
 
-TEST_CASE("what was bound once stays as it was") {
+TEST_CASE("binding again does not change a bound program") {
   const auto program = program_from("#input m\naxiom: A(m)\nA(x) : x<m+3 --> V(x*m) A(x+m)");
   const auto two = sound(lsystem::bind(program, {{{"m", 2}}, {}}, Limits{}));
   const auto one = sound(lsystem::bind(program, {{{"m", 1}}, {}}, Limits{}));
@@ -60,7 +60,7 @@ TEST_CASE("a bound grammar keeps its program alive") {
   CHECK(text_of(*bound, derived(*bound, 0)) == "V(3)");
 }
 
-TEST_CASE("an index that inputs put beyond a list's end is an error only where it is come to") {
+TEST_CASE("an index beyond an array's end is an error only when evaluated") {
   const char* text =
       "#input m\n#input n[]\naxiom: A(m)\n"
       "A(i) : i>3 --> S(n[m]-9) B(n[m]+1)\nA(i) : i=2 && n[m]>0 --> F(n[m])\nA(i) : i=1 || n[9]>0 --> V(n[1])";
@@ -73,7 +73,7 @@ TEST_CASE("an index that inputs put beyond a list's end is an error only where i
   CHECK(trouble_when_bound(text, {{{"m", 0}}, {{"n", {20}}}}) == "6:15 There is no n[9]; n goes from 1 to 1.");
 }
 
-TEST_CASE("numbers that inputs keep from the turtle are refused when they are bound, wherever they stand") {
+TEST_CASE("turtle arguments that inputs make not finite are errors of bind, at every place") {
   const char* text = "#input m\naxiom: F\nA(i) --> S(m-2)\nB(i) : i>m --> F(i) F(1/m)";
   bool when_binding = false;
   CHECK(trouble_when_bound(text, {{{"m", 1}}, {}}, &when_binding) ==

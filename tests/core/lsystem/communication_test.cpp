@@ -27,7 +27,7 @@ Recorder answered(std::string_view text, std::vector<std::vector<float>> answers
 
 }  // namespace
 
-TEST_CASE("communication modules ask with their parameters, in the order of the string") {
+TEST_CASE("communication modules query with their parameters, in the order of the string") {
   const Recorder recorder = answered(second_grape, {});
   REQUIRE(recorder.queried.size() == 4);
   CHECK(recorder.queried[0] == std::vector<float>{0, 0, 120});
@@ -48,7 +48,7 @@ TEST_CASE("the production that matches the answer is drawn in place") {
   CHECK(recorder.cuts == 1);
 }
 
-TEST_CASE("an answer may cut the branch it stands in, and no more") {
+TEST_CASE("a response may cut its branch, and no more") {
   const Recorder all = answered(second_grape, {{0, 0, 0}});
   CHECK(all.lines.empty());
   CHECK(all.queried.size() == 1);
@@ -70,7 +70,7 @@ TEST_CASE("derivation leaves communication modules alone") {
   CHECK(after("axiom: ?E(1) A\nA --> ?E(2)\n?E(x) --> F", 5) == "?E(1)?E(2)");
 }
 
-TEST_CASE("what an answer draws has the lineage of its communication module") {
+TEST_CASE("modules drawn as a response have the lineage of the communication module") {
   const Recorder recorder = answered(second_grape, {});
   REQUIRE(recorder.lines.size() == 4);
   for (std::size_t i = 0; i < 4; ++i) {
@@ -81,7 +81,7 @@ TEST_CASE("what an answer draws has the lineage of its communication module") {
   CHECK(recorder.lines[0].grandparent.empty());
 }
 
-TEST_CASE("an answer that is no number is an error where the turtle would have used it") {
+TEST_CASE("a response that is not finite is an error where the turtle would use it") {
   const BoundPointer bound = compiled(second_grape);
   const Derived string = derived(*bound, 4096);
   Recorder recorder;
@@ -93,7 +93,7 @@ TEST_CASE("an answer that is no number is an error where the turtle would have u
   CHECK(result.error().column == 52);
 }
 
-TEST_CASE("random values in an answer belong to its communication module") {
+TEST_CASE("random values in a response belong to the communication module") {
   const char* text = "axiom: ?E(1) ?E(1)\n?E(x) --> F(ran(1))";
   const Recorder first = answered(text, {}), again = answered(text, {});
   REQUIRE(first.lines.size() == 2);

@@ -65,7 +65,7 @@ bool crosses_itself(const std::vector<vec3>& outline) {
 
 }  // namespace
 
-TEST_CASE("the leaf of table 2 has the outlines that their names say") {
+TEST_CASE("the leaf of table 2 has the outlines of the botanical names") {
   struct Outline {
     const char* name;
     double slender, widest,
@@ -107,7 +107,7 @@ TEST_CASE("the leaf of table 2 has the outlines that their names say") {
   }
 }
 
-TEST_CASE("a bent leaf stays as long as its veins, and its sides come down alike") {
+TEST_CASE("a bent leaf is as long as its veins, and both sides bend alike") {
   const Blades leaf = drawing("leaf", 25, Inputs{{{"beta", 2}, {"stalk", 0}}, {}});
   float lowest[2] = {};
   for (const vec3& corner : leaf.polygons.front()) {

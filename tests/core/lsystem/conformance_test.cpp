@@ -150,7 +150,7 @@ const std::vector<Count> counts = {
 
 }  // namespace
 
-TEST_CASE("published grammars: symbols are as many as theory says, step by step") {
+TEST_CASE("published grammars: counts of symbols match the theory, step by step") {
   for (const Count& count : counts) {
     INFO(count.text, " ", count.symbol);
     const std::string text = published(count.text);
@@ -235,7 +235,7 @@ TEST_CASE("published grammars: a filament grows as the square root of time") {
   }
 }
 
-TEST_CASE("published grammars: chance chooses as often as the book says, within what is possible") {
+TEST_CASE("published grammars: random choices have the published frequencies") {
   const BoundPointer bound = compiled_published(published("stochastic-plant"));
   std::map<std::string, int> first;
   for (std::uint64_t seed = 0; seed < 900; ++seed) ++first[text_of(*bound, derived(*bound, 1, seed))];
@@ -316,7 +316,7 @@ TEST_CASE("L-system 1.1: heterocysts stand at a distance from each other") {
   for (std::size_t i = 1; i + 1 < between.size(); ++i) CHECK(between[i] >= 8);
 }
 
-TEST_CASE("synthetic topiary: what leaves the box dies, and buds below it wake") {
+TEST_CASE("synthetic topiary: branches that leave the box die, and buds below wake") {
   struct Box {
     const char* text;
     float side, low, high;

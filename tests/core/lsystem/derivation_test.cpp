@@ -29,7 +29,7 @@ TEST_CASE("algae grow by Fibonacci's numbers") {
   CHECK(after("axiom: A\nA --> A B\nB --> A", 4) == "A B A A B A B A");
 }
 
-TEST_CASE("anabaena keeps its polarity") {
+TEST_CASE("anabaena: cells have the published polarities") {
   const char* text = "axiom: Ar\nAr --> Al Br\nAl --> Bl Ar\nBr --> Ar\nBl --> Al";
   CHECK(after(text, 2) == "Bl Ar Ar");
   CHECK(after(text, 4) == "Bl Ar Bl Ar Ar Bl Ar Ar");
@@ -101,7 +101,7 @@ TEST_CASE("the cut removes the rest of its branch in the step after it was writt
   CHECK(result.modules_written == 5);
 }
 
-TEST_CASE("what is cut is not rewritten any more") {
+TEST_CASE("modules that are cut are not rewritten any more") {
   CHECK(after("axiom: [%A] A\nA --> A A", 2) == "[]A A A A");
   CHECK(trouble("axiom: [% A(0)]\nA(x) --> F(1/x)") == "none");
 }
@@ -123,7 +123,7 @@ TEST_CASE("definitions and predecessors are listed in the order of the text") {
   CHECK(lsystem::constant(*bound, "x", 9) == 9);
 }
 
-TEST_CASE("long strings are what short ones are, with lineages and without") {
+TEST_CASE("strings are the same with and without lineages") {
   const char* text = "axiom: A(1)\nA(s) --> F(s)[+A(s/2)][-A(s/2)]";
   const BoundPointer plain = compiled(text);
   const BoundPointer with_lineages = compiled(text, {}, lsystem::Lineages::always);

@@ -167,7 +167,7 @@ std::string with_axiom(const std::string& text, const std::string& axiom) {
 
 }  // namespace
 
-TEST_CASE("of every published grammar what is told of two steps, of the last string and of the text agrees") {
+TEST_CASE("traces of two steps, the last string and the text agree for every published grammar") {
   const std::vector<std::string> names = published_names();
   REQUIRE(names.size() >= 75);
   for (const std::string& name : names) {
@@ -177,7 +177,7 @@ TEST_CASE("of every published grammar what is told of two steps, of the last str
 }
 
 // A module without neighbours, as an axiom: one step rewrites it as traced.
-TEST_CASE("a production that is told, applied anew, writes the children that are told") {
+TEST_CASE("a traced production, applied again, writes the traced children") {
   std::size_t applied = 0;
   for (const std::string& name : published_names()) {
     CAPTURE(name);
@@ -208,7 +208,7 @@ TEST_CASE("a production that is told, applied anew, writes the children that are
   CHECK(applied > 100);
 }
 
-TEST_CASE("texts by chance are told without contradiction, or end in a diagnostic") {
+TEST_CASE("traces of random texts are consistent, or end in a diagnostic") {
   const char* const pieces[] = {"A",         "A(x)",      "B", "F",         "[ A ]",     "[ B F ]",
                                 "A(x+1)",    "A(x/2) B",  "%", "?P(0,0,0)", "?E(1,x)",   "?E(x,2)",
                                 "B(ran(9))", "[ F % A ]", "",  "F(x)",      "+(x) A(x)", "B [ A(x) ] A"};

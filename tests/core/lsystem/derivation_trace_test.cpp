@@ -43,7 +43,7 @@ std::string joined(const DerivationTrace& trace, std::string TraceEntry::* what,
 
 }  // namespace
 
-TEST_CASE("a chronicle tells parents, children and descendants by hand") {
+TEST_CASE("a trace has parents, children and descendants, checked by hand") {
   // A → A B, B → A: F of ABOP 1.2's filament, with a copied F between.
   const BoundPointer bound = compiled("axiom: A F B\nA --> A B\n  B --> A\n");
   const DerivationTrace axiom = traced(*bound, 3, {.step = 0});
@@ -93,7 +93,7 @@ TEST_CASE("a production's values are its formals', its contexts' and its blocks'
   CHECK(joined(traced(*bound, 1, {.step = 1}), &TraceEntry::text) == "L(1) A(3) R(3) ");
 }
 
-TEST_CASE("of what is drawn by weight the weights and the draw are told") {
+TEST_CASE("a trace has the weights and the draw of a weighted choice") {
   const BoundPointer bound =
       compiled("axiom: A A A A A A A A A A A A A A A A F\nA --> B : 1\nA --> C : 2.5\nA --> D : 0.5");
   const DerivationTrace trace = traced(*bound, 1, {});
@@ -128,7 +128,7 @@ TEST_CASE("a cut leaves nothing of the rest of its branch") {
   CHECK(trailed.trail() == std::vector<std::uint32_t>{8, 9, 3});
 }
 
-TEST_CASE("what is decomposed is written by the production that decomposed it") {
+TEST_CASE("the production of a decomposed module is the one that decomposed it") {
   const BoundPointer bound = compiled(
       "axiom: A(2)\nA(n) : n>0 --> M(n) A(n-1) G\ndecomposition\nmaximum depth: 3\nM(n) --> N(n) F\nN(n) : n>1 --> H "
       "H\n");
@@ -145,7 +145,7 @@ TEST_CASE("what is decomposed is written by the production that decomposed it") 
   CHECK(lines(traced(*axiom, 1, {}), &TraceEntry::production) == "0:0 4:1 4:1 ");
 }
 
-TEST_CASE("the turtle's questions are told what was written, the environment's what was asked and answered") {
+TEST_CASE("a trace has the values written by turtle queries, and query and response of the environment") {
   const BoundPointer located = compiled("axiom: F(2) ?P(0,0,0) A\nA --> F(1) ?H(0,0,0)\n");
   CHECK(joined(traced(*located, 1, {}), &TraceEntry::response, "|") == "|written 0 -2 0||");
   CHECK(joined(traced(*located, 1, {.step = 1, .first = 3}), &TraceEntry::response, "|") == "written 0 -1 0|");
@@ -166,7 +166,7 @@ TEST_CASE("the turtle's questions are told what was written, the environment's w
   CHECK(joined(last, &TraceEntry::text) == "F F ?E(2,34) ");
 }
 
-TEST_CASE("what an L-system of its own does is told by its places in the text") {
+TEST_CASE("productions of sub-L-systems are traced with their places in the text") {
   const BoundPointer bound = compiled(
       "Lsystem: main\naxiom: A(1) [ ?leaf(2) A(5) ]\nA(n) --> A(n+1)\nendlsystem\n"
       "Lsystem: leaf\nA(n) --> F A(n*2)\nendlsystem\n");
@@ -177,7 +177,7 @@ TEST_CASE("what an L-system of its own does is told by its places in the text") 
   CHECK(joined(traced(*bound, 1, {.step = 1}), &TraceEntry::text) == "A(2) [ ?leaf(2) F A(10) ] ");
 }
 
-TEST_CASE("random conditions let modules wait, and each step tells who fired") {
+TEST_CASE("modules with random conditions may wait, and each step traces those rewritten") {
   const BoundPointer bound = compiled("derivation length: 6\naxiom: A A A A A A\nA : ran(1)<0.4 --> B\n");
   std::string before = "A A A A A A ";
   for (std::uint32_t step = 0; step < 6; ++step) {
@@ -193,14 +193,14 @@ TEST_CASE("random conditions let modules wait, and each step tells who fired") {
   CHECK(before.find('B') != std::string::npos);
 }
 
-TEST_CASE("steps at the end in which nothing happens are not told") {
+TEST_CASE("final steps without changes are not traced") {
   // B looks for a C for as long as steps are taken.
   const BoundPointer bound = compiled("axiom: A\nA --> B\nB > C --> F");
   CHECK(traced(*bound, {}, {}).counts() == std::vector<std::uint32_t>{1, 1});
   CHECK(traced(*bound, 9, {.step = 9}).step() == 1);
 }
 
-TEST_CASE("a derivation that a limit ends is told up to the last whole step") {
+TEST_CASE("a derivation that a limit ends is traced up to the last whole step") {
   const BoundPointer bound = compiled("axiom: A\nA --> A A\n");
   Limits limits;
   limits.words = 100;
@@ -216,7 +216,7 @@ TEST_CASE("a derivation that a limit ends is told up to the last whole step") {
   CHECK(trace->trail() == std::vector<std::uint32_t>{0, 0, 0, 0, 1, 3, 7});
 }
 
-TEST_CASE("answers that are drawn in place are told of the last string") {
+TEST_CASE("responses that are drawn in place are traced for the last string") {
   const BoundPointer bound = compiled("axiom: A ?E(1,5) F\nA --> [ ?E(2,6) ]\n?E(r,n) : n>7 --> F(n)\n");
   DerivationTrace trace = traced(*bound, {}, {.step = 1});
   CHECK(joined(trace, &TraceEntry::text) == "[ ?E(2,6) ] ?E(1,5) F ");
@@ -233,7 +233,7 @@ TEST_CASE("answers that are drawn in place are told of the last string") {
   CHECK(trace.modules()[1].response == "asked 2 6 → 2 8; because");
 }
 
-TEST_CASE("who watches no drawing is told nothing of one: a limit has left another string than is drawn") {
+TEST_CASE("a trace that does not watch the drawing has no responses from it") {
   const BoundPointer bound = compiled("axiom: A(9)\nA(n) : n>0 --> ?E(2,6) A(n-1)\n?E(r,n) : n>7 --> F(n)\n");
   Limits limits;
   limits.steps = 3;

@@ -41,7 +41,7 @@ TEST_CASE("no steps leave the axiom") {
   CHECK(developed(text, 1) == "F[B]");
 }
 
-TEST_CASE("a text that never ends grows as long as it is told to") {
+TEST_CASE("a text that never ends grows for the requested steps") {
   CHECK(developed("derivation length: 3\naxiom: A\nA --> F A", {}) == "F F F A");
   const BoundPointer bound = compiled("derivation length: 4096\naxiom: A\nA --> A");
   CHECK(sound(lsystem::develop(*bound, 1, {}, Limits{})).steps == 4096);

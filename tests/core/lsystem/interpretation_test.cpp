@@ -47,7 +47,7 @@ TEST_CASE("L-system 1 with m = 3, n1 = 1, n2 = 2 has 19 internodes and 12 berrie
   }
 }
 
-TEST_CASE("lineages tell parent and grandparent where they are asked for") {
+TEST_CASE("lineages have parent and grandparent where enabled") {
   Inputs inputs{{{"m", 3}}, {{"n", {1, 2}}}};
   const BoundPointer bound = compiled(first_grape, inputs, lsystem::Lineages::always);
   Recorder recorder;
@@ -117,7 +117,7 @@ TEST_CASE("limits of interpretation") {
   CHECK(answers.reason == Reason::limit);
 }
 
-TEST_CASE("what would lie too far away, or be too large or too small to be drawn, is an error with its module") {
+TEST_CASE("positions too far away and sizes too large or too small are errors with the module") {
   const auto refused = [](std::string_view text, const char* module, const char* why) {
     const Diagnostic error = failure(std::string("axiom: ") + std::string(text), Limits{});
     CAPTURE(text);

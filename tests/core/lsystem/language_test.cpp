@@ -106,7 +106,7 @@ TEST_CASE("the two notations turn the other way round") {
   is_at(whole.lines[0].after.position, -1, 0, 0);
 }
 
-TEST_CASE("letters of cpfg are symbols of one's own in the paper's notation") {
+TEST_CASE("letters of cpfg are the text's own symbols in the paper's notation") {
   CHECK(heard("axiom: F G(2) T(3) g(4) F").lines.size() == 2);
   CHECK(after("axiom: G(2)\nG(x) --> T(x)", 1) == "T(2)");
   CHECK(heard(cpfg + "F(1,7,8) G(2) F").lines.size() == 3);
@@ -116,7 +116,7 @@ TEST_CASE("letters of cpfg are symbols of one's own in the paper's notation") {
   CHECK(trouble("axiom: F(1,2)") == "syntax 1:8");
 }
 
-TEST_CASE("what stands in for an argument is said by the text") {
+TEST_CASE("the text sets the defaults of arguments") {
   is_at(end_of("#turtle cpfg\nangle increment: 30\naxiom: + F"), -0.5f, 0.8660254f, 0);
   is_at(end_of("#turtle cpfg\nline length: 3\naxiom: F"), 0, 3, 0);
   is_at(end_of("#turtle cpfg\n#define d 2\nangle increment: 45*d\nline length: d\naxiom: + F(1) - F"), -1, 2, 0);
@@ -157,7 +157,7 @@ TEST_CASE("the turtle can be levelled, moved, headed and made larger") {
   CHECK(heard(cpfg + "!(2) @D(3) F !(1) F").lines[0].after.width == 2);
 }
 
-TEST_CASE("polygons are told with their corners, whatever brackets do") {
+TEST_CASE("polygons have their corners, also across brackets") {
   const Whole square = heard(cpfg + "{ . F +(90) f +(90) G . +(90) g . }");
   REQUIRE(square.polygons.size() == 1);
   CHECK(square.polygons[0].corners.size() == 5);
@@ -202,7 +202,7 @@ TEST_CASE("blocks work values out for condition, successor and weight") {
   CHECK(drawn.substr(2, comma - 2) == drawn.substr(comma + 1, drawn.size() - comma - 2));
 }
 
-TEST_CASE("a number in parentheses behind a name that is defined is its value") {
+TEST_CASE("a #define's value may be a number in parentheses") {
   CHECK(after("#define f(2)*3\naxiom: A(f)", 0) == "A(6)");
   CHECK(after("#define f(2)\naxiom: A(f)", 0) == "A(2)");
   CHECK(after("#define x 5\n#define f(x)\naxiom: A(f)", 0) == "A(5)");
@@ -226,7 +226,7 @@ TEST_CASE("a #define with parameters is a function whose calls its body replaces
   CHECK(trouble("axiom: A(f(1))\n#define f(x) x*2") == "undefined 1:10");
 }
 
-TEST_CASE("functions that call each other end at a limit before they use up the memory") {
+TEST_CASE("functions that call each other end at a limit, within memory") {
   std::string text = "#define f0(x) x+x\n";
   for (int i = 1; i < 60; ++i) {
     const std::string before = "f" + std::to_string(i - 1);
@@ -279,7 +279,7 @@ TEST_CASE("lists and curves stand in the text") {
   CHECK(after("#curve c (0, 1) (1, 3)\n#define k c(0.5)\naxiom: A(k)", 0) == "A(2)");
 }
 
-TEST_CASE("a decomposition applies within the step, as deep as it says") {
+TEST_CASE("a decomposition applies within the step, up to its maximum depth") {
   const std::string text = "axiom: A\nA --> B B\ndecomposition\nmaximum depth: 3\nB --> C C\nC --> D\n";
   CHECK(after(text, 0) == "A");
   CHECK(after(text, 1) == "D D D D");
@@ -293,7 +293,7 @@ TEST_CASE("a decomposition applies within the step, as deep as it says") {
         "C");
 }
 
-TEST_CASE("a homomorphism says how a module is drawn and leaves the string as it is") {
+TEST_CASE("a homomorphism changes a module's drawing, not the string") {
   const std::string text = cpfg + "A(2) [ +(90) A(1) ]\nhomomorphism\nA(x) --> F(x) F(x)";
   CHECK(after(text, 3) == "A(2)[+(90)A(1)]");
   const Whole whole = heard(text);
@@ -364,7 +364,7 @@ TEST_CASE("the space answers bound and reach") {
   CHECK(trouble("#define x bound(0,0,0,1)\naxiom: A(x)") == "syntax 1:11");
 }
 
-TEST_CASE("explosive growth leaves what was built so far") {
+TEST_CASE("explosive growth returns the string before the limit") {
   Limits limits;
   limits.words = 10'000;
   const BoundPointer bound = compiled("axiom: A\nA --> A A");
@@ -379,7 +379,7 @@ TEST_CASE("explosive growth leaves what was built so far") {
   CHECK_FALSE(lsystem::develop_so_far(*compiled("axiom: A(1)\nA(x) --> F(1/(x-1)) A(x)"), 1, 5, Limits{}));
 }
 
-TEST_CASE("a string reads back as an axiom, whatever stands in it") {
+TEST_CASE("a string's text can be read as an axiom") {
   for (const char* string : {"F(1)- - >(2)F@O(0.5)~leaf(2)A.{.F.}A1(1,2)?P(1,2,3)'(3);,#(2)$@v%",
                              "[+(-0.5)F F(1e-20)]&^/\\\\|!(3)<(1)", "- - >A"}) {
     const std::string once = after(std::string(cpfg) + string, 0);
@@ -435,7 +435,7 @@ TEST_CASE("double precision holds through contexts, answers, blocks and draws") 
         after("axiom: A(1)\nA(x) : x<4 --> A(x+1) : 1\nA(x) : x<4 --> A(x+2) : 1", 3));
 }
 
-TEST_CASE("what the turtle is given and what it writes is in both precisions") {
+TEST_CASE("parameters that the turtle reads and writes are in both precisions") {
   const Recorder exact =
       drawn("#numbers double\n#turtle cpfg\naxiom: F(0.1) A(0)\nA(x) : x<3 --> +(30) F(0.1+x) A(x+1)", 4);
   const Recorder single = drawn("#turtle cpfg\naxiom: F(0.1) A(0)\nA(x) : x<3 --> +(30) F(0.1+x) A(x+1)", 4);

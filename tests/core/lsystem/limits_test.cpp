@@ -16,14 +16,14 @@ void stops(const std::string& text, const Limits& limits, const char* part, cons
 
 }  // namespace
 
-TEST_CASE("a string that doubles for ever stops at the words it may have") {
+TEST_CASE("a string that doubles endlessly stops at the limit of words") {
   Limits limits;
   limits.words = 100'000;
   stops("axiom: A\nA --> A A", limits, "100000 words");
   stops("axiom: A\nA --> A A", Limits{}, "limit");
 }
 
-TEST_CASE("a string of exactly the words it may have is fine") {
+TEST_CASE("a string of exactly the limit of words is allowed") {
   Limits limits;
   const BoundPointer bound = compiled("axiom: A\nA --> A A");
   for (const std::uint32_t steps : {3u, 10u, 14u}) {
@@ -33,7 +33,7 @@ TEST_CASE("a string of exactly the words it may have is fine") {
   }
 }
 
-TEST_CASE("derivation that never ends stops at the steps it may take") {
+TEST_CASE("a derivation that never ends stops at the limit of steps") {
   stops("axiom: A\nA --> A", Limits{}, "4096 steps");
   stops("axiom: A\nA --> B\nB --> A", Limits{}, "4096 steps");
   Limits limits;

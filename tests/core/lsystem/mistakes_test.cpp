@@ -132,7 +132,7 @@ TEST_CASE("a successor goes on in the next line, its weight with it") {
     CHECK(error_of(text) == "");
 }
 
-TEST_CASE("mistakes that people make are told at their place, with what to write instead") {
+TEST_CASE("common mistakes are errors at their place, with a replacement") {
   for (const Mistake& mistake : mistakes) {
     std::string text = mistake.text;
     const std::size_t at = text.find("«");

@@ -46,7 +46,7 @@ TEST_CASE("a derivation begins with the axiom and goes on step by step") {
   CHECK(derivation.trouble().reason == Reason::none);
 }
 
-TEST_CASE("a shoot grows until the environment tells it that it has come to the floor") {
+TEST_CASE("a shoot grows until the environment's response is that it has reached the floor") {
   const BoundPointer bound =
       compiled("derivation length: 9\naxiom: ?E(9)\n?E(h) : h>=1 --> F ?E(h)\n?E(h) : h<1 --> [ +L ] L\nL --> S(0.5)");
   Derivation derivation(*bound, 1, Limits{});
@@ -67,7 +67,7 @@ TEST_CASE("a shoot grows until the environment tells it that it has come to the 
   CHECK_FALSE(derivation.step());
 }
 
-TEST_CASE("an answer stands in the string, and only who was asked since the last step is rewritten") {
+TEST_CASE("a response is written into the string, and only modules queried since the last step are rewritten") {
   const BoundPointer bound = compiled("axiom: A(2) [ ?E(0,5) ] F\nA(i) : i>0 --> A(i-1) ?E(9,1)\n?E(a,b) : a>6 --> F");
   Derivation derivation(*bound, 1, Limits{});
   CHECK(derivation.step());
@@ -90,7 +90,7 @@ TEST_CASE("an answer stands in the string, and only who was asked since the last
   CHECK(text_of(*bound, derivation) == "A(0)F F[F]F");
 }
 
-TEST_CASE("what an answer writes has lineages, and draws random values of its own") {
+TEST_CASE("modules of a response have lineages, and draw random values of their own") {
   const BoundPointer bound =
       compiled("derivation length: 3\naxiom: ?E(1) ?E(1)\n?E(x) --> B(ran(1)) ?E(x)\nB(r) --> F(r)");
   Derivation derivation(*bound, 1, Limits{});
@@ -114,7 +114,7 @@ TEST_CASE("what an answer writes has lineages, and draws random values of its ow
   CHECK(drawing.queried.empty());
 }
 
-TEST_CASE("a cut in an answer acts in the step after it was written") {
+TEST_CASE("a cut in a response acts in the step after it was written") {
   const BoundPointer bound = compiled("axiom: [ ?E(1) A ] A\n?E(x) : x=0 --> F %\nA --> F A");
   Derivation derivation(*bound, 1, Limits{});
   Recorder recorder;
@@ -139,7 +139,7 @@ TEST_CASE("an answer of other symbols than the turtle's needs steps, and cannot 
   CHECK(drawn.error().column == 13);
 }
 
-TEST_CASE("what goes wrong in a step or an answer ends the derivation") {
+TEST_CASE("an error in a step or a response ends the derivation") {
   const BoundPointer bound = compiled("axiom: A(2)\nA(i) --> F(1/(i-1)) A(i-1)");
   Derivation derivation(*bound, 1, Limits{});
   CHECK(derivation.step());

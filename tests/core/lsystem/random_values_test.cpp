@@ -40,7 +40,7 @@ TEST_CASE("RND draws every whole number between its ends equally often") {
   for (const float value : draws("RND(7,7)", 10)) CHECK(value == 7);
 }
 
-TEST_CASE("ran and nran have the moments they should have") {
+TEST_CASE("ran and nran have the right moments") {
   double sum = 0, squares = 0;
   for (const float value : draws("ran(10)", 3000)) {
     CHECK(value >= 0);
@@ -57,7 +57,7 @@ TEST_CASE("ran and nran have the moments they should have") {
   CHECK(std::sqrt(squares / 3000) == doctest::Approx(2).epsilon(0.05));
 }
 
-TEST_CASE("values depend on the seed, and on nothing else") {
+TEST_CASE("random values depend on the seed alone") {
   const auto first = draws("ran(1)", 20, 5);
   CHECK(draws("ran(1)", 20, 6) != first);
   CHECK(draws("ran(1)", 20, 5) == first);  // independent of draws in between
@@ -70,7 +70,7 @@ TEST_CASE("values are those that links were made with") {
         "V(0.014753938,25)[V(0.9407617,29)[V(0.039176762,27)[A(0)]D(1.4304494)]D(0.17008622)]D(-1.1727351)");
 }
 
-TEST_CASE("two calls in one production draw apart") {
+TEST_CASE("two calls in one production draw different values") {
   const auto first = draws("ran(1)", 200), both = draws("ran(1)*0 + ran(1)", 200);
   CHECK(first != both);
   CHECK(first == draws("ran(1) + 0*ran(1)", 200));
@@ -105,7 +105,7 @@ TEST_CASE("one more step of the rachis changes no value of those before") {
   for (const auto& [label, value] : five) CHECK(six.at(label) == value);
 }
 
-TEST_CASE("where no steps are asked for, a random condition is tried once") {
+TEST_CASE("without requested steps a random condition is drawn once") {
   const char* text = "axiom: A(0)\nA(k) : k<9 --> B(k) A(k+1)\nB(k) : ran(1)<0.5 --> C(k)\nC(k) --> C2(k)";
   const BoundPointer bound = compiled(text);
   const Derived end = sound(lsystem::unfold(*bound, 1, Limits{}));
@@ -161,7 +161,7 @@ TEST_CASE("only modules that a random condition may still rewrite are waited for
   CHECK(steps_at_rest("axiom: A(1)\nA(x) : ran(1)<0 --> B\nA : 0 --> C") == 100);
 }
 
-TEST_CASE("what is written after a delay is what would have been written at once") {
+TEST_CASE("a successor after a delay equals one without a delay") {
   const char* axiom = "axiom: R(40)\nR(i) : i>0 --> A(i) R(i-1)\n";
   const std::string late =
       std::string(axiom) + "A(k) : ran(1)<0.3 --> V(k,ran(1)) [B(k)]\nB(k) --> V(k+100,RND(1,1000))";

@@ -21,7 +21,7 @@ std::string remarked(std::string_view text, std::span<const Inputs::Scalar> requ
 
 }  // namespace
 
-TEST_CASE("there is nothing to remark on where everything is heeded") {
+TEST_CASE("a text without ignored parts has no remarks") {
   for (const char* text : {
            "axiom: A(5)\nA(i) : i>0 --> F(i) [ +(35) A(i-1) ] [ // B ] !(2) S(1)",
            "#define angle 35\naxiom: A\nA --> F [ +(angle) B ] [ + B ] Bud Flower1 G T2",
@@ -57,7 +57,7 @@ TEST_CASE("there is nothing to remark on where everything is heeded") {
   }
 }
 
-TEST_CASE("symbols that look like the turtle's and are not its are told once, at their first place") {
+TEST_CASE("symbols that look like the turtle's get one remark, at their first place") {
   CHECK(remarked("axiom: A\nA --> F1 [ f20 F1 ] S2(3)") ==
         "2:7 F1 is one symbol of its own and draws nothing; write F(1).|"
         "2:12 f20 is one symbol of its own and draws nothing; write f(20).|"
@@ -68,7 +68,7 @@ TEST_CASE("symbols that look like the turtle's and are not its are told once, at
       "1:13 g draws nothing in the paper's notation, which this text has; a line #turtle cpfg makes it the turtle's.");
 }
 
-TEST_CASE("a line that is meant as a comment is told") {
+TEST_CASE("a line that looks like a comment gets a remark") {
   CHECK(
       remarked("axiom: A\nA --> F\n  // the stem grows\n  A") ==
       "3:3 This line is read as two rolls of the turtle and symbols that draw nothing; a comment is written /* … */.");
@@ -76,7 +76,7 @@ TEST_CASE("a line that is meant as a comment is told") {
   CHECK(remarked("axiom: A\n// two A\nA --> F") == "");
 }
 
-TEST_CASE("arguments that are left out and not what they are elsewhere") {
+TEST_CASE("omitted arguments with other defaults than cpfg's get a remark") {
   CHECK(remarked("axiom: ! F !(2) !") ==
         "1:8 ! without an argument sets the width to 1; in cpfg it narrows the lines: write !(w).");
   CHECK(remarked("#define angle 25\naxiom: F / F - F + F") ==
@@ -86,7 +86,7 @@ TEST_CASE("arguments that are left out and not what they are elsewhere") {
   CHECK(remarked("#define delta 25\naxiom: A\nA : delta>3 --> + F") == "");
 }
 
-TEST_CASE("the turtle's sphere as a symbol of one's own") {
+TEST_CASE("S as a symbol of the text gets a remark") {
   CHECK(remarked("axiom: S(1) S\nS --> F S\nS(i) --> F") ==
         "2:1 S is the turtle's sphere and is drawn where no production rewrites it; give a symbol of your own another "
         "name.");
@@ -97,20 +97,20 @@ TEST_CASE("the turtle's sphere as a symbol of one's own") {
         "your own otherwise.");
 }
 
-TEST_CASE("a random condition that is tried once is told, unless there are steps") {
+TEST_CASE("a random condition that is drawn once gets a remark, unless there are steps") {
   const std::string text = "axiom: A\nB --> F : 2\nA : ran(1)<0.3 --> B";
   CHECK(remarked(text) == "3:1 A draws for its random condition once; with a derivation length it draws in each step.");
   CHECK(remarked(text, {}, 5) == "");
   CHECK(remarked("derivation length: 5\n" + text) == "");
 }
 
-TEST_CASE("constants that are asked for and that the text does not know") {
+TEST_CASE("requested constants that the text does not know get a remark") {
   const Inputs::Scalar requested[] = {{"a", 1}, {"b", 2}, {"c", 3}};
   CHECK(remarked("#define a 1\n#input c\naxiom: A", requested) ==
         "0:0 The grammar has no #define b, so its parameter changes nothing.");
 }
 
-TEST_CASE("a remark is written with its place where it has one") {
+TEST_CASE("a remark's text begins with its place, if any") {
   CHECK(lsystem::to_text(Remark{"F1 draws nothing.", 3, 7}) == "Line 3, column 7: F1 draws nothing.");
   CHECK(lsystem::to_text(Remark{"No more.", 0, 0}) == "No more.");
 }

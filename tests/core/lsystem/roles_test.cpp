@@ -28,7 +28,7 @@ class Roll : public Recorder {
 
 }  // namespace
 
-TEST_CASE("a text gives its symbols roles, whatever they are called") {
+TEST_CASE("a text gives roles of any name to its symbols") {
   const auto program = sound(lsystem::compile(
       "#role rachis Ar1 Ar2\n#role axis Af\n#role rachis Ar3\naxiom: Ar1\nAr1 --> Ar2 Af\nAr2 --> F\nAr3 --> X",
       Limits{}));
@@ -58,7 +58,7 @@ TEST_CASE("a listener looks roles up by the symbols of a lineage") {
   CHECK(roll.lines[2].parent == "L");
 }
 
-TEST_CASE("without lineages nobody has a role") {
+TEST_CASE("without lineages no module has a role") {
   const BoundPointer bound = compiled("#role stem A\naxiom: A\nA --> F");
   Roll roll(*bound);
   draw(*bound, derived(*bound, 9), roll);

@@ -51,14 +51,14 @@ TEST_CASE("the turtle hangs down and turns clockwise, exactly by right angles") 
   }
 }
 
-TEST_CASE("an angle is half way between those it divides") {
+TEST_CASE("turn by 30° rotates the heading by 30°") {
   const Turtle turtle = turned(turn, 30);
   CHECK(turtle.heading.x == doctest::Approx(0.5));
   CHECK(turtle.heading.y == doctest::Approx(-std::sqrt(0.75)));
   CHECK(turtle.heading.z == 0);
 }
 
-TEST_CASE("each symbol does what the table says") {
+TEST_CASE("each symbol executes the command of the table") {
   CHECK(end_of("+").heading == x);
   CHECK(end_of("-").heading == -x);
   CHECK(end_of("&").heading == -z);

@@ -40,7 +40,7 @@ TEST_CASE("depth first counts the deepest generation and the modules that came o
   CHECK(lsystem::length(*result->string) == 4);
 }
 
-TEST_CASE("a grammar without an end is told so, depth first as well") {
+TEST_CASE("a grammar without an end is an error, when unfolded as well") {
   for (const char* text : {"axiom: A\nA --> A", "axiom: A\nA --> A A", "axiom: A\nA --> F A"}) {
     const auto result = lsystem::unfold(*compiled(text), 1, Limits{});
     REQUIRE(!result);

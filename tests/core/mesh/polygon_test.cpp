@@ -50,7 +50,7 @@ Corners star(int points, float inner, float size) {
 
 }  // namespace
 
-TEST_CASE("a polygon that does not cross itself is filled exactly, whichever way it goes round") {
+TEST_CASE("a simple polygon is filled exactly in both orientations") {
   const Corners square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   CHECK(area_of(square, fill_polygon(square)) == doctest::Approx(1));
   for (const float size : {1e-12f, 1.0f, 1e12f}) {
@@ -65,7 +65,7 @@ TEST_CASE("a polygon that does not cross itself is filled exactly, whichever way
   }
 }
 
-TEST_CASE("a corner whose triangle holds another is no ear, wherever one begins") {
+TEST_CASE("a corner whose triangle contains another is no ear, for every first corner") {
   Corners arrow{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 1, 0}, {0, 4, 0}};
   for (std::size_t turn = 0; turn < arrow.size(); ++turn) {
     std::rotate(arrow.begin(), arrow.begin() + 1, arrow.end());
@@ -73,7 +73,7 @@ TEST_CASE("a corner whose triangle holds another is no ear, wherever one begins"
   }
 }
 
-TEST_CASE("triangles go counter-clockwise seen against the normal of what they fill") {
+TEST_CASE("triangles run counter-clockwise seen against the polygon's normal") {
   const Corners l{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}};
   const auto triangles = fill_polygon(l);
   CHECK(area_of(l, triangles) == doctest::Approx(3));
@@ -83,7 +83,7 @@ TEST_CASE("triangles go counter-clockwise seen against the normal of what they f
   }
 }
 
-TEST_CASE("what comes back to where it was is filled without triangles that are lines") {
+TEST_CASE("a polygon that revisits points is filled without degenerate triangles") {
   // Duplicate corners, one between others on a line, a way out and back, and the first once more at the end.
   const Corners untidy{{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0},
                        {3, 2, 0}, {2, 2, 0}, {0, 2, 0}, {0, 1, 0}, {0, 0, 0}};
@@ -99,7 +99,7 @@ TEST_CASE("of a figure of eight both halves are there") {
   CHECK(triangles.size() == 6);
 }
 
-TEST_CASE("what bends out of a plane keeps its corners") {
+TEST_CASE("a polygon that is not planar is filled with all its corners") {
   const Corners bent{{0, 0, 0}, {1, 0, 0.5f}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0.5f}, {0, 1, 0}};
   const auto triangles = fill_polygon(bent);
   check_clean(bent, triangles);
@@ -109,7 +109,7 @@ TEST_CASE("what bends out of a plane keeps its corners") {
   CHECK(area_of(bent, triangles) < 2 * std::sqrt(1.25) + 1);
 }
 
-TEST_CASE("fewer than three different corners, or corners on a line, fill nothing") {
+TEST_CASE("fill_polygon returns nothing for fewer than three different corners, or corners on a line") {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   CHECK(fill_polygon({}).empty());
   CHECK(fill_polygon(Corners{{1, 2, 3}}).empty());

@@ -9,7 +9,7 @@
 
 using namespace panicle;
 
-TEST_CASE("a strip joins every side of both rings to the other, once, all the same way round") {
+TEST_CASE("a strip has one triangle for each side of both rings, all with the same orientation") {
   for (std::uint32_t inner = 1; inner <= 12; ++inner) {
     for (std::uint32_t outer = 1; outer <= 12; ++outer) {
       std::vector<std::array<std::uint32_t, 3>> triangles;

@@ -65,7 +65,7 @@ void check_laws(const Patch& patch, const std::vector<Collapse>& thinning) {
 
 }  // namespace
 
-TEST_CASE("thinning: what is flat goes at hardly any error, and what is fixed stays") {
+TEST_CASE("simplification: flat parts collapse at hardly any error, and fixed vertices stay") {
   const Patch flat = grid(12, [](std::uint32_t, std::uint32_t) { return 0.0f; });
   const std::vector<Collapse> thinning = thinning_of(flat);
   check_laws(flat, thinning);
@@ -74,7 +74,7 @@ TEST_CASE("thinning: what is flat goes at hardly any error, and what is fixed st
   CHECK(thinning.back().error < 0.2f);
 }
 
-TEST_CASE("thinning: a ridge outlasts the planes beside it") {
+TEST_CASE("simplification: a ridge outlasts the planes beside it") {
   const auto roof = [](std::uint32_t x, std::uint32_t) { return 4 - std::abs(static_cast<float>(x) - 6); };
   const Patch patch = grid(12, roof);
   const std::vector<Collapse> thinning = thinning_of(patch);
@@ -93,7 +93,7 @@ TEST_CASE("thinning: a ridge outlasts the planes beside it") {
   CHECK(on_ridge == 0);
 }
 
-TEST_CASE("thinning: laws hold on rough ground, whatever else closes it") {
+TEST_CASE("simplification: errors, counts and collapses are consistent on a rough surface") {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     Patch patch = grid(9, [&](std::uint32_t x, std::uint32_t y) { return 1.5f * random_unit(seed, 7, 100 * x + y); });
     if (seed % 2 == 0) patch.counted = static_cast<std::uint32_t>(patch.triangles.size() / 2);
@@ -124,7 +124,7 @@ TEST_CASE("thinning: of equal ways that with the lower numbers goes first") {
   CHECK(thinning[0].triangles == 2);
 }
 
-TEST_CASE("thinning: the middle of a fan of thousands stays, and what is about it is thinned") {
+TEST_CASE("simplification: the centre of a fan of thousands stays, and its neighbours collapse") {
   Patch fan;
   fan.positions.emplace_back(0, 0, 1);
   const std::uint32_t rim = 4000;

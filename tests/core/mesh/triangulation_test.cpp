@@ -62,7 +62,7 @@ void check_fills(const std::vector<glm::vec2>& points, std::size_t ring, const s
 
 }  // namespace
 
-TEST_CASE("a polygon is filled exactly, whatever its lobes and the points in it") {
+TEST_CASE("a polygon is filled exactly, with random lobes and inner points") {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     CAPTURE(seed);
     std::vector<glm::vec2> points = star(3 + seed % 20, 0.05f + 0.9f * random_unit(seed, 1, 0));
@@ -105,7 +105,7 @@ TEST_CASE("away from the polygon's edges no corner lies in another triangle's ci
   }
 }
 
-TEST_CASE("flips and steps of walks are counted: nothing comes of what takes more than there may be") {
+TEST_CASE("triangulate counts its steps and returns nothing beyond the limit") {
   // A comb of 400 narrow teeth: each side of a tooth crosses the edges between those before it.
   std::vector<glm::vec2> comb;
   for (int k = 0; k < 400; ++k) {
@@ -122,7 +122,7 @@ TEST_CASE("flips and steps of walks are counted: nothing comes of what takes mor
   CHECK_FALSE(triangulate(comb, ring, 1'000'000).empty());
 }
 
-TEST_CASE("nothing comes of fewer than three points or of a polygon that crosses itself") {
+TEST_CASE("triangulate returns nothing for fewer than three points or a polygon that crosses itself") {
   const std::vector<glm::vec2> bow{{0, 0}, {1, 1}, {1, 0}, {0, 1}};
   CHECK(triangulate(bow, 4).empty());
   CHECK(triangulate(std::span(bow).first(2), 2).empty());

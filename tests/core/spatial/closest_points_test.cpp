@@ -60,7 +60,7 @@ TEST_CASE("closest points are as near as looking everywhere finds") {
   }
 }
 
-TEST_CASE("segments that cross meet where they cross") {
+TEST_CASE("closest points of crossing segments are the crossing") {
   const auto [s, t] = closest_points({1, -2, 0}, {{1, 0, 0}, 5}, {{0, 1, 0}, 5}, parallel);
   CHECK(s == 1);
   CHECK(t == 2);

@@ -49,7 +49,7 @@ TEST_CASE("a visit sees every point within an edge's length, as looking at all w
   }
 }
 
-TEST_CASE("a box's runs hold every point in it, in ascending slots") {
+TEST_CASE("the runs of a box have every point in it, in ascending slots") {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     CAPTURE(seed);
     const std::vector<glm::vec3> points = random_points(seed);
@@ -88,7 +88,7 @@ TEST_CASE("few of many points are visited") {
   CHECK(seen < 8);  // one cell
 }
 
-TEST_CASE("a slot is a point's; the same points stand in the same order; a grid laid anew forgets") {
+TEST_CASE("slots hold each point once, in the same order for the same points; build replaces all points") {
   const std::vector<glm::vec3> points = random_points(5), others = random_points(6);
   PointGrid grid(points, 2);
   std::vector<std::uint32_t> ids(grid.ids().begin(), grid.ids().end());
@@ -100,7 +100,7 @@ TEST_CASE("a slot is a point's; the same points stand in the same order; a grid 
   for (std::uint32_t i = 0; i < ids.size(); ++i) CHECK(ids[i] == i);
 }
 
-TEST_CASE("whatever coordinate is none, its point is left out") {
+TEST_CASE("a point with a coordinate that is not finite is left out") {
   const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
   for (int axis = 0; axis < 3; ++axis)
     for (const float none : {nan, infinity, -infinity, 2e30f}) {
@@ -112,7 +112,7 @@ TEST_CASE("whatever coordinate is none, its point is left out") {
     }
 }
 
-TEST_CASE("what is not finite, enormous or nothing does no harm") {
+TEST_CASE("a grid of points that are not finite, of enormous ones and of none is valid") {
   const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
   const float most = std::numeric_limits<float>::max();
   const std::vector<glm::vec3> points = {{0, 0, 0},         {nan, 0, 0},         {1, 0, 0},   {0, infinity, 0},

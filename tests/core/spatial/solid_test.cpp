@@ -22,7 +22,7 @@ bool in_corner(const glm::vec3& p) {
   return p.x > 0 && p.y > 0 && p.z > 0 && p.z < 1 && p.x < 2 && p.y < 2 && (p.x < 1 || p.y < 1);
 }
 
-TEST_CASE("a box holds what is in it") {
+TEST_CASE("a box contains the places within its bounds") {
   const Solid solid(box({-1, 0, -2}, {1, 3, 2}));
   for (std::uint64_t i = 0; i < 5000; ++i) {
     const glm::vec3 p = dart(i, 4);
@@ -31,7 +31,7 @@ TEST_CASE("a box holds what is in it") {
   }
 }
 
-TEST_CASE("a ball holds what is in it, but for what its facets cut off") {
+TEST_CASE("a ball contains the places within its radius, up to its facets") {
   const Solid solid(ellipsoid({1, 2, 3}, {2, 1, 1.5f}, 48));
   for (std::uint64_t i = 0; i < 5000; ++i) {
     const glm::vec3 p = glm::vec3(1, 2, 3) + dart(i, 2.2f);
@@ -54,7 +54,7 @@ TEST_CASE("a bay is outside, also at heights where faces and corners lie in the 
   CHECK_FALSE(solid.contains({-0.5f, 1, 0.5f}));
 }
 
-TEST_CASE("parts that overlap, touch or are turned inside out count as they wind") {
+TEST_CASE("parts that overlap, touch or are inverted count by their winding number") {
   Surface two = box({0, 0, 0}, {2, 2, 2});
   append(two, box({1, 1, 1}, {3, 3, 3}));
   const Solid both(two);
@@ -80,7 +80,7 @@ TEST_CASE("parts that overlap, touch or are turned inside out count as they wind
   CHECK(Solid(hollow).contains({1.5f, 0.5f, 0.5f}));
 }
 
-TEST_CASE("what is certain of a box is so for every place in it") {
+TEST_CASE("share_of a box agrees with contains for every place in it") {
   const Solid solid(ellipsoid({0, 0, 0}, {1, 1, 1}, 32));
   int sure = 0;
   for (std::uint64_t i = 0; i < 4000; ++i) {
@@ -98,7 +98,7 @@ TEST_CASE("what is certain of a box is so for every place in it") {
   CHECK(solid.share_of({2, 2, 2}, {3, 3, 3}) == Share::none);
 }
 
-TEST_CASE("of solids far apart what is certain is known as well as of one") {
+TEST_CASE("share_of is as sharp for distant parts as for one") {
   Surface two = ellipsoid({0, 0, 0}, {1, 1, 1}, 32);
   append(two, ellipsoid({100, 0, 0}, {1, 1, 1}, 32));
   const Solid solid(two);
@@ -148,7 +148,7 @@ TEST_CASE("the index of very many large triangles has a bounded size") {
   CHECK(Solid(surface).members() <= QueryBudget().members_each());
 }
 
-TEST_CASE("looks at triangles are counted, and a solid whose budget is used up contains no place and is exhausted") {
+TEST_CASE("a solid whose budget is used up contains no place and is exhausted") {
   const Surface surface = spanning_tetrahedra(400);
   const auto budget = std::make_shared<QueryBudget>(), small = std::make_shared<QueryBudget>(1'000'000);
   const Solid solid(surface, budget), refused(surface, small);
@@ -173,7 +173,7 @@ TEST_CASE("looks at triangles are counted, and a solid whose budget is used up c
   CHECK(then - budget->left() > 100 * 400);
 }
 
-TEST_CASE("nothing is in nothing, and nowhere is nowhere") {
+TEST_CASE("a surface without triangles contains no place, nor do places that are not finite") {
   const Solid none({});
   CHECK_FALSE(none.contains({0, 0, 0}));
   CHECK(none.share_of({0, 0, 0}, {1, 1, 1}) != Share::all);

@@ -67,7 +67,7 @@ Sphere sphere_of(const Cloud& cloud, std::uint64_t stream, std::uint64_t i) {
 
 }  // namespace
 
-TEST_CASE("a probe feels exactly what it would feel going through all spheres") {
+TEST_CASE("probe equals a search through all spheres") {
   const Cloud clouds[] = {
       {"a bunch", 30, 5, 30, 300, {0, -300, 0}},
       {"radii of 7 and of 80", 80, 7, 80, 900, {0, 0, 0}},
@@ -110,7 +110,7 @@ TEST_CASE("a probe feels exactly what it would feel going through all spheres") 
   }
 }
 
-TEST_CASE("spheres that touch count as overlapping by the clearance, a hair further they do not") {
+TEST_CASE("spheres overlap within the clearance and not beyond") {
   SphereGrid grid(30);
   grid.add({{0, 0, 0}, 20});
   CHECK(grid.probe({{30, 0, 0}, 10}, none, up).contacts == 1);
@@ -144,7 +144,7 @@ TEST_CASE("a centre on a centre is pushed along the tie; a point's push is finit
   CHECK(point.force == glm::vec3(0, 0, 1e6f));
 }
 
-TEST_CASE("what is not a finite sphere is refused, and touches nothing") {
+TEST_CASE("add refuses spheres that are not finite, and such probes touch nothing") {
   SphereGrid grid(30);
   CHECK(grid.add({{0, 0, 0}, 20}) == 0);
   CHECK(grid.add({{not_a_number, 0, 0}, 20}) == none);

@@ -65,7 +65,7 @@ TEST_CASE("the pairs are those that looking at all would find, in their order") 
   CHECK(all > 500);
 }
 
-TEST_CASE("a stem meets the spheres that looking at all would find, however long it is") {
+TEST_CASE("along finds the same spheres as a search through all, for stems of any length") {
   std::size_t all = 0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     CAPTURE(seed);
@@ -90,7 +90,7 @@ TEST_CASE("a stem meets the spheres that looking at all would find, however long
   CHECK(all > 900);
 }
 
-TEST_CASE("spheres that are not finite or have no radius touch nothing; laid anew, the old are forgotten") {
+TEST_CASE("spheres that are not finite or have a negative radius touch nothing; build replaces all spheres") {
   constexpr float infinite = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
   const std::vector<Sphere> spheres = {{{0, 0, 0}, 1},   {{infinite, 0, 0}, 1}, {{1, 0, 0}, 1}, {{0, 0, 0}, infinite},
                                        {{0, nan, 0}, 1}, {{0, 0, 0}, nan},      {{0, 0, 0}, -1}};

@@ -54,7 +54,7 @@ float depth(Kind kind, const glm::vec3& u) {
   }
 }
 
-TEST_CASE("a volume holds what is in it, wherever it stands and however it is turned") {
+TEST_CASE("contains is right for each kind of volume, moved and rotated") {
   for (const Kind kind : kinds)
     for (std::uint64_t v = 0; v < 30; ++v) {
       const Placed placed(v);
@@ -79,7 +79,7 @@ void check_reach(const Volume& volume, const glm::vec3& from, const glm::vec3& w
   if (far < most) CHECK_FALSE(volume.contains(from + (far + little) * way));
 }
 
-TEST_CASE("reach leads to the surface and no further, and who goes there is still inside") {
+TEST_CASE("reach ends just before the surface, still inside") {
   for (const Kind kind : kinds)
     for (std::uint64_t v = 0; v < 60; ++v) {
       const Placed placed(v);
@@ -98,7 +98,7 @@ TEST_CASE("reach leads to the surface and no further, and who goes there is stil
     }
 }
 
-TEST_CASE("reach is exact: from a middle it is half a size, and all that is asked for where there is room") {
+TEST_CASE("reach from a centre is half the size, or the requested length where there is room") {
   const Volume ball(Kind::sphere, {1, 2, 3}, {2, 9, 9}, {1, 0, 0, 0});
   CHECK(ball.reach({1, 2, 3}, {0, 1, 0}, 5) == near(1, 1e-4));
   CHECK(ball.reach({1, 2, 3}, {0, 0.6f, 0.8f}, 0.7f) == 0.7f);
@@ -118,7 +118,7 @@ TEST_CASE("reach is exact: from a middle it is half a size, and all that is aske
   CHECK(cylinder.reach({0, 0, 0}, {0, -1, 0}, 0) == 0);
 }
 
-TEST_CASE("a mesh of 20,000 triangles is what the ball it was made from is") {
+TEST_CASE("a mesh of 20,000 triangles contains the same places as its ball") {
   const Surface mesh = ellipsoid({4, 4, 4}, {9, 9, 9}, 142);
   CHECK(mesh.triangles.size() / 3 > 19'000);
   for (std::uint64_t v = 0; v < 3; ++v) {
@@ -133,7 +133,7 @@ TEST_CASE("a mesh of 20,000 triangles is what the ball it was made from is") {
   }
 }
 
-TEST_CASE("in a concave mesh a way ends where it first leaves, though it comes in again") {
+TEST_CASE("reach in a concave mesh ends where the way first leaves") {
   const Volume bend(Kind::mesh, {1, 1, 0.5f}, {2, 2, 1}, {1, 0, 0, 0}, corner());
   CHECK(bend.contains({1.8f, 0.5f, 0.5f}));
   CHECK_FALSE(bend.contains({1.8f, 1.5f, 0.5f}));
@@ -153,7 +153,7 @@ TEST_CASE("in a concave mesh a way ends where it first leaves, though it comes i
   }
 }
 
-TEST_CASE("where parts of a mesh overlap one passes from one into the other") {
+TEST_CASE("reach passes through overlapping parts of a mesh") {
   Surface two = box({0, 0, 0}, {2, 1, 1});
   append(two, box({1, 0, 0}, {3, 1, 1}));
   const Volume both(Kind::mesh, {1.5f, 0.5f, 0.5f}, {3, 1, 1}, {1, 0, 0, 0}, two);
@@ -161,7 +161,7 @@ TEST_CASE("where parts of a mesh overlap one passes from one into the other") {
   CHECK(both.reach({2.5f, 0.3f, 0.6f}, {-1, 0, 0}, 9) == near(2.5, 1e-3));
 }
 
-TEST_CASE("nothing grows in a mesh without triangles, nor a way from nowhere") {
+TEST_CASE("a mesh without triangles contains no place, and reach from outside is 0") {
   const Volume none(Kind::mesh, {0, 0, 0}, {1, 1, 1}, {1, 0, 0, 0}, {});
   CHECK_FALSE(none.contains({0, 0, 0}));
   CHECK(none.reach({0, 0, 0}, {0, 1, 0}, 1) == 0);

@@ -149,7 +149,7 @@ TEST_CASE("a straight segment is one closed tube of about a cylinder's volume, f
   CHECK(furthest < 6.5f * 0.00025f);
 }
 
-TEST_CASE("segments of one axis are one tube; branches, and twigs beside the middle one, are tubes of their own") {
+TEST_CASE("an axis is one tube; each branch, and each twig beside the middle one, is another") {
   const Skeleton panicle = small_panicle();
   const StemMesh stem = panicle.swept(twelve, 0.00025f);
   check_stems(stem, panicle.size());
@@ -163,7 +163,7 @@ TEST_CASE("segments of one axis are one tube; branches, and twigs beside the mid
   CHECK(std::set<std::uint32_t>(stem.segment.begin(), stem.segment.end()).size() == panicle.size());
 }
 
-TEST_CASE("vertices of a segment stay near it") {
+TEST_CASE("vertices are near their segment") {
   const Skeleton panicle = small_panicle();
   const StemMesh stem = panicle.swept(twelve, 1);
   for (std::uint32_t i = 0; i < stem.segment.size(); ++i) {
@@ -174,7 +174,7 @@ TEST_CASE("vertices of a segment stay near it") {
   }
 }
 
-TEST_CASE("what has joints swells there, what has none is as thick as its segments all along") {
+TEST_CASE("jointed stems swell at their joints, others are as thick as their segments") {
   Skeleton chain;
   for (int i = 0; i < 5; ++i) {
     const auto at = static_cast<float>(i);
@@ -198,7 +198,7 @@ TEST_CASE("what has joints swells there, what has none is as thick as its segmen
   CHECK(extent(false).second == doctest::Approx(7).epsilon(1e-4));
 }
 
-TEST_CASE("an axis ends in the shape that it is given") {
+TEST_CASE("an axis ends in the shape of its StemEnd") {
   const Segment twig{-1, 0, {0, 0, 0}, {0, -60, 0}, 5, 5};
   const auto widest_below = [&](float y, const StemEnd& end) {
     const StemMesh stem = sweep_stems({{&twig, 1}, {}, {&end, 1}}, twelve, 1);
@@ -223,7 +223,7 @@ TEST_CASE("an axis ends in the shape that it is given") {
   CHECK(lowest({.height = 2}) == doctest::Approx(-70).epsilon(0.005));
 }
 
-TEST_CASE("a branch begins within its bearer and spreads where it leaves it") {
+TEST_CASE("a branch begins within its parent and spreads at the parent's surface") {
   Skeleton skeleton;
   skeleton.add(-1, -1, {0, 0, 0}, {0, -50, 0}, 7);
   skeleton.add(0, -1, {0, -50, 0}, {0, -100, 0}, 7);
@@ -266,7 +266,7 @@ TEST_CASE("texture: u once round, v one unit to a circumference") {
   CHECK(most_v == doctest::Approx(200 / (2 * 3.14159265 * 5)).epsilon(0.06));
 }
 
-TEST_CASE("sides are kept within 3 … 64; nothing makes nothing") {
+TEST_CASE("sides are clamped to 3 … 64; no segments make no mesh") {
   const Skeleton panicle = small_panicle();
   CHECK(panicle.swept({0}, 1).mesh.positions == panicle.swept({3}, 1).mesh.positions);
   CHECK(panicle.swept({9999}, 1).mesh.positions == panicle.swept({64}, 1).mesh.positions);
@@ -275,7 +275,7 @@ TEST_CASE("sides are kept within 3 … 64; nothing makes nothing") {
   CHECK(none.mesh.indices.empty());
 }
 
-TEST_CASE("segments without length, turns back and what is not finite do no harm") {
+TEST_CASE("segments without length, reversals and values that are not finite give a valid mesh") {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float infinity = std::numeric_limits<float>::infinity();
   Skeleton skeleton;
@@ -315,7 +315,7 @@ TEST_CASE("any skeleton makes closed, sound tubes") {
   CHECK(worst_turned < 0.5);
 }
 
-TEST_CASE("thin axes get fewer sides and rings, and stay where they are; thick ones are what they were") {
+TEST_CASE("thin axes get fewer sides and rings at the same place; thick ones do not change") {
   Skeleton skeleton;
   skeleton.add(-1, -1, {0, 0, 0}, {0, -100, 0}, 5);
   skeleton.add(0, 0, {0, -50, 0}, {40, -60, 0}, 1, flared);
