@@ -10,7 +10,7 @@ const at = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 export default defineConfig({
 	root: at("web"),
 	publicDir: at("public"),
-	// Every address in the built pages is relative, so that dist/ works from any sub-path.
+	// Use relative addresses, so that dist/ works from any path.
 	base: "./",
 	plugins: [core(), leanThree(), offlineApp(), handsFiles()],
 	worker: { format: "es" },
@@ -18,7 +18,7 @@ export default defineConfig({
 		outDir: at("dist"),
 		emptyOutDir: true,
 		target: "es2022",
-		// Nothing inline: the pages' policy allows no inline script and no data: address for a module.
+		// Inline nothing: the pages' content security policy forbids inline scripts and data: addresses of modules.
 		assetsInlineLimit: 0,
 		modulePreload: { polyfill: false },
 		rolldownOptions: {
@@ -30,11 +30,11 @@ export default defineConfig({
 			},
 			preserveEntrySignatures: "exports-only",
 			output: {
-				// These are scripts for other pages: their names stay what they are.
+				// Other pages refer to these scripts: their names are stable.
 				entryFileNames: ({ name }) =>
 					["panicle", "specimens"].includes(name) ? "[name].js" : "assets/[name]-[hash].js",
 				advancedChunks: {
-					// Each is needed whole, or nearly: by themselves these modules would be several scripts, which pack less well.
+					// Group modules that are loaded together: several small scripts compress less well.
 					groups: [
 						{ name: "document", test: /web\/src\/(specimen\/|ui\/(change|handles\/(point|escape_key))\.ts)/ },
 						{

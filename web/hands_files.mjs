@@ -1,16 +1,16 @@
 /**
- * What finds hands in a camera's picture, beside the app: some of @mediapipe/hands' files, as they are, in a folder of their own. They are
- * fetched when somebody asks for the camera; the offline app has none of them.
+ * Copies the files of @mediapipe/hands, which finds hands in a camera's picture, into a folder of the built app. They are fetched when the
+ * camera is switched on; the offline app does not contain them.
  */
 import { copyFileSync, createReadStream, mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 
-/** Where they lie in the built app. */
+/** The folder in the built app. */
 export const HANDS = "hands";
 
 const from = fileURLToPath(new URL("../node_modules/@mediapipe/hands/", import.meta.url));
-/** Those for processors with SIMD, without which no core runs either, and the lesser of the two models. */
+/** The files for processors with SIMD, which the cores need, too, and the smaller of the two models; with their media types. */
 const FILES = {
 	"hands.js": "text/javascript",
 	"hands.binarypb": "application/octet-stream",

@@ -1,13 +1,13 @@
 import { basename } from "node:path";
 import { fileURLToPath } from "node:url";
 
-/** Programs of three's materials that nothing here wears. */
+/** Shader programs of three's materials that the app does not use. */
 const PROGRAMS =
 	"background backgroundCube cube distance equirect linedashed meshlambert meshmatcap meshnormal meshphong meshtoon shadow sprite vsm";
 
 /**
- * Pieces of its other programs for what nothing here has: each is empty unless a switch is on. What three puts in for light
- * of the other materials is here, too.
+ * Shader chunks of unused features: each is empty unless a switch is on. Chunks for the light of unused materials are listed,
+ * too.
  */
 const PIECES = [
 	"alphahash_fragment alphahash_pars_fragment bumpmap_pars_fragment",
@@ -22,7 +22,7 @@ const PIECES = [
 	"skinning_vertex skinnormal_vertex transmission_fragment transmission_pars_fragment",
 ].join(" ");
 
-/** Parts of the renderer for what nothing here asks of it, and what stands for them, by the module that exports them. */
+/** Unused modules of the renderer, with their replacements. */
 const PARTS = {
 	WebXRManager: `export class WebXRManager {
 		enabled = false;
@@ -33,25 +33,25 @@ const PARTS = {
 		getEnvironmentBlendMode() {}
 		dispose() {}
 	}`,
-	// Surroundings are ours (render/light), no texture: only what is a texture already comes back.
+	// Environment maps are the app's own (render/light): textures are returned unchanged.
 	WebGLEnvironments:
 		"export function WebGLEnvironments() { return { get: (texture) => texture ?? null, dispose() {} }; }",
-	// For lamps that throw shadows all round.
+	// Used for shadows of point lights.
 	WebGLCubeRenderTarget: "export class WebGLCubeRenderTarget {}",
 	WebGLMorphtargets: "export function WebGLMorphtargets() {}",
 	WebGLUniformsGroups: "export function WebGLUniformsGroups() { return { dispose() {} }; }",
-	// For pictures of more than eight bits a colour.
+	// Used for pictures of more than eight bits per channel.
 	WebGLOutput: "export function WebGLOutput() {}",
 };
 
-/** Classes that would draw wrongly without what is left out. */
+/** Classes that need the removed parts. */
 const NEEDS_MORE =
 	/\/(Mesh(Lambert|Matcap|Normal|Phong|Toon)Material|LineDashedMaterial|(Sprite|Shadow)Material|SkinnedMesh|FogExp2|Fog|PointLight|PMREMGenerator)\.js$/;
 
 const unused = new Set([...`${PROGRAMS} ${PIECES}`.split(" ").map((name) => `${name}.glsl.js`)]);
 const GLSL = /\/\* glsl \*\/`([^`]*)`/g;
 
-/** A program's text without its comments and margins, which three's own build takes out, too. */
+/** A shader's text without comments and indentation, as in three's own build. */
 function bare(text) {
 	const lines = text.replace(/\/\*.*?\*\/|\/\/[^\n]*/gs, "").split("\n");
 	return lines
@@ -62,8 +62,8 @@ function bare(text) {
 }
 
 /**
- * three in the built pages: from its sources, so that what is not imported stays out, and without the parts of its renderer
- * that are never used, a sixth of it. Fails where three has no such part any more, or where a class is imported that needs one.
+ * Builds three from its sources, so that unused modules stay out, and without unused parts of its renderer, a sixth of it. Fails if
+ * three no longer has such a part, or if an imported class needs one.
  *
  * @returns {import("vite").Plugin}
  */

@@ -10,7 +10,7 @@ const source = (name) => fileURLToPath(new URL(`src/offline/${name}.ts`, import.
 const version = () => JSON.parse(readFileSync(new URL("../package.json", import.meta.url), "utf8")).version;
 const digest = (bytes) => createHash("sha256").update(bytes).digest();
 
-/** One script without exports, in which all is that it imports, now or later. */
+/** Bundles a module with all its static and dynamic imports into one script without exports. */
 async function bundle(name, define = {}) {
 	const { build } = await import("vite");
 	const built = await build({
@@ -30,8 +30,8 @@ async function bundle(name, define = {}) {
 }
 
 /**
- * What a folder of the built app consists of: `integrity` by path, the page itself as "", in the order of the alphabet. What finds hands is
- * none of it: it is for the camera alone, and larger than all else.
+ * Lists the files of a folder of the built app: `integrity` by path, the page itself as "", in alphabetical order. The files for hand
+ * tracking are left out: only the camera needs them, and they are larger than all others together.
  * @param {string} folder
  */
 export function listFiles(folder) {
@@ -49,7 +49,7 @@ export function listFiles(folder) {
 }
 
 /**
- * Writes the service worker into the built app: the list of all files in it, and the script that answers for specimens beside it.
+ * Writes the service worker into the built app, with the list of all files, and the script that responds to requests for specimens.
  *
  * @returns {import("vite").Plugin}
  */
@@ -61,7 +61,7 @@ export function offlineApp() {
 			const cores = Object.values(output)
 				.filter(({ fileName }) => fileName.endsWith(".wasm"))
 				.map((asset) => [asset.type === "asset" ? asset.names[0] : "", asset.fileName]);
-			// The browser keeps the worker and its script by itself: they are none of the files.
+			// The browser stores the worker and its script itself: they are not in the list.
 			const files = listFiles(dir);
 			const answering = await bundle("specimens");
 			const specimens = `assets/specimens-${digest(answering).toString("base64url").slice(0, 8)}.js`;

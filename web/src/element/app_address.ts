@@ -1,11 +1,11 @@
 const script = import.meta.url;
-/** Where the app is that the element came with: built scripts lie in a folder of it. None came with the package. */
+/** Address of the app, relative to this script; built scripts are in a folder of the app. The npm package has no app. */
 const beside = { development: "/", production: "../" }[import.meta.env.MODE];
 const own = beside === undefined ? undefined : new URL(beside, script);
 
 /**
- * The address of the app's folder, with its last slash. The attribute `app` names another; none where it is empty or not an address of
- * HTTP: a link to `javascript:` would run as a script of the page.
+ * The address of the app's folder, ending in a slash; the attribute `app` overrides it. Undefined if the attribute is empty or no HTTP
+ * address: a link to `javascript:` would run as a script of the page.
  */
 export function appAddress(attribute: string | null): string | undefined {
 	if (attribute === null) return own?.href;

@@ -1,11 +1,11 @@
-/** The specimen that an element's attributes say: `preset="riesling" seed="7" age="80"`, `model="leaf"`, `link="?v=2&…"`. */
+/** Reads the specimen from an element's attributes: `preset="riesling" seed="7" age="80"`, `model="leaf"`, `link="?v=2&…"`. */
 import { isModel, modelNamed } from "../models/index";
 import type { PageModel } from "../models/page_model";
 import { decodeLink, linkParts, modelInQuery } from "../specimen/link";
 import { Notes } from "../specimen/notes";
 import { isKnown, type Restored, restore } from "../specimen/restore";
 
-/** Attributes of the element that say what is done with the plant; no parameter is called so. */
+/** Attributes of the element itself, about display; no parameter has such a name. */
 export const OWN_ATTRIBUTES = [
 	"loading",
 	"poster",
@@ -17,10 +17,10 @@ export const OWN_ATTRIBUTES = [
 	"theme",
 	"alt",
 ] as const;
-/** Those that say where it starts from. */
+/** Attributes that select the model and the link that the others change. */
 const START_ATTRIBUTES = ["model", "link"];
 
-/** Every element's. Those of frameworks have a dash, a colon or something else in their names that no parameter has. */
+/** HTML's global attributes. Attributes of frameworks have characters in their names that no parameter has. */
 const GLOBAL_ATTRIBUTES = new Set(
 	"accesskey autofocus class contenteditable dir draggable enterkeyhint exportparts hidden id inert inputmode is itemid itemprop itemref itemscope itemtype lang nonce part popover role slot spellcheck style tabindex title translate writingsuggestions".split(
 		" ",
@@ -28,7 +28,7 @@ const GLOBAL_ATTRIBUTES = new Set(
 );
 const FRAMEWORK_ATTRIBUTE = /[^a-z0-9_]|^_|^on/;
 
-/** What it is a specimen of, and what was wrong in what was said of it. */
+/** The specimen read from attributes, its model, and notes about attributes that could not be used. */
 export interface AttributeReading extends Restored {
 	readonly model: PageModel;
 }
@@ -36,8 +36,8 @@ export interface AttributeReading extends Restored {
 export type Attributes = Iterable<{ readonly name: string; readonly value: string }>;
 
 /**
- * Reads attributes as links are read: nothing is refused, what cannot be used is replaced, and a note says so. With a link, other
- * attributes change what that says.
+ * Reads attributes as links are read: unusable values are replaced by defaults, with a note. Other attributes override values of the
+ * link.
  */
 export async function readAttributes(attributes: Attributes): Promise<AttributeReading> {
 	const values = Object.fromEntries([...attributes].map(({ name, value }) => [name, value]));
@@ -58,7 +58,7 @@ export async function readAttributes(attributes: Attributes): Promise<AttributeR
 	return { model, specimen: read.specimen, notes: [...notes.all(), ...(start?.notes ?? []), ...read.notes] };
 }
 
-/** Whether an attribute of that name is about what grows. */
+/** Whether an attribute of that name describes the specimen. */
 export function isSpecimenAttribute(name: string): boolean {
 	return !(OWN_ATTRIBUTES.some((own) => own === name) || GLOBAL_ATTRIBUTES.has(name) || FRAMEWORK_ATTRIBUTE.test(name));
 }

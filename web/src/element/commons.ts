@@ -1,6 +1,6 @@
 /**
- * What all plants on a page share: workers that grow, each with its cores, and one context of the graphics card, of which browsers keep
- * only some sixteen. Made when first asked for; given up some time after the last plant has gone.
+ * The resources that all plants of a page share: workers with cores, and one WebGL context, of which browsers allow about sixteen. They
+ * are created on first use, and released some time after the last plant has left the page.
  */
 import { Client } from "../core/client";
 import { holdScripts } from "../core/hold_scripts";
@@ -10,13 +10,13 @@ import { spawnWorker } from "../core/spawn";
 import { loadScene } from "../models/renderers";
 import type { Renderer } from "../render/renderer";
 
-/** A page that puts one plant in another's place need not start anew. */
+/** Delay of the release, so that a page may replace its only plant; milliseconds. */
 const LINGER = 1000;
 
 export interface CommonsOptions {
 	pool?: () => Pool;
 	renderer?: () => Promise<Renderer>;
-	/** Keeps the element's scripts available after an update of the app. */
+	/** Retains the element's scripts after an update of the app. */
 	hold?: () => void;
 }
 
@@ -32,7 +32,7 @@ export class Commons {
 		this.#options = { pool, renderer, hold };
 	}
 
-	/** One plant more. @returns what is to be called once when it goes */
+	/** Registers a plant. @returns a function that unregisters it, to be called once */
 	enter(): () => void {
 		if (!this.#held) this.#options.hold();
 		this.#held = true;
@@ -44,13 +44,13 @@ export class Commons {
 		};
 	}
 
-	/** What grows one document's plants; to be closed by whoever asked. */
+	/** A new client for one element; the caller closes it. */
 	client(): Client {
 		this.#pool ??= this.#options.pool();
 		return new Client({ pool: this.#pool });
 	}
 
-	/** Draws all plants' pictures. @throws NoWebGL2Error, and what the loading of the script throws; asked again, it is tried again */
+	/** The renderer of all plants. Rejects with NoWebGL2Error or errors of loading the script; the next call tries again. */
 	renderer(): Promise<Renderer> {
 		if (this.#renderer) return this.#renderer;
 		const renderer = this.#options.renderer();
@@ -69,7 +69,7 @@ export class Commons {
 	}
 }
 
-/** The page's. */
+/** The page's shared resources. */
 export const commons = new Commons();
 
 function ownPool(): Pool {

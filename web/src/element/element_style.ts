@@ -1,4 +1,4 @@
-/** The element's own style. Pages set its size, the custom properties below, and what they like of `::part(…)`. */
+/** The element's default style. Pages may set its size, the custom properties below and the style of `::part(…)`. */
 export const ELEMENT_STYLE = `
 	:host {
 		--panicle-paper: light-dark(#f4efe4, #14100e);

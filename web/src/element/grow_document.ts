@@ -1,4 +1,4 @@
-/** A document of an element as the plant that it grows into. */
+/** Grows the plant of an element's document. */
 import type { Client } from "../core/client";
 import { coreAddress } from "../core/core_address";
 import { Superseded } from "../core/errors";
@@ -7,12 +7,12 @@ import type { GrowthOptions } from "../models/model";
 import type { Plant } from "../plant/plant";
 import type { SpecimenDocument } from "./grown_detail";
 
-/** How many of those that stand in a plant are asked for at once. */
+/** Number of a stand's member plants requested at once. */
 const ABREAST = 4;
 
 /**
- * Rejects as `Client.grow` does, and with an Error where a core is not beside the script.
- * @param isNewest whether nothing newer is asked for: where that ends, no more of what stands in it is grown, and it rejects as superseded
+ * Grows a document. Rejects as `Client.grow` does, and with an Error if a core is not beside the script.
+ * @param isNewest whether this is the newest request; once it is not, no more member plants are grown, and the promise rejects with Superseded
  */
 export async function growDocument(
 	client: Pick<Client, "grow" | "among">,
@@ -33,14 +33,14 @@ export async function growDocument(
 			if (!first) go();
 			const wasm = coreAddress(file);
 			if (wasm === undefined) throw new Error(`The core ${file} is not beside the script.`);
-			// The document itself gives way to a newer one; what stands in it does not.
+			// A newer document supersedes the running growth of a document, but not those of member plants.
 			const grown = first ? client.grow({ wasm, blocks }, { signal }) : client.among({ wasm, blocks }, { signal });
 			first = false;
 			return grown;
 		},
 		{ abreast: ABREAST },
 	);
-	// Of plants that grow at once each is shown, so that a drag shows what there is; a stand that was late would undo a newer plant.
+	// A late stand must not replace a newer plant. Other plants are all shown, so that a drag shows intermediate states.
 	if (model.members) go();
 	return grown;
 }

@@ -1,4 +1,4 @@
-/** What an element shows, and what it tells of it. */
+/** An element's document and plant, and the details of its events. */
 import { measuresOf, type WrittenMeasures } from "../formats/measures";
 import type { PageModel } from "../models/page_model";
 import type { Plant } from "../plant/plant";
@@ -6,19 +6,19 @@ import { encodeLink } from "../specimen/link";
 import type { Restored } from "../specimen/restore";
 import type { Specimen } from "../specimen/specimen";
 
-/** What `grown` and `grow()` tell. */
+/** The detail of the event `grown`, and the result of `grow()`. */
 export interface GrownDetail {
-	/** Query and fragment that bring the specimen back. */
+	/** Query and fragment of the link to the specimen. */
 	readonly link: string;
-	/** In a few plain words: "118 berries, 14 cm long". */
+	/** A short description: "118 berries, 14 cm long". */
 	readonly words: string;
-	/** How many of what there are, by name. */
+	/** Numbers of parts, by name. */
 	readonly counts: Plant["counts"];
-	/** By key; null where one does not apply. */
+	/** Measures by key; null if a measure does not apply. */
 	readonly measures: WrittenMeasures;
-	/** What of the attributes could not be used, and what the core had to say. */
+	/** Notes about attributes that could not be used, and notes of the core. */
 	readonly notes: readonly string[];
-	/** 16 hexadecimal digits over segments and organs: the same plant has the same. */
+	/** Hash over segments and organs, 16 hexadecimal digits: equal plants have equal fingerprints. */
 	readonly fingerprint: string;
 }
 
@@ -28,7 +28,7 @@ export interface SpecimenDocument {
 	readonly notes: readonly string[];
 }
 
-/** A plant that grew. */
+/** A document with its plant. */
 export interface GrownDocument extends SpecimenDocument {
 	readonly grown: Plant;
 }
@@ -39,7 +39,7 @@ export const documentFrom = (model: PageModel, { specimen, notes }: Restored): S
 	notes: notes.map(({ text }) => text),
 });
 
-/** The document with its specimen changed; as it was where the change is of another model's, which a page has since replaced. */
+/** The document with its specimen changed; unchanged if the change belongs to another model, which the page has since replaced. */
 export function changedIn(
 	{ specimen, ...rest }: SpecimenDocument,
 	change: (specimen: Specimen) => Specimen,

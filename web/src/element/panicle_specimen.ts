@@ -1,6 +1,6 @@
 /**
- * `<panicle-specimen preset="long-conical" seed="7" age="80">`: a living plant in any page (docs/element.md). Attributes are the model's
- * parameters by their keys, or a link; what is wrong in them is told in `notes`, and a plant grows all the same.
+ * `<panicle-specimen preset="long-conical" seed="7" age="80">`: a live plant in any page (docs/element.md). Attributes are the model's
+ * parameters by their keys, or a link; unusable ones are reported in `notes`, and a plant grows with defaults.
  */
 import type { Client } from "../core/client";
 import { coreAddress } from "../core/core_address";
@@ -34,7 +34,7 @@ import { SpecimenView } from "./specimen_view";
 
 const ON_NO_PAGE = "The plant is on no page; append it first.";
 
-/** The element: what a page's scripts ask of it and it tells them. */
+/** The custom element: its properties, methods and events for a page's scripts. */
 export class PanicleSpecimen extends HTMLElement {
 	readonly #canvas: HTMLCanvasElement;
 	readonly #poster: HTMLImageElement;
@@ -44,15 +44,15 @@ export class PanicleSpecimen extends HTMLElement {
 		return documentFrom(reading.model, reading);
 	});
 	#shown: GrownDocument | undefined;
-	/** From when it comes to a page until it leaves. */
+	/** Aborted when the element leaves the page; undefined while it is on no page. */
 	#life: AbortController | undefined;
 	#client: Client | undefined;
 	#view: Promise<SpecimenView> | undefined;
 	#near = false;
 	#seen = false;
-	/** The newest growth: only that ends being busy. */
+	/** Number of the newest growth; only the newest clears `aria-busy`. */
 	#turn = 0;
-	/** Whether a growth is due as soon as the plant comes near. */
+	/** Whether a growth is due as soon as the element is near the viewport. */
 	#due = false;
 	#growing: Promise<GrownDetail> | undefined;
 	readonly #attributes = new MutationObserver((changes) => this.#changed(namesOf(changes)));
@@ -75,38 +75,38 @@ export class PanicleSpecimen extends HTMLElement {
 			},
 			view: () => this.#loadView(),
 		});
-		// For as long as there is the element: what changes while it is on no page counts, too.
+		// Observe attributes also while the element is on no page.
 		this.#attributes.observe(this, { attributes: true });
 		this.#updateLabel();
 	}
 
-	/** What is grown, as JSON has it; undefined until the attributes have been read. */
+	/** The specimen in view, in the form of the JSON format; undefined until a plant has grown. */
 	get specimen(): WrittenSpecimen<Specimen> | undefined {
 		return this.#shown && writtenSpecimen(this.#shown.model, this.#shown.specimen);
 	}
 
-	/** The plant on screen; undefined until there is one. */
+	/** The plant in view; undefined until one has grown. */
 	get plant(): Plant | undefined {
 		return this.#shown?.grown;
 	}
 
-	/** What of the attributes could not be used, and what the core had to say. */
+	/** Notes about attributes that could not be used, and notes of the core. */
 	get notes(): readonly string[] {
 		return this.#shown ? [...this.#shown.notes, ...this.#shown.grown.notes] : [];
 	}
 
-	/** Changes parameters, seed or look by their keys, as one change: `change` and then `grown` follow. */
+	/** Changes parameters, seed or look by their keys, in one step; dispatches `change` and then `grown`. */
 	set(values: Readonly<Record<string, number | string>>): Promise<GrownDetail> {
 		return this.#changeDocument(({ model, specimen: before }) => documentFrom(model, restore(model, values, before)));
 	}
 
-	/** Grows now, wherever it is, what has not grown yet. */
+	/** Grows the current document now, even if the element is far from the viewport. */
 	grow(): Promise<GrownDetail> {
 		this.#flush();
 		return this.#begin({});
 	}
 
-	/** A file of the plant, by the key of its kind: `glb`, `glb-web`, `usdz`, `obj` (a ZIP), `json`, … */
+	/** A file of the plant, by the key of its format: `glb`, `glb-web`, `usdz`, `obj` (a ZIP), `json`, … */
 	async toFile(format: string, options: FileOptions = {}): Promise<Blob> {
 		const { model, specimen, grown } = await this.#settledPlant();
 		const { exportFile } = await import("../generate/files/exporter");
@@ -117,19 +117,19 @@ export class PanicleSpecimen extends HTMLElement {
 		return exportFile(model, request);
 	}
 
-	/** The present view as a PNG; as large as the element, twice as fine, where nobody says. */
+	/** The current view as a PNG; by default twice the element's size in CSS pixels. */
 	async toBlob({ width = 2 * this.clientWidth, height = 2 * this.clientHeight } = {}): Promise<Blob> {
 		const { model, specimen } = await this.#settledPlant();
 		const picture = await (await this.#loadView()).picture(width, height);
 		return withLink(picture, `${appAddress(this.getAttribute("app")) ?? ""}${await encodeLink(model, specimen)}`);
 	}
 
-	/** The whole plant, from the direction in which it is first seen. */
+	/** Resets the camera: the whole plant, from the initial direction. */
 	resetView(): void {
 		this.#view?.then((view) => view.reset()).catch(() => {});
 	}
 
-	/** Called by the browser when it comes to a page. */
+	/** Called by the browser when the element is inserted into a page. */
 	connectedCallback(): void {
 		const life = new AbortController();
 		this.#life = life;
@@ -159,13 +159,13 @@ export class PanicleSpecimen extends HTMLElement {
 		this.#requestGrowth();
 	}
 
-	/** Called by the browser when it leaves its page. */
+	/** Called by the browser when the element is removed from its page. */
 	disconnectedCallback(): void {
 		this.#life?.abort();
 		this.#life = undefined;
 	}
 
-	/** An attribute that was set just now is not told before the present task is through. */
+	/** Processes attribute changes of the current task, which the observer would report only later. */
 	#flush(): void {
 		this.#changed(namesOf(this.#attributes.takeRecords()));
 	}
@@ -177,7 +177,7 @@ export class PanicleSpecimen extends HTMLElement {
 		this.#requestGrowth();
 	}
 
-	/** An attribute that changes what is done with the plant. */
+	/** Applies an attribute about display. */
 	#follow(name: string): void {
 		if (name === "poster") {
 			const address = this.getAttribute("poster");
@@ -190,7 +190,7 @@ export class PanicleSpecimen extends HTMLElement {
 		this.#extras.follow();
 	}
 
-	/** Another document in place of this one; while a hand still moves (`preview`), `input` tells of it, else `change`. */
+	/** Changes the document and grows it. Dispatches `input` during a drag (`preview`), otherwise `change`. */
 	async #changeDocument(
 		make: (before: SpecimenDocument) => SpecimenDocument,
 		{ preview = false } = {},
@@ -210,7 +210,7 @@ export class PanicleSpecimen extends HTMLElement {
 		return this.#growing;
 	}
 
-	/** Grows as soon as it may. */
+	/** Schedules a growth; with `loading="lazy"` once the element is near the viewport. */
 	#requestGrowth(): void {
 		if (!this.#life) return;
 		this.#due = true;
@@ -246,12 +246,12 @@ export class PanicleSpecimen extends HTMLElement {
 		this.#updateLabel();
 		const view = await this.#loadView().catch((error: unknown) => this.#fail(error));
 		await view?.show(shown.model, shown.grown, shown.specimen);
-		// What is older than what hands have done since would undo it under them.
+		// An older plant would reset controls that the user has moved since.
 		const newest = await this.#document.get().catch(() => undefined);
 		if (view && this.#view && newest?.specimen === shown.specimen) this.#extras.show(shown);
 	}
 
-	/** The view, made when it is first needed. */
+	/** The view, created on first use. */
 	#loadView(): Promise<SpecimenView> {
 		if (this.#view) return this.#view;
 		const life = this.#life;
@@ -277,7 +277,7 @@ export class PanicleSpecimen extends HTMLElement {
 		void this.#view?.then(work, () => {});
 	}
 
-	/** The plant as it is now, once it has grown. */
+	/** The plant of the current document, once it has grown. */
 	async #settledPlant(): Promise<GrownDocument> {
 		this.#flush();
 		if (this.#due) this.grow();
@@ -286,7 +286,7 @@ export class PanicleSpecimen extends HTMLElement {
 		return this.#shown;
 	}
 
-	/** The last plant stays. */
+	/** Shows an error and dispatches `error`; the last plant stays in view. */
 	#fail(error: unknown): void {
 		const message = error instanceof Error ? error.message : String(error);
 		this.#message.textContent = message;
@@ -294,7 +294,7 @@ export class PanicleSpecimen extends HTMLElement {
 		this.dispatchEvent(new CustomEvent("error", { detail: { message } }));
 	}
 
-	/** What a screen reader says of the view. */
+	/** Updates the view's text alternative. */
 	#updateLabel(): void {
 		const words = this.#shown && plantInWords(this.#shown);
 		this.#canvas.setAttribute("aria-label", this.getAttribute("alt") ?? words ?? "A plant, growing");

@@ -1,17 +1,17 @@
-/** What a page does with an element: sizes it, scrolls it near and into sight, turns dark. */
+/** Callbacks for changes of the page around an element: size, scrolling, colour scheme. */
 export interface Presence {
 	resized(): void;
-	/** Whether it is on screen, or nearly. */
+	/** Whether the element is in the viewport or near it. */
 	near(is: boolean): void;
-	/** Whether any of it is on screen. */
+	/** Whether any part of the element is in the viewport. */
 	seen(is: boolean): void;
 	darkened(): void;
 }
 
-/** How far off screen what is lazy begins to grow. */
+/** Distance from the viewport at which lazy plants begin to grow. */
 const NEAR = "256px";
 
-/** Tells of it until the signal ends that. */
+/** Observes an element and calls back until the signal aborts. */
 export function watchPresence(element: HTMLElement, callbacks: Presence, signal: AbortSignal): void {
 	const observers = [
 		new ResizeObserver(() => callbacks.resized()),
@@ -27,7 +27,7 @@ export function watchPresence(element: HTMLElement, callbacks: Presence, signal:
 
 const isSeen = (entries: readonly IntersectionObserverEntry[]) => entries.at(-1)?.isIntersecting ?? false;
 
-/** @param theme what the element says: `light`, `dark`, or nothing of its own */
+/** Whether an element is dark. @param theme its attribute: `light`, `dark`, or any other value for the system's scheme */
 export function isDark(theme: string | null): boolean {
 	return theme === "dark" || (theme !== "light" && matchMedia("(prefers-color-scheme: dark)").matches);
 }

@@ -1,4 +1,4 @@
-/** What is inside the element: a canvas, a picture until that is drawn, and words for when it is not. */
+/** Builds the element's shadow tree: a canvas, a poster until it is drawn, and a message for errors. */
 import { ORBIT_KEYS } from "../render/orbit_keys";
 import { ELEMENT_STYLE } from "./element_style";
 

@@ -1,4 +1,4 @@
-/** The picture of an element's plant: a viewer on the page's one context of the graphics card, turned by hand, by keys or by itself. */
+/** The picture of an element's plant: a viewer on the page's shared WebGL context, turned by pointer, by keys or by itself. */
 import type { PageModel } from "../models/page_model";
 import { loadRenderer, loadScene } from "../models/renderers";
 import type { Plant } from "../plant/plant";
@@ -8,7 +8,7 @@ import type { Viewer } from "../render/viewer";
 import type { Specimen } from "../specimen/specimen";
 import type { Commons } from "./commons";
 
-/** Degrees a second, where `autorotate` says no number. */
+/** Default of `autorotate`, degrees per second. */
 const TURNING = 20;
 
 export class SpecimenView {
@@ -17,14 +17,14 @@ export class SpecimenView {
 	readonly #ended = new AbortController();
 	#rendererModel: PageModel | undefined;
 	#seen = false;
-	/** Degrees a second; 0 stands still. */
+	/** Degrees per second; 0: the plant does not turn by itself. */
 	#turning = 0;
 	#frame = 0;
 	#grasped = false;
 	#windy = false;
 	#paused = false;
 	readonly #reduced: MediaQueryList;
-	/** What lies over the picture, and is told when that has been drawn. */
+	/** Called after every draw, by layers over the picture. */
 	readonly #drawListeners: Set<() => void>;
 
 	private constructor(
@@ -45,12 +45,12 @@ export class SpecimenView {
 		});
 		listen("pointerdown", () => this.#grasp(true));
 		for (const end of ["pointerup", "pointercancel"]) listen(end, () => this.#grasp(false));
-		// A page scrolls past: only a plant that has been chosen takes the wheel.
+		// The wheel scrolls the page, unless the canvas has the focus.
 		canvas.addEventListener("wheel", (event) => this.#passWheel(event), { signal, capture: true });
 		reduced.addEventListener("change", () => this.#followMotion(), { signal });
 	}
 
-	/** @throws NoWebGL2Error where the browser has none, and what the loading of scripts throws */
+	/** @throws NoWebGL2Error if the browser has no WebGL 2, and errors of loading scripts */
 	static async create(canvas: HTMLCanvasElement, commons: Commons, events: { drawn(): void }): Promise<SpecimenView> {
 		const [{ Viewer }, renderer] = await Promise.all([loadScene(), commons.renderer()]);
 		const reduced = matchMedia("(prefers-reduced-motion: reduce)");
@@ -63,12 +63,12 @@ export class SpecimenView {
 			reducedMotion: reduced.matches,
 			events: { firstDraw: () => events.drawn(), drawn },
 		});
-		// The turntable keeps all touches to itself; here those that go up and down are the page's.
+		// The camera controller takes all touches; here vertical ones scroll the page.
 		canvas.style.touchAction = "pan-y";
 		return new SpecimenView(canvas, viewer, reduced, drawListeners);
 	}
 
-	/** Shows a plant in place of the last. */
+	/** Shows a plant instead of the last one. */
 	async show(model: PageModel, grown: Plant, specimen: Specimen): Promise<void> {
 		if (model !== this.#rendererModel) {
 			const createRenderer = await loadRenderer(model);
@@ -83,33 +83,33 @@ export class SpecimenView {
 		this.#viewer.setTheme(dark ? "dark" : "light");
 	}
 
-	/** Whether any of it is on screen: what is not turns no further. */
+	/** Sets whether the element is in the viewport; animation stops outside. */
 	setSeen(seen: boolean): void {
 		this.#seen = seen;
 		this.#turn();
 		this.#blow();
 	}
 
-	/** @param said the attribute: null for a plant that stands, a number of degrees a second, or anything else for a slow one */
+	/** Sets the speed of turning. @param attribute null: no turning; a number: degrees per second; any other text: the default speed */
 	setTurning(attribute: string | null): void {
 		const speed = Number(attribute || TURNING);
 		this.#turning = attribute === null ? 0 : Number.isFinite(speed) ? speed : TURNING;
 		this.#turn();
 	}
 
-	/** @param said the attribute: null where it is calm */
+	/** Switches the wind. @param attribute null: off */
 	setWind(attribute: string | null): void {
 		this.#windy = attribute !== null;
 		this.#blow();
 	}
 
-	/** Whether its reader has the wind wait. */
+	/** Pauses the wind, or lets it go on. */
 	setPaused(paused: boolean): void {
 		this.#paused = paused;
 		this.#blow();
 	}
 
-	/** Whether it may turn by itself: less motion is wished for where not. */
+	/** Whether the plant may turn by itself: false where the user prefers reduced motion. */
 	get turnsByItself(): boolean {
 		return !this.#reduced.matches;
 	}
@@ -119,22 +119,22 @@ export class SpecimenView {
 		this.#viewer.orbit((degrees * Math.PI) / 180, 0);
 	}
 
-	/** While a hand changes the plant, the view goes after it only where it outgrows that. */
+	/** During a drag, the camera follows the plant only if it outgrows the picture. */
 	hold(held: boolean): void {
 		this.#viewer.holdView(held);
 	}
 
-	/** Where a point of the plant, in metres, is on the canvas: CSS pixels from its top left corner. */
+	/** Projects a point of the plant (metres) to the canvas: CSS pixels from its top left corner. */
 	project([x, y, z]: readonly [number, number, number]): { x: number; y: number } {
 		return this.#viewer.project({ x, y, z });
 	}
 
-	/** The line of sight through a point of the canvas. */
+	/** The line of sight through a point of the canvas (CSS pixels), in metres. */
 	rayThrough(x: number, y: number): Ray {
 		return this.#viewer.rayThrough(x, y);
 	}
 
-	/** Calls back after every draw. @returns what ends it */
+	/** Calls back after every draw. @returns a function that ends it */
 	onDrawn(listener: () => void): () => void {
 		this.#drawListeners.add(listener);
 		return () => this.#drawListeners.delete(listener);
@@ -148,12 +148,12 @@ export class SpecimenView {
 		this.#viewer.resize();
 	}
 
-	/** The present view as a PNG of so many pixels. */
+	/** The current view as a PNG of the given size in pixels. */
 	picture(width: number, height: number): Promise<Blob> {
 		return this.#viewer.snapshot(width, height);
 	}
 
-	/** Settles when nothing is left to draw. */
+	/** Resolves when nothing is left to draw. */
 	whenIdle(): Promise<void> {
 		return this.#viewer.whenIdle();
 	}
@@ -180,12 +180,12 @@ export class SpecimenView {
 		if (activeElement !== this.#canvas) event.stopPropagation();
 	}
 
-	/** Only where it is seen, and nobody wishes for less motion or has paused it. */
+	/** Runs the wind if it is on, in the viewport, not paused, and the user does not prefer reduced motion. */
 	#blow(): void {
 		this.#viewer.wind = this.#windy && !this.#paused && this.#seen && !this.#reduced.matches;
 	}
 
-	/** Begins or ends turning by itself. */
+	/** Starts or stops turning by itself. */
 	#turn(): void {
 		const turns = this.#turning !== 0 && this.#seen && !this.#grasped && !this.#reduced.matches;
 		cancelAnimationFrame(this.#frame);
@@ -193,7 +193,7 @@ export class SpecimenView {
 		if (!turns) return;
 		let last: number | undefined;
 		const step = (now: number) => {
-			// A page that was hidden goes on where it was.
+			// After the page was hidden, continue from the same angle.
 			const seconds = Math.min((now - (last ?? now)) / 1000, 0.1);
 			last = now;
 			this.#viewer.orbit((this.#turning * seconds * Math.PI) / 180, 0);

@@ -1,6 +1,6 @@
 /**
- * What a host page and the plant in its frame say to each other (docs/embed.md). Every message is looked at before it is heeded; an
- * answer goes to the origin that asked, and to nobody else. Messages of other programs pass without a word.
+ * The message protocol between a host page and the plant in its frame (docs/embed.md). Every message is validated; a response goes only to
+ * the origin of the request. Messages of other programs are ignored.
  */
 import {
 	type FileOptions,
@@ -10,10 +10,10 @@ import {
 } from "../../formats/file_options";
 import type { GrownDetail } from "../grown_detail";
 
-/** In every message of ours. */
+/** Name and version of the protocol, in every message. */
 export const PROTOCOL = "panicle/1";
 
-/** What is asked of the plant. */
+/** The methods of the plant that requests call. */
 export interface EmbeddedPlant {
 	readonly specimen: unknown;
 	set(values: Readonly<Record<string, number | string>>): Promise<GrownDetail>;
@@ -24,13 +24,13 @@ export interface EmbeddedPlant {
 	resetView(): void;
 }
 
-/** Of a MessageEvent. */
+/** The fields of a MessageEvent that are used. */
 export interface IncomingMessage {
 	readonly data: unknown;
 	readonly origin: string;
 	readonly source: {
 		postMessage(message: unknown, options: { targetOrigin: string }): void;
-		/** Whether the window is gone; windows alone have it. */
+		/** Whether the window is closed; only windows have this. */
 		readonly closed?: boolean;
 	} | null;
 }
@@ -38,28 +38,28 @@ export interface IncomingMessage {
 type Values = Readonly<Record<string, unknown>>;
 type Method = (plant: EmbeddedPlant, values: Values, message: IncomingMessage) => unknown;
 
-/** A request that cannot be heeded: its words are the answer. */
+/** An invalid request; the message is the response's error. */
 class RequestError extends Error {}
 
 const MOST_VALUES = 200;
 const LONGEST_ID = 200;
 const LONGEST_TEXT = 512 * 1024;
-/** The maximum number of windows that listen: a page may create any number of frames. */
+/** Greatest number of listening windows: a page may create any number of frames. */
 const MOST_LISTENERS = 64;
 
 export class Conversation {
 	readonly #plant: EmbeddedPlant;
 	readonly #allowed: readonly string[] | undefined;
-	/** Who wants to be told of what happens, by where from. */
+	/** Windows that listen to events, with their origins. */
 	readonly #listeners = new Map<NonNullable<IncomingMessage["source"]>, string>();
 
-	/** @param allowed origins that may ask; undefined: all */
+	/** @param allowed origins that may send requests; undefined: all */
 	constructor(plant: EmbeddedPlant, allowed?: readonly string[]) {
 		this.#plant = plant;
 		this.#allowed = allowed;
 	}
 
-	/** Answers what is a message of ours; never throws. */
+	/** Responds to a message of the protocol; ignores others; never throws. */
 	async receive(message: IncomingMessage): Promise<void> {
 		const { data, origin, source } = message;
 		if (!isRecord(data) || data.panicle !== PROTOCOL || !source) return;
@@ -73,14 +73,14 @@ export class Conversation {
 		}
 	}
 
-	/** Tells those who listen. */
+	/** Sends an event to all listening windows. */
 	broadcast(event: "grown" | "input" | "change" | "error", detail: unknown): void {
 		for (const [source, origin] of this.#listeners) send(source, origin, { event, detail });
 	}
 
 	async #handleRequest(data: Values, message: IncomingMessage): Promise<unknown> {
 		const { origin, source } = message;
-		// A page without an origin of its own (a sandbox, a file) cannot be answered alone.
+		// A page with the origin "null" (a sandbox, a file) cannot be addressed, so it gets no response.
 		if (origin === "null" || (this.#allowed && !this.#allowed.includes(origin)))
 			throw new RequestError(`pages of ${origin} may not ask this frame`);
 		const { method } = data;
@@ -166,6 +166,6 @@ function isRecord(value: unknown): value is Values {
 }
 
 function send(source: NonNullable<IncomingMessage["source"]>, origin: string, message: object): void {
-	// Nobody but a page of that origin hears it, even where another page stands there now.
+	// Only a page of that origin receives it, even if the window shows another page now.
 	if (origin !== "null") source.postMessage({ panicle: PROTOCOL, ...message }, { targetOrigin: origin });
 }

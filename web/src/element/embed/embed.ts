@@ -1,4 +1,4 @@
-/** `embed.html?v=2&…`: the plant of a link fills a frame, and talks with the page around it. */
+/** The script of `embed.html?v=2&…`: shows the plant of a link in a frame, and exchanges messages with the host page. */
 import { PanicleSpecimen } from "../panicle";
 import { Conversation } from "./conversation";
 import { frameSettings } from "./frame_settings";

@@ -1,15 +1,15 @@
-/** What a frame's address says besides its link. */
+/** Reads the settings in a frame's address. */
 
 export interface FrameSettings {
 	/** Query and fragment of a link. */
 	readonly link: string;
-	/** Of the element. */
+	/** Attributes of the element. */
 	readonly attributes: readonly (readonly [name: string, value: string])[];
-	/** Origins that may ask the frame; undefined: all. */
+	/** Origins that may send requests to the frame; undefined: all. */
 	readonly allowed: readonly string[] | undefined;
 }
 
-/** Keys of the frame's query that go to the element; no parameter is called so. */
+/** Keys of the frame's query that become attributes of the element; no parameter has such a name. */
 export const FRAME_KEYS = ["autorotate", "wind", "controls", "handles", "theme", "alt", "loading"] as const;
 
 export function frameSettings({ search, hash }: { search: string; hash: string }): FrameSettings {
@@ -24,7 +24,7 @@ export function frameSettings({ search, hash }: { search: string; hash: string }
 	return { link: `?${query}${hash}`, attributes, allowed: allowed?.flatMap(originOf) };
 }
 
-/** An address's origin as messages have it; what is none allows nobody. */
+/** The origin of an address, as in MessageEvent; none for invalid addresses. */
 function originOf(address: string): string[] {
 	return URL.canParse(address) ? [new URL(address).origin] : [];
 }

@@ -1,4 +1,4 @@
-/** The bar below a plant: turning, age, seed, a file, and the way into the app. Every control has a name, a key and a place to be styled by. */
+/** The bar below a plant: turning, age, seed, download, and the link to the app. Every control has a label, keyboard access and a part name. */
 import { ageOf } from "../../generate/files/aged";
 import { plantInWords } from "../../generate/plant_in_words";
 import { withParameters, withSeed } from "../../specimen/edit";
@@ -10,7 +10,7 @@ import type { SpecimenView } from "../specimen_view";
 import { BAR_STYLE } from "./bar_style";
 import type { Extra, ExtrasHost } from "./extras";
 
-/** What one press turns the plant by where it may not turn by itself, degrees. */
+/** Angle of one click on Turn where the plant may not turn by itself, degrees. */
 const TURN = 45;
 
 const DRAWINGS = {
@@ -36,11 +36,11 @@ export class Bar implements Extra {
 	readonly #style = new CSSStyleSheet();
 	readonly #ended = new AbortController();
 	#shown: GrownDocument | undefined;
-	/** Whether a hand has changed something since it was last said what grew. */
+	/** Whether the user has changed something since the last announcement. */
 	#touched = false;
-	/** The last valid seed that was typed, until its plant is shown. */
+	/** The last valid seed typed, until its plant is shown. */
 	#requestedSeed: number | undefined;
-	/** `autorotate` as it was when it was last switched off. */
+	/** The value of `autorotate` when it was last switched off. */
 	#speed = "";
 
 	constructor(host: ExtrasHost, view: SpecimenView) {
@@ -75,7 +75,7 @@ export class Bar implements Extra {
 				ariaLabel: age.label,
 				title: age.label,
 			});
-			// A hand on it is ahead of what has grown.
+			// During a drag the slider is ahead of the plant.
 			if (!this.#age.matches(":active")) this.#age.value = `${value}`;
 			this.#age.ariaValueText = `${value} ${age.unit}`;
 		}
@@ -89,7 +89,7 @@ export class Bar implements Extra {
 
 	follow(): void {
 		const { element } = this.#host;
-		// Where it may not turn by itself there is nothing to switch on.
+		// Without automatic turning the button is no switch.
 		if (this.#view.turnsByItself) this.#turn.ariaPressed = `${element.hasAttribute("autorotate")}`;
 		else this.#turn.ariaPressed = null;
 		if (this.#shown) void this.#updateAppLink(this.#shown);
@@ -129,11 +129,11 @@ export class Bar implements Extra {
 		this.#download.addEventListener("click", () => void this.#save());
 		const { signal } = this.#ended;
 		matchMedia("(prefers-reduced-motion: reduce)").addEventListener("change", () => this.follow(), { signal });
-		// What pages hear of the element is told by it.
+		// Pages get these events from the element alone.
 		for (const type of ["input", "change"]) this.#bar.addEventListener(type, (event) => event.stopPropagation());
 	}
 
-	/** On again it turns as fast as before. */
+	/** Switches automatic turning; switched on again, it has the same speed. */
 	#switchTurning(): void {
 		const { element } = this.#host;
 		const speed = element.getAttribute("autorotate");
@@ -149,7 +149,7 @@ export class Bar implements Extra {
 		this.#host.interaction.settle();
 	}
 
-	/** To screen readers; what went wrong is seen, too, until the next plant or file. */
+	/** Announces a text to screen readers; errors are visible, too, until the next plant or file. */
 	#announce(words: string, seen?: "seen"): void {
 		this.#status.textContent = words;
 		this.#status.classList.toggle("unseen", !seen);
@@ -172,7 +172,7 @@ export class Bar implements Extra {
 			anchor.href = URL.createObjectURL(file);
 			anchor.download = `${preset}-${seed}.glb`;
 			anchor.click();
-			// The download has taken its own hold of the data by then.
+			// By then the download has its own reference to the data.
 			setTimeout(() => URL.revokeObjectURL(anchor.href), 60_000);
 		} catch (error) {
 			this.#announce(`The GLB could not be made: ${error instanceof Error ? error.message : error}`, "seen");

@@ -1,4 +1,4 @@
-/** The bar's own style; the view above it gives way. */
+/** The style of the bar, which reduces the view's height. */
 export const BAR_STYLE = `
 	:host { --panicle-bar: 44px; }
 	.bar {

@@ -1,12 +1,12 @@
-/** What an element has besides its plant where attributes ask for it, each from a script that comes when it is first wanted. */
+/** The element's optional parts, one per attribute, each loaded on first use. */
 import type { GrownDocument } from "../grown_detail";
 import type { SpecimenView } from "../specimen_view";
 import type { CanvasInteraction } from "./interaction";
 
-/** Something that follows the plant shown. */
+/** An optional part that follows the plant in view. */
 export interface Extra {
 	show(shown: GrownDocument): void;
-	/** An attribute of the element is another one. */
+	/** Called when an attribute of the element has changed. */
 	follow?(): void;
 	dispose(): void;
 }
@@ -15,7 +15,7 @@ export interface ExtrasHost {
 	readonly element: HTMLElement & { toFile(format: string): Promise<Blob> };
 	readonly root: ShadowRoot;
 	readonly interaction: CanvasInteraction;
-	/** The view of the plant; only ever asked for when one is shown. */
+	/** The view of the plant; called only while a plant is shown. */
 	view(): Promise<SpecimenView>;
 }
 
@@ -34,7 +34,7 @@ export class Extras {
 		this.#host = host;
 	}
 
-	/** Brings what the attributes ask for, once there is a plant, and takes away what they do not. */
+	/** Creates the parts whose attributes are set, once there is a plant, and removes the others. */
 	follow(): void {
 		for (const name of Object.keys(MADE_BY)) {
 			const wanted = this.#shown !== undefined && this.#host.element.hasAttribute(name);
@@ -50,13 +50,13 @@ export class Extras {
 		this.follow();
 	}
 
-	/** The element has left its page. */
+	/** Removes all parts, when the element leaves its page. */
 	close(): void {
 		this.#shown = undefined;
 		for (const name of [...this.#made.keys()]) this.#drop(name);
 	}
 
-	/** Where its script does not come the plant is without it, and the next plant asks again. */
+	/** Loads a part. If its script cannot be fetched, the next plant tries again. */
 	#make(name: string): void {
 		const making = MADE_BY[name](this.#host).then(
 			(extra) => {

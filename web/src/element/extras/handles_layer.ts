@@ -1,4 +1,4 @@
-/** A model's handles over the picture of its plant. */
+/** The model's handles over the picture of its plant. */
 
 import { fromPreset } from "../../specimen/from_preset";
 import type { Specimen } from "../../specimen/specimen";
@@ -15,13 +15,13 @@ export class HandlesLayer implements Extra {
 	readonly #layer: PlantHandleLayer;
 	readonly #stopFollowingDraws: () => void;
 	#shown: GrownDocument | undefined;
-	/** Of the model shown; none where it has no handles. */
+	/** The handles of the model shown; undefined if it has none. */
 	#handlesOf: HandlesOf<Specimen> | undefined;
-	/** Whether the model's handles could not be fetched: the next plant asks for them again. */
+	/** Whether the model's handles could not be fetched: the next plant tries again. */
 	#fetchFailed = false;
-	/** As hands have it, ahead of what has grown. */
+	/** The specimen as the handles show it; during a drag ahead of the plant. */
 	#specimen: Specimen | undefined;
-	/** What Escape brings back. */
+	/** The specimen before the drag, which Escape restores. */
 	#before: Specimen | undefined;
 	#disposed = false;
 
@@ -54,7 +54,7 @@ export class HandlesLayer implements Extra {
 		this.#layer.dispose();
 	}
 
-	/** Another model has other handles, which have to be fetched. */
+	/** Loads the handles of another model. */
 	async #use({ model }: GrownDocument): Promise<void> {
 		this.#layer.cancel();
 		this.#handlesOf = undefined;
@@ -69,7 +69,7 @@ export class HandlesLayer implements Extra {
 		this.#setHandles(this.#shown.specimen);
 	}
 
-	/** Puts the handles where a specimen has them. */
+	/** Places the handles of a specimen. */
 	#setHandles(specimen: Specimen | undefined): void {
 		const { model } = this.#shown ?? {};
 		this.#specimen = specimen;

@@ -1,9 +1,9 @@
 import type { Specimen } from "../../specimen/specimen";
 
-/** What the bar and the handles do to an element's specimen. */
+/** Changes that the bar and the handles make to an element's specimen. */
 export interface CanvasInteraction {
-	/** While a hand still moves: the plant regrows, `input` is told. */
+	/** Changes the specimen during a drag: grows a preview and dispatches `input`. */
 	edit(change: (now: Specimen) => Specimen): void;
-	/** The hand rests: `change` is told, and what was left out of growing meanwhile follows. */
+	/** Ends a drag: grows the full plant and dispatches `change`. */
 	settle(): void;
 }

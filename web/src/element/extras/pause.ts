@@ -1,4 +1,4 @@
-/** A button in the element's corner by which a reader has what sways by itself stand still, and go on (WCAG 2.2, 2.2.2). */
+/** The button that pauses the wind (WCAG 2.2, success criterion 2.2.2). */
 import type { GrownDocument } from "../grown_detail";
 import type { SpecimenView } from "../specimen_view";
 import type { Extra, ExtrasHost } from "./extras";
@@ -70,7 +70,7 @@ export class Pause implements Extra {
 		this.#root.adoptedStyleSheets = this.#root.adoptedStyleSheets.filter((sheet) => sheet !== this.#style);
 	}
 
-	/** Where nothing may move by itself there is nothing to pause. */
+	/** Updates the button; hidden where nothing is animated. */
 	#follow(): void {
 		this.#view.setPaused(this.#paused);
 		this.#button.hidden = !this.#sways || !this.#view.turnsByItself;
