@@ -7,7 +7,7 @@ import { type GrownSketch, sampleSpecimen, unit, type Vector } from "./fixture";
 
 const part = evenly(-1, 1);
 
-/** Any direction; upright ones, and ones a hair from upright, more often than chance would have it. */
+/** Random directions, with upright and nearly upright ones more frequent than by chance. */
 export const direction: fc.Arbitrary<Vector> = fc.oneof(
 	fc
 		.tuple(part, part, part)

@@ -10,8 +10,10 @@ import { freshCore, growBunch } from "../../core/wasm";
 
 const SEEDS = inRun([1], [1, 2, 3]);
 
-/** A contact is deep where the berries overlap by more than this share of the smaller one's half width: its facet is then
- * as wide as two thirds of the berry. */
+/**
+ * Share of the smaller berry's half width from which on an overlap is deep: its facet is then as wide as two thirds of
+ * the berry.
+ */
 const DEEP = 0.5;
 
 let core: Core;
@@ -38,7 +40,7 @@ it("deep contacts are less than a third of all, and about one for two berries", 
 interface Capsule {
 	centre: number[];
 	direction: number[];
-	/** Of the ball that is swept, and how far from the centre, either way. */
+	/** Radius of the swept ball, and its travel from the centre to either side. */
 	ball: number;
 	core: number;
 }
@@ -46,7 +48,7 @@ interface Capsule {
 const dot = (a: number[], b: number[]) => a.reduce((sum, x, k) => sum + x * b[k], 0);
 const clamp = (x: number, most: number) => Math.min(most, Math.max(-most, x));
 
-/** Of every two that touch: by how much of the smaller one's half width they overlap. */
+/** Returns for each touching pair the overlap as a share of the smaller berry's half width. */
 function overlapsOf(bunch: BunchPlant): number[] {
 	const all = capsulesOf(bunch);
 	return all.flatMap((a, i) => all.slice(i + 1).map((b) => overlap(a, b))).filter((share) => share > 0);
@@ -64,7 +66,7 @@ function overlap(a: Capsule, b: Capsule): number {
 	return (reach - Math.sqrt(dot(way, way))) / Math.min(a.ball, b.ball);
 }
 
-/** The berries that set, as they meet: those longer than wide are balls swept along their cores. */
+/** Returns the berries that set, as for contacts: those longer than wide are balls swept along their cores. */
 function capsulesOf({ berries }: BunchPlant): Capsule[] {
 	const of = (trait: (typeof TRAITS)[number], i: number) => berries.traits[TRAITS.length * i + TRAITS.indexOf(trait)];
 	return Array.from({ length: berries.count }, (_, i) => i)

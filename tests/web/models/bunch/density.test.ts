@@ -1,4 +1,4 @@
-/** A bunch is as dense as was asked for: the parameter and the measure are one note of OIV 204. */
+/** A bunch has the requested density: the parameter and the measure share the note of OIV 204. */
 
 import fc from "fast-check";
 import { beforeAll, expect, it } from "vitest";

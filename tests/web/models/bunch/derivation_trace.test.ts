@@ -1,4 +1,4 @@
-/** How a bunch's text was derived, and what its environment found. */
+/** Traces of a bunch's derivation, with the responses of its environment. */
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
 import type { BunchPlant } from "../../../../web/src/models/bunch/bunch_plant";
@@ -25,7 +25,7 @@ function growTraced(specimen: Specimen, first = 0): BunchPlant & { trace: Deriva
 	return { ...grown, trace: grown.trace };
 }
 
-/** All modules of the last string. */
+/** Returns all modules of the last string. */
 function lastString(specimen: Specimen): TraceEntry[] {
 	const modules: TraceEntry[] = [];
 	for (;;) {
@@ -49,7 +49,7 @@ describe("the paper's bunch, told", () => {
 		expect(counts.withered).toBeGreaterThan(5);
 		expect(withWords(queries, /withers$/)).toHaveLength(counts.withered);
 		expect(withWords(queries, /is cut$/)).toHaveLength(counts.cut);
-		// What a cut leaves out is never queries.
+		// Modules of a cut are never queried.
 		expect(withWords(queries, /there is room/)).toHaveLength(counts.internodes - counts.withered);
 	});
 

@@ -1,4 +1,4 @@
-/** The fingerprint of docs/fingerprint.md, computed from what a growth and its JSON hold. */
+/** Computes the fingerprint of docs/fingerprint.md from a growth and its JSON. */
 
 import type { RecordedRows } from "../../../../web/src/formats/json";
 import {

@@ -16,7 +16,7 @@ export type Vector = [x: number, y: number, z: number];
 export interface PedicelSketch {
 	/** Unit vector. */
 	direction: Vector;
-	/** Metres; 0 is withered. */
+	/** Radius in metres; 0 is withered. */
 	berryRadius: number;
 }
 
@@ -47,7 +47,7 @@ export function sampleSpecimen(changes: Partial<Specimen> = {}): Specimen {
 	return { ...specimenFromPreset(changes.preset), ...changes };
 }
 
-/** A specimen of the paper's procedure, whose growths `makeGrown` makes. */
+/** Specimen of the paper's procedure for the growths of `makeGrown`. */
 export function paperSpecimen(changes: Partial<Specimen> = {}): Specimen {
 	const specimen = sampleSpecimen(changes);
 	return { ...specimen, parameters: { ...specimen.parameters, procedure: 0 } };

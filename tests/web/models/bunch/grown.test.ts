@@ -13,14 +13,14 @@ beforeAll(async () => {
 });
 
 const grow = (specimen: Specimen, meshes = false) => growBunch(core, specimen, { meshes, meshFingerprint: meshes });
-/** As links of version 1 mean it: by the paper's procedure. */
+/** Specimens of links of version 1, which use the paper's procedure. */
 const paper = (name?: string) => specimenFromPreset(name, 1);
 const PROCEDURES = [
 	["natural", (name = "short-conical") => specimenFromPreset(name)],
 	["paper", paper],
 ] as const;
 
-/** All that came back but how long it took, as bytes. */
+/** Returns a growth as bytes, without its timings. */
 function bytesOf({ timings: _, ...grown }: Omit<BunchPlant, "timings"> & Partial<BunchPlant>): string {
 	return JSON.stringify(grown, (_key, value) =>
 		ArrayBuffer.isView(value) ? Array.from(value as Float32Array) : value,

@@ -1,4 +1,7 @@
-/** How bunches of grape presets hang, how their axes are arranged round the rachis, and where they are bare, over many seeds. */
+/**
+ * Over many seeds: how bunches of grape presets hang, how their axes are arranged round the rachis, and where they are
+ * bare.
+ */
 
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
@@ -11,7 +14,7 @@ import { freshCore, growBunch } from "../../core/wasm";
 
 const SEEDS = 20;
 const SECTORS = 16;
-/** Berry lengths of bare rachis that berries may hang below. */
+/** Most bare rachis above lower berries, in berry lengths. */
 const MOST_BARE = 1.5;
 
 let core: Core;
@@ -80,7 +83,7 @@ it("drawn profiles have no tuft below bare rachis, loose and various ones neithe
 
 const mean = (values: readonly number[]) => values.reduce((sum, value) => sum + value) / values.length;
 
-/** Whole numbers by a linear congruential generator (Numerical Recipes, section 7.1): the same on every run. */
+/** Linear congruential generator (Numerical Recipes, section 7.1): the same numbers on every run. */
 class Draws {
 	constructor(private state: number) {}
 
@@ -90,7 +93,9 @@ class Draws {
 	}
 }
 
-/** The longest stretch of the bunch's axis beside which no berry hangs while some do below it; in berry lengths. */
+/**
+ * Returns the longest stretch of the bunch's axis without berries beside it and with berries below, in berry lengths.
+ */
 function longestGap({ berries }: BunchPlant): number {
 	const of = (trait: (typeof TRAITS)[number], i: number) => berries.traits[TRAITS.length * i + TRAITS.indexOf(trait)];
 	const set = Array.from({ length: berries.count }, (_, i) => i).filter((i) => of("set", i) === 1);
@@ -105,7 +110,7 @@ function longestGap({ berries }: BunchPlant): number {
 	return longest / mean;
 }
 
-/** The share of berries that point upward, of those that set. */
+/** Returns the share of set berries that point upward. */
 function upward({ berries }: BunchPlant): number {
 	const set = Array.from({ length: berries.count }, (_, i) => i).filter(
 		(i) => berries.traits[TRAITS.length * i + TRAITS.indexOf("set")] === 1,
@@ -113,7 +118,7 @@ function upward({ berries }: BunchPlant): number {
 	return set.filter((i) => berries.directions[3 * i + 1] > 0).length / set.length;
 }
 
-/** Of the internodes of first-order axes: how many lie in each sector, the first centred on +X. */
+/** Returns how many internodes of first-order axes lie in each sector, the first centred on +X. */
 function shares(bunches: readonly BunchPlant[]): number[] {
 	const counts = new Array<number>(SECTORS).fill(0);
 	for (const { internodes } of bunches) {

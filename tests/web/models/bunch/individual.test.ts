@@ -1,4 +1,4 @@
-/** Bunches of one preset differ by seed: how far they spread, and that their mean stays. */
+/** Bunches of one preset vary by seed; tests their spread and that their mean is stable. */
 
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
@@ -35,7 +35,7 @@ describe.each(presetsInRun(({ kind }) => kind !== "fruit"))("%s", (preset) => {
 	});
 
 	it("weighs and is as long in the mean as without variability", () => {
-		// Where bunches are dense, narrow seeds lose more berries than wide ones win.
+		// In dense bunches, narrow seeds lose more berries than wide ones gain.
 		expect(Math.abs(spread(varied, "bunch_weight").mean / spread(even, "bunch_weight").mean - 1)).toBeLessThan(0.06);
 		expect(Math.abs(spread(varied, "bunch_length").mean / spread(even, "bunch_length").mean - 1)).toBeLessThan(0.03);
 	});

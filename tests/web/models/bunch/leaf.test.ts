@@ -23,7 +23,7 @@ beforeAll(async () => {
 	core = await freshCore();
 });
 
-// In order: what is fetched stays.
+// These tests run in order, since fetched leaves stay.
 describe("the leaf on the cane", () => {
 	it("is not fetched for a bunch without leaves", () => {
 		expect(model.prepare(bare)).toBeUndefined();

@@ -66,7 +66,7 @@ describe("the levers of a bunch", () => {
 	});
 });
 
-/** How near what is requested for comes, as a share of it; the presets of small fruits have too few berries for some. */
+/** Tolerance of a target, as a share of it; the presets of small fruits have too few berries for some. */
 const NEAR: readonly [MeasureKey, number][] = [
 	["bunch_length", 0.02],
 	["bunch_width", 0.08],

@@ -1,4 +1,4 @@
-/** What the natural procedure says across the border; whether a bunch is right is for the core's own tests. */
+/** Data of the natural procedure across the core's border; the core's own tests check the bunches themselves. */
 
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";

@@ -14,7 +14,7 @@ import { type GrownSketch, makeBerry, makeGrown } from "./fixture";
 export interface NaturalChanges {
 	/** The traits of berry `index` that differ from a ripe one's: exposure, turned, opened, set, shrivel. */
 	traits?: (index: number) => Partial<Record<"exposure" | "turned" | "opened" | "set" | "shrivel", number>>;
-	/** Without leaves and cane. */
+	/** Whether to leave out leaves and cane. */
 	bare?: boolean;
 }
 
@@ -48,7 +48,7 @@ export function makeNatural(
 	return { ...natural, fingerprint: fingerprintOf(natural.internodes, berries, "natural") };
 }
 
-/** Stamens reach so many of their ovary's radii. */
+/** Reach of stamens in radii of their ovary. */
 export const STAMENS_REACH = 1.75;
 
 function flower(): FlowerMesh {
@@ -63,7 +63,7 @@ function flower(): FlowerMesh {
 	return { ...ball, positions, unit: 0, pieces: [{ piece: "stamens", ...whole }] };
 }
 
-/** Ellipsoids along their directions, flat on one side where they are called pressed. */
+/** Builds ellipsoids along their directions, flat on one side if pressed. */
 function pressedSurfaces({ berries }: BunchPlant, pattern: Mesh): BerrySurfaces {
 	const vertices = pattern.uvs.length / 2;
 	const positions = new Float32Array(3 * vertices * berries.count);
@@ -86,7 +86,7 @@ function pressedSurfaces({ berries }: BunchPlant, pattern: Mesh): BerrySurfaces 
 	return { uvs: pattern.uvs, indices: pattern.indices, positions, normals, pressed };
 }
 
-/** A cane, two leaves with their petioles, and a part of which nothing is left. */
+/** Builds a cane, two leaves with their petioles, and an empty part. */
 function makeFoliage(): Foliage {
 	const kinds = ["cane", "petiole", "leaf", "petiole", "leaf"] as const;
 	const tent = [0, 0, 0, 0.02, 0.03, 0, 0, 0.03, 0.05, -0.02, 0.03, 0];

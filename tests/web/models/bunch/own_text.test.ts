@@ -1,4 +1,4 @@
-/** Notes on bunches that grow by a text of one's own. */
+/** Notes on bunches with a custom text. */
 
 import { expect, it } from "vitest";
 import { model } from "../../../../web/src/models/bunch";

@@ -12,7 +12,7 @@ export interface PressedOptions extends Partial<Record<Trait, number>> {
 	count?: number;
 	seed?: number;
 	fruit?: Fruit;
-	/** How much larger than their gaps allow the berries are. */
+	/** Ratio of berry sizes to those that would just touch. */
 	swell?: number;
 	/** Length over width. */
 	elongation?: number;

@@ -1,4 +1,4 @@
-/** Bunches that dry: what they lose on the way from ripe to raisin. */
+/** Drying bunches: their losses from ripe to raisin. */
 import { beforeAll, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
 import type { BunchPlant } from "../../../../web/src/models/bunch/bunch_plant";

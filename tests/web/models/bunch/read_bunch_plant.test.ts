@@ -6,17 +6,17 @@ import { encodeRequest } from "../../../../web/src/models/bunch/request";
 import { specimenFromPreset, withParameters } from "../../bunch";
 import { freshCore } from "../../core/wasm";
 
-/** Whether two arrays hold the same, of the same kind: quicker than looking for what differs. */
+/** Returns whether two arrays have the same type and values; faster than a structural diff. */
 const same = (a: ArrayBufferView, b: ArrayBufferView) =>
 	a.constructor === b.constructor &&
 	Buffer.from(a.buffer, a.byteOffset, a.byteLength).equals(Buffer.from(b.buffer, b.byteOffset, b.byteLength));
 
-/** A bunch with all there is, beside the columns it was read from. */
+/** A bunch with every column, and the columns it was read from. */
 async function both() {
 	const specimen = withParameters(specimenFromPreset("short-conical"), { age: 60, leaves: 1, wing: 0.4 });
 	await fetchLeaf();
 	const { columns, milliseconds } = (await freshCore()).grow(encodeRequest(specimen));
-	// Read from a copy: what is read must be what came, not what reading made of it.
+	// Reads from a copy, so that a modified input is detected.
 	const came = structuredClone(Object.fromEntries(columns.names.map((name) => [name, columns.any(name)])));
 	return { grown: readBunchPlant({ columns, milliseconds }) as Required<BunchPlant>, came };
 }

@@ -3,7 +3,7 @@ import type { BunchPlant } from "../../../../web/src/models/bunch/bunch_plant";
 import { bunchInWords, lengthInWords, stemsInWords } from "../../../../web/src/models/bunch/words";
 import { specimenFromPreset, withParameters } from "../../bunch";
 
-/** So many berries of a natural bunch, the highest and the lowest 22 cm apart from end to end. */
+/** Makes a natural bunch of a number of berries, the highest and the lowest 22 cm apart from end to end. */
 const berries = (count: number) => {
 	const spheres = Float32Array.of(0, 0.01, 0, 0.01, 0, -0.19, 0, 0.01);
 	return { procedure: "natural", counts: { berries: count }, berries: { count: 2, spheres } } as BunchPlant;

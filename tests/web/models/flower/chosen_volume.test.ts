@@ -44,7 +44,7 @@ describe("the chosen volume", () => {
 		const now = stillChosen(richer, chosen) ?? -1;
 		expect(now).not.toBe(bud);
 		expect(name(richer, now)).toBe("BUD");
-		// Of two alike the one that it was.
+		// Of two equal ones, the same as before.
 		const petals = [...label.keys()].filter((of) => labels[label[of]] === "PETAL" && parent[of] === parent[bud]);
 		expect(petals).toHaveLength(2);
 		const again = petals.map((petal) => stillChosen(richer, chosenOf(before, petal)) ?? -1);
@@ -73,7 +73,7 @@ describe("the chosen volume", () => {
 			`#define A(4)\n#define B(4)\n#define C(4)\n#define D(4)\n#axiom: A\n#define finalStep=2\n${productions}`,
 		);
 		const { order, parent } = plant.volumes;
-		// Or nothing is shown.
+		// Otherwise nothing is shown.
 		expect(parent.some((from, at) => from !== 0xffffffff && from > at)).toBe(true);
 		for (let volume = 0; volume < order.length; volume++)
 			expect(stillChosen(plant, chosenOf(plant, volume))).toBe(volume);

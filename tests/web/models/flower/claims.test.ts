@@ -1,4 +1,4 @@
-/** Which texts that come without a name are flowers'. */
+/** Recognition of flowers' texts that come without a model's name. */
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { describe, expect, it } from "vitest";

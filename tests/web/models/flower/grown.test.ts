@@ -75,7 +75,7 @@ describe("a flower", () => {
 		const onSeed = (volume: number): boolean =>
 			name(volume) === "SEED" || (volumes.parent[volume] < volume && onSeed(volumes.parent[volume]));
 		expect(cups.every(onSeed)).toBe(true);
-		// Six tepals to each, and the ground glued from 13 steps of the grammar.
+		// Each has six tepals; 13 steps of the grammar glue the ground.
 		const tepals = all.filter(
 			(volume) => name(volume) === "VEIN" && ["CUP", "TOP"].includes(name(volumes.parent[volume])),
 		);
@@ -139,7 +139,7 @@ describe("a flower", () => {
 			expect([a0, a1].map((a) => faceOf(a[dart]))).toEqual([faceOf(dart), faceOf(dart)]);
 			expect(faceOf(a2[dart])).not.toBe(faceOf(dart));
 		}
-		// Each is sewn to the face that it is said to stand on.
+		// Each is sewn to its stated face.
 		expect([parent[0], face[0], attached]).toEqual([-1, null, []]);
 		for (let v = 1; v < order.length; v += 13) {
 			const beyond = a3[volume.indexOf(v)];
@@ -243,7 +243,7 @@ describe("a flower", () => {
 		expect(claims?.("#axiome: A\nA->A[&B]C1,C2")).toBe(true);
 		expect(claims?.("axiom: A\nA --> F[+A]F")).toBe(false);
 		expect(claims?.('tree -> DivFunc("sigma1"){branches}')).toBe(false);
-		// To share out the blanks in every way would take for ever.
+		// Backtracking over the blanks would not end.
 		expect(claims?.(`]${" ".repeat(50_000)}`)).toBe(false);
 	});
 });

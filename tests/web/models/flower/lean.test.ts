@@ -1,4 +1,4 @@
-/** Stems bend to the right of a flower seen from in front where `bend` is above 0: what gestures rely on (gestures/lean.ts). */
+/** Stems bend to the right, seen from the front, if `bend` is above 0: gestures rely on this (gestures/lean.ts). */
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
 import { type FlowerPlant, readFlowerPlant } from "../../../../web/src/models/flower/flower_plant";
@@ -19,7 +19,7 @@ beforeAll(async () => {
 	bending = NAMES.filter((name) => /^#define bend=.*-5 … 5/m.test(fetchedText({ preset: name }) ?? ""));
 });
 
-/** The middle of all that is not stem nor leaf, metres. */
+/** Returns the centre of everything but stems and leaves, metres. */
 function headOf({ meshes }: FlowerPlant): [x: number, y: number, z: number] {
 	const sum: [number, number, number] = [0, 0, 0];
 	let count = 0;

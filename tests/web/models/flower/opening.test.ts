@@ -9,7 +9,7 @@ import { namesInRun } from "../../../long_run.mjs";
 import { freshCore } from "../../core/wasm";
 
 const STEPS = 8;
-/** What is too little to be seen, metres. */
+/** Least visible movement, metres. */
 const LEAST = 0.001;
 
 let core: Core;
@@ -19,8 +19,8 @@ beforeAll(async () => {
 });
 
 /**
- * The presets of the gate, one of each way to open: petals on a ring, florets of a head, flowers of an inflorescence, and a clock that
- * scatters.
+ * Presets of the short test run, one of each way to open: petals on a ring, florets of a head, flowers of an
+ * inflorescence, and a clock that scatters.
  */
 const GATE_PRESETS = ["tulip", "daisy", "umbel", "dandelion-clock"];
 const opening = namesInRun(
@@ -31,14 +31,14 @@ const opening = namesInRun(
 function grown(name: string, age: number): FlowerPlant {
 	const specimen = fromPreset(model, name);
 	const parameters = { ...specimen.parameters, age, smooth: 0 };
-	// Of a meadow a corner is enough: each of its plants opens by itself.
+	// A corner of a meadow is enough: each of its plants opens by itself.
 	const grammar = fetchedText(specimen)?.replace(/(#define across=)\d+/, (_, define) => `${define}8`);
 	return readFlowerPlant(
 		core.grow(model.encode({ ...specimen, parameters, grammar }, { sky: false, map: false, measures: false })),
 	);
 }
 
-/** How far each corner moves, metres. */
+/** Returns how far each corner moves, metres. */
 function moves(from: FlowerPlant, to: FlowerPlant): Float32Array {
 	const all = new Float32Array(from.meshes.reduce((sum, { positions }) => sum + positions.length / 3, 0));
 	let corner = 0;
@@ -55,8 +55,8 @@ function moves(from: FlowerPlant, to: FlowerPlant): Float32Array {
 }
 
 /**
- * Whether a corner jumps between two ages. What goes on smoothly goes about half its way in each half of the time; where one half has
- * nearly all of it that half is looked at, and what does so again and again jumps.
+ * Returns whether a corner jumps between two ages. A smooth movement covers about half its way in each half of the
+ * time; a half with nearly all of the way is split again, and a corner for which this repeats jumps.
  */
 function jumps(name: string, low: number, high: number, from: FlowerPlant, to: FlowerPlant, halvings = 7): boolean {
 	const middle = (low + high) / 2;

@@ -5,7 +5,7 @@ import { organOf, placeOfVolume, titleOfVolume } from "../../../../web/src/model
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
 import { freshCore } from "../../core/wasm";
 
-/** A stem of two segments, each with two organs of one call and one of another, which bear hairs. */
+/** A stem of two segments, each with two organs of one call and one of another, which have hairs. */
 const TEXT = `#define STEM(8,0,0,0,9,3,3,1)
 #axiom: STEM
 #material 1 stem "7f9a55"
@@ -49,7 +49,7 @@ describe("the organ of a volume", () => {
 		const sizes = [...names].map((name) => name.split(",").length);
 		expect(sizes.reduce((sum, size) => sum + size, 0)).toBe(blades);
 		expect([...organOf(plant.volumes, 0).volumes]).toEqual(of("STEM"));
-		// The hair belongs to it, a segment behind the one that bears it.
+		// The hair belongs to the organ, one segment behind its parent.
 		const [hair] = of("X2");
 		const parent = plant.volumes.parent[hair];
 		const [own, its] = [hair, parent].map((volume) => organOf(plant.volumes, volume));

@@ -2,7 +2,7 @@
 import type { FlowerPlant } from "../../../../web/src/models/flower/flower_plant";
 
 export interface Organ {
-	/** What it stands on. */
+	/** Label of the volume that it grows on. */
 	parentLabel: string;
 	/** Millimetres, along its middle and across where it is widest. */
 	length: number;
@@ -12,7 +12,7 @@ export interface Organ {
 const HEIGHT = 5;
 const BREADTH = 6;
 
-/** A plant's volumes, by number: what they are called, their sizes, and the chains they make. */
+/** Returns helpers for a plant's volumes: labels, sizes, and chains. */
 function chainsOf({ volumes }: FlowerPlant) {
 	const { labels, label, parent, values } = volumes;
 	const name = (v: number) => labels[label[v]];
@@ -23,7 +23,7 @@ function chainsOf({ volumes }: FlowerPlant) {
 	const chain = (v: number | undefined, is: RegExp): number[] =>
 		v === undefined ? [] : [v, ...chain(next(v, is), is)];
 	const long = (all: readonly number[]) => all.reduce((sum, v) => sum + value(v, HEIGHT), 0);
-	/** Those that are so called and do not stand on another such. */
+	/** Returns the volumes with a label whose parent has another label. */
 	const begin = (kinds: readonly string[]) =>
 		[...label.keys()].filter((v) => kinds.includes(name(v)) && name(parent[v]) !== name(v));
 	return { name, value, parent, next, chain, long, begin };
@@ -43,7 +43,7 @@ export function organsOf(plant: FlowerPlant): Organ[] {
 	});
 }
 
-/** Filaments, styles, achenes: each a chain of prisms that are called `kind`, as thick as its thickest. */
+/** Measures filaments, styles and achenes: chains of prisms labelled `kind`, as thick as their thickest. */
 export function rodsOf(plant: FlowerPlant, kind: string): Organ[] {
 	const { name, value, parent, chain, long, begin } = chainsOf(plant);
 	return begin([kind]).map((v) => {
@@ -56,7 +56,7 @@ export function rodsOf(plant: FlowerPlant, kind: string): Organ[] {
 	});
 }
 
-/** How wide all is that is petal, millimetres: the mean along x and z. */
+/** Returns the width of all petals, millimetres: the mean along x and z. */
 export function bloomWidth({ meshes }: FlowerPlant): number {
 	const low = [Infinity, Infinity, Infinity];
 	const high = [-Infinity, -Infinity, -Infinity];

@@ -25,7 +25,7 @@ const PLAIN: Paint = {
 
 const LONE = "#define A(4,0,0,0,5,5,5,3)\n#axiom: A\nA -> A[A]_{E}\n";
 
-/** What volumes of a petal are: its vein, its lobes on either side, and of a ligule what stands on its sides. */
+/** Labels of a petal's volumes: vein, lobes on either side, and the parts on a ligule's sides. */
 const LAYER: Readonly<Record<string, string>> = {
 	VEIN: "mesophyll",
 	M: "mesophyll",
@@ -76,7 +76,7 @@ describe("the paint of organs", () => {
 		};
 		const blues = Array.from({ length: 1000 }, (_, i) => colourAt(veined, 0.2, i / 1000)[2]);
 		const dark = blues.filter((blue, i) => i > 0 && i < 999 && blue < blues[i - 1] && blue <= blues[i + 1]);
-		// Half of the one in the middle, and what lies within the margin of six, which spread only towards the tip.
+		// Half of the middle vein, and the veins within the margin of six, which spread only towards the tip.
 		expect(dark.length).toBeGreaterThanOrEqual(6);
 		expect(blues[0]).toBe(0);
 	});
@@ -106,7 +106,7 @@ describe("the paint of organs", () => {
 		const [veined] = parts('petal "ff0000" "0000ff" veins "000000" 8 0.5');
 		expect(veined.shape?.material.textures?.colour?.width).toBeGreaterThan(100);
 		expect(veined.shape?.mesh.colours).toBeUndefined();
-		// A drag lays the same picture, which is not sent to the graphics card again.
+		// A drag reuses the same picture, which is not uploaded to the GPU again.
 		const [again] = parts('petal "ff0000" "0000ff" veins "000000" 8 0.5');
 		expect(again.shape?.material.textures?.colour).toBe(veined.shape?.material.textures?.colour);
 		expect(pictureOf({ ...PLAIN, foot: 0.3 }).picture).not.toBe(pictureOf(PLAIN).picture);

@@ -13,14 +13,14 @@ import { inRun } from "../../../long_run.mjs";
 import { freshCore } from "../../core/wasm";
 import { bloomWidth, type Organ, organsOf, rodsOf } from "./organs";
 
-/** Of which the page's column *ours* is the spread. */
+/** Seeds whose spread is the page's column *ours*. */
 const ALL_SEEDS = 40;
 const SEEDS = process.env.UPDATE_GOLDENS ? ALL_SEEDS : inRun(3, ALL_SEEDS);
 const PAGE = new URL("../../../../docs/models/flower/species.md", import.meta.url);
 
 const HEIGHT = model.table.measures.findIndex(({ key }) => key === "height");
 
-/** What the page's table calls, of a plant and the organs that are meant: millimetres, counts, shares. */
+/** Quantities of the page's table, of a plant and the organs in question: millimetres, counts, shares. */
 const MEASURED: Readonly<Record<string, (plant: FlowerPlant, organs: readonly Organ[]) => number[]>> = {
 	height: ({ measures }) => [10 * (measures?.[HEIGHT] ?? Number.NaN)],
 	flower: (plant) => [bloomWidth(plant)],
@@ -36,7 +36,7 @@ const MEASURED: Readonly<Record<string, (plant: FlowerPlant, organs: readonly Or
 interface Row {
 	preset: string;
 	what: string;
-	/** What the organs stand *on*, or what they are chains *of*. */
+	/** Labels that the organs grow *on*, or whose chains they are (*of*). */
 	on: string[];
 	of: string | undefined;
 	measure: string;
@@ -62,10 +62,10 @@ const rows: Row[] = [
 	ours,
 }));
 
-/** Which cell of a row the test writes. */
+/** Cell of a row that the test writes. */
 const OURS = 4;
 
-/** From least to greatest, as the page has it. */
+/** Writes the range from least to greatest, as on the page. */
 function spread(found: readonly number[], measure: string): string {
 	const [low, high] = [Math.min(...found), Math.max(...found)].map((each) =>
 		measure === "beside"

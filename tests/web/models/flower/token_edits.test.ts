@@ -26,7 +26,7 @@ const named = (origin: Parameters<typeof numberGroupsOf>[1]) =>
 		]),
 	);
 
-/** The same as lines, where each token stands as it is written. */
+/** The same as lines, each number at its position in the text. */
 const linesOf = (text: string, origin: Parameters<typeof numberGroupsOf>[1]) =>
 	numberGroupsOf(text, origin).map(({ title, tokens }) => {
 		for (const { from, to, text: written } of tokens) expect(text.slice(from, to)).toBe(written);
@@ -59,7 +59,7 @@ STEM{}{step<2}{} -> STEM[STEM]_{E}
 LOBE -> LOBE[LOBE(,,,,,8,,)]_{E}
 ${more}`;
 		const lobe = (more = "") => linesOf(text(more), { label: "LOBE", module: 0, line: 4, call: 0 })[0];
-		// On its like an empty place is that one's: it is never the definition's.
+		// On a predecessor of the same label an empty entry takes the predecessor's value, never the definition's.
 		expect(lobe()).toBe("Every LOBE: N 4, aty 0, atz 0, L 2, m 4");
 		expect(lobe("STEM -> STEM[LOBE(,,,,,,W,)]_{C2}\n")).toBe("Every LOBE: N 4, atx 0, aty 0, atz 0, H 1, L 2, m 4");
 		const all = "Every LOBE: N 4, atx 0, aty 0, atz 0, H 1, L 2, W 3, m 4";

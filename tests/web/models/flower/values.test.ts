@@ -144,7 +144,7 @@ describe("an address", () => {
 		const address = `tulip.json?g=${await compressText(grows)}`;
 		outputs.length = 0;
 		const refused = await get(address);
-		// Neither its skin nor its map was made.
+		// Neither its mesh nor its map was built.
 		expect(outputs).toEqual([""]);
 		expect(`${refused.status} ${await refused.text()}`).toMatch(
 			/^413 the flower’s map has [\d,]+ darts, and at most 600,000 are sent; file-map=0 leaves the map out\n$/,
@@ -188,7 +188,7 @@ describe("a series", () => {
 	it("refuses names that the text does not have, and what is no number", async () => {
 		const unknown = readVary(model, "lenght=200..400", tulip);
 		await expect(checkVaried(model, unknown, tulip)).rejects.toThrow("lenght: no parameter has that key, and the text");
-		// Whatever else is unknown came another way, and is told there.
+		// Other unknown names are reported there.
 		const strange = { ...tulip, constants: { aaa: 1 } };
 		for (const [vary, problem] of [["zzz=1..2", "zzz: no"] as const, ["length=200..400", undefined] as const]) {
 			const checked = checkVaried(model, readVary(model, vary, strange), strange);
@@ -237,7 +237,7 @@ describe("a slider of a constant", () => {
 		expect(withText(source, typed, text.replace("length=500", "length=50"))).toEqual({
 			details: { grammar: undefined, constants: { length: 50 } },
 		});
-		// As it is written: the digits are the text's own.
+		// The digits are those of the text.
 		const own = text.replace("length=500", "length=50.0");
 		expect(withText(source, typed, own)).toEqual({ details: { grammar: own, constants: {} } });
 	});

@@ -48,7 +48,7 @@ const grown = (grammar: string) => {
 	};
 };
 
-/** Of the shelf what is grown: each thing that the language has is in one of these. */
+/** Presets to grow: together they use every feature of the language. */
 const GROWN = new Set(["table-3", "figure-16", "petal", "tulip", "daisy"]);
 
 const mistake = (xml: string): string => {

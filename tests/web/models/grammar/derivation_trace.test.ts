@@ -1,4 +1,4 @@
-/** How a text was derived, as the model gives it. */
+/** Traces of a text's derivation. */
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
 import { exportJson, writeJson } from "../../../../web/src/formats/json";
@@ -100,7 +100,7 @@ describe("a derivation that a text's plant tells", () => {
 			expect(text).toBe(`?E(${answer?.asked?.join()})`);
 			expect(answer?.answered[0]).toBe("0.9");
 		}
-		// What was answered decides what fires before it.
+		// The responses determine which productions fire before them.
 		for (const [index, { fires }] of trace.modules.entries()) {
 			const next = trace.modules[index + 1]?.answer;
 			if (fires && next) expect(fires.line).toBe(Number(next.answered[1]) < 3 ? 3 : 4);

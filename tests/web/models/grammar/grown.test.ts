@@ -25,7 +25,7 @@ const of = (grammar: string, changes: Partial<GrammarSpecimen> = {}): GrammarSpe
 const grow = (specimen: GrammarSpecimen, options?: GrammarRequestOptions): GrammarPlant =>
 	model.read(core.grow(model.encode(specimen, options)));
 
-/** Blades of a leaf that are still to open. */
+/** Blades of a leaf that has not opened. */
 const ALLOWED = /polygons? shows? nothing/;
 
 const TWIGS = "#define spread 40\naxiom: F [ +(spread) F S(0.3) ] [ -(spread) F S(0.2) ] F";

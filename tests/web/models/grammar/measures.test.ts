@@ -27,7 +27,7 @@ const measuresOf = (preset: string) => {
 	return exportJson(model, grow(specimen, { meshes: false }), specimen).measures;
 };
 
-/** What a template says, its tags taken out. */
+/** Returns a template's text without tags. */
 function textOf(drawn: unknown): string {
 	if (Array.isArray(drawn)) return drawn.map(textOf).join("");
 	const { strings, values } = (drawn ?? {}) as { strings?: readonly string[]; values?: readonly unknown[] };

@@ -44,7 +44,7 @@ describe("what a plant lacks", () => {
 		expect(warningsOf({ ...grow(cubes()), notes }, cubes())).toEqual([
 			"Nothing grows in areas 1, 2 and 4: it is missed.",
 		]);
-		// Those of another reason are warningsFor apart.
+		// Notes of another reason stay separate.
 		const others = [...notes, "Nothing grows in area 3: it lies within area 2."];
 		expect(warningsOf({ ...grow(cubes()), notes: others }, cubes())).toHaveLength(2);
 	});

@@ -1,4 +1,7 @@
-/** Laws of the species: the size is that of the description, age and season change the plant without a jump, and what falls lies on the ground. */
+/**
+ * Laws of the species: size as described, age and season change the plant continuously, and fallen leaves lie on the
+ * ground.
+ */
 import { readFileSync } from "node:fs";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
@@ -39,7 +42,7 @@ function placesOf({ organs }: GrowthPlant, tag: string): Set<string> {
 
 const within = (some: Set<string>, all: Set<string>): boolean => [...some].every((place) => all.has(place));
 
-/** Of each shoot the end. */
+/** Returns the end of each shoot. */
 function tipsOf({ segments, shoots }: GrowthPlant): Map<number, Float32Array> {
 	const tips = new Map<number, Float32Array>();
 	for (let i = 0; i < segments.count; i++) tips.set(shoots.shoot[i], segments.ends.subarray(6 * i + 3, 6 * i + 6));
@@ -51,7 +54,7 @@ it("there are twelve species and more, of which one is a vine", () => {
 	expect(SPECIES.map(({ name }) => name)).toContain("grapevine");
 });
 
-/** The presets of the gate: a broad-leaved tree, an evergreen, a fruit tree and the vine. */
+/** Presets of the short test run: a broad-leaved tree, an evergreen, a fruit tree and the vine. */
 const GATE_SPECIES = ["oak", "pine", "apple", "grapevine"];
 
 const speciesInRun = namesInRun(
@@ -96,7 +99,7 @@ describe.each(speciesInRun)("%s", (name) => {
 			const plant = grown(name, { season });
 			expect(within(placesOf(plant, "leaf"), all), `season ${season}`).toBe(true);
 			expect(plant.counts.leaves + plant.counts.shed).toBeLessThanOrEqual(most);
-			// What lies on the ground stays there.
+			// Leaves on the ground stay there.
 			const shed = placesOf(plant, "shed");
 			expect(within(lying, shed)).toBe(true);
 			lying = shed;
@@ -111,7 +114,7 @@ describe.each(speciesInRun)("%s", (name) => {
 		if (evergreen) return;
 		expect(grown(name, { season: 0 }).counts).toMatchObject({ leaves: 0, shed: 0 });
 		expect(grown(name, { season: 1 }).counts).toMatchObject({ leaves: 0, shed: most });
-		// Leaves that the text makes fall are about to in autumn alone, and shaken off as figure 5 has it.
+		// Leaves that the text drops are about to fall in autumn only, and shaken off as in figure 5.
 		expect(summer.counts.falling).toBe(0);
 		const autumn = grown(name, { season: 0.65 }).counts;
 		expect(autumn.falling).toBeGreaterThan(0.1 * autumn.leaves);
@@ -144,7 +147,7 @@ it("a vine has places for two bunches on each cane that is grown, above its wire
 		const [, y, , qx, qy, qz, qw] = organs.transforms.subarray(TRANSFORM * i, TRANSFORM * i + 7);
 		expect(y).toBeGreaterThan(0.85);
 		expect(organs.mesh[i]).toBe(-1);
-		// Where the rotation takes +Y.
+		// Image of +Y under the rotation.
 		expect(1 - 2 * (qx * qx + qz * qz)).toBeCloseTo(-1, 5);
 		expect(Math.hypot(2 * (qx * qy - qz * qw), 2 * (qy * qz + qx * qw))).toBeCloseTo(0, 5);
 	}

@@ -11,7 +11,7 @@ import { ABOUT } from "../../../formats/toy_parts";
 import { type PressedOptions, pressedBunch } from "../pressed_bunch";
 import { LOOK } from "../sample_bunch";
 
-/** What is finer than the vertices of one free berry, at each of them. */
+/** Returns the details of one free berry, at each of its vertices. */
 function atVertices(look: Partial<Look>, options: PressedOptions = {}) {
 	const grown = pressedBunch({ count: 1, ...options });
 	const surfaces = grown.surfaces as BerrySurfaces;
@@ -73,7 +73,7 @@ describe("a berry's skin, finer than its vertices", () => {
 		for (const shrivel of [0, 1]) {
 			const grown = pressedBunch({ count: 2, shrivel });
 			const surfaces = grown.surfaces as BerrySurfaces;
-			// At its poles three's sphere goes on beside its picture.
+			// At its poles three's sphere extends beyond its texture.
 			grown.surfaces = { ...surfaces, uvs: surfaces.uvs.map((value) => Math.min(1, Math.max(0, value))) };
 			const parts = [...bunchParts(grown, { look: LOOK })];
 			const glb = (await plantFile("glb")?.make(parts, ABOUT, { textures: true })) as Uint8Array;
@@ -85,7 +85,7 @@ describe("a berry's skin, finer than its vertices", () => {
 				occlusionTexture: { index },
 			});
 			expect("normalTexture" in (skin ?? {})).toBe(shrivel === 1);
-			// Other files have none of it.
+			// Other formats have no such textures.
 			const plain = documentOf(exportGlb(parts, ABOUT)).materials?.find(({ name }) => name === "Skin");
 			expect(plain).not.toHaveProperty("occlusionTexture");
 		}

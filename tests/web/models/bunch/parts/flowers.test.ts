@@ -60,7 +60,7 @@ describe("flowersOf", () => {
 		const grown = blooming({ count: 100, opened: 1, set: 0 });
 		const gone = Array.from({ length: 100 }, (_, id) => ({ id, why: "not set" as const, place: [0, 0, 0] as Place }));
 		const beside = (thinned: BunchPlant["thinned"]) => countOf(flowersOf({ ...grown, thinned }), "pistil");
-		// Of 200 flowers half are left, and half of what stood beside them.
+		// Of 200 flowers half are left, and half of those beside them.
 		expect(beside(gone)).toBeLessThan(0.62 * beside([]));
 		expect(beside(gone)).toBeGreaterThan(0.5 * 280 - 40);
 	});

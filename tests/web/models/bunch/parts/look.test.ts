@@ -1,4 +1,4 @@
-/** How a natural bunch looks to whoever opens its GLB. */
+/** Appearance of a natural bunch in a GLB viewer. */
 import { Color, type MeshPhysicalMaterial } from "three";
 import { describe, expect, it } from "vitest";
 import type { BunchPlant } from "../../../../../web/src/models/bunch/bunch_plant";

@@ -27,12 +27,12 @@ beforeAll(async () => {
 });
 
 const grow = (specimen: Specimen, options?: BunchRequestOptions) => growBunch(core, specimen, options);
-/** Without the vine, unless it is asked for: leaves have pictures, which three.js loads in browsers alone. */
+/** Without cane and leaves by default: leaves have textures, which three.js loads in browsers only. */
 const natural = (name: string, parameters: Partial<Record<NumberKey, number>> = {}): Specimen => {
 	const specimen = specimenFromPreset(name);
 	return { ...specimen, parameters: { ...specimen.parameters, leaves: 0, cane: 0, ...parameters, procedure: 1 } };
 };
-/** Fewer triangles where only the way of writing them is looked at. */
+/** Fewer triangles for tests of the file format. */
 const COARSE: BunchRequestOptions = { stemSides: 5, berrySegments: 8 };
 
 describe.each(presetsInRun())("%s", (name) => {
@@ -106,7 +106,7 @@ describe("a natural bunch", () => {
 		},
 	);
 
-	/** Large and dense enough, a panel within its ranges asks for more than the core's limit, which says so. */
+	/** Large and dense settings may exceed the core's limit, which it reports. */
 	const grownOrTooLarge = (specimen: Specimen) => {
 		try {
 			return grow(specimen, COARSE);
@@ -138,7 +138,7 @@ describe("a natural bunch", () => {
 				expect(await complaints(await bunchGlb(grown, specimen, { compact }))).toEqual([]);
 				expect(fingerprintOfDocument(exportJson(grown, specimen))).toBe(grown.fingerprint);
 			}),
-			// The largest take seconds each: making a counterexample smaller would take longer than the test may.
+			// The largest take seconds each: shrinking a counterexample would exceed the test's time.
 			{ numRuns: inRun(2, 15), endOnFailure: true },
 		);
 	});

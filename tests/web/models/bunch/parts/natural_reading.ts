@@ -19,11 +19,11 @@ export async function read(from: BunchPlant, of: Specimen = specimen, options?: 
 	return { named, skin: named("Berry ")[0]?.material as MeshPhysicalMaterial };
 }
 
-/** Where a vertex is in the end. */
+/** Returns a vertex's position in the scene. */
 export const placeOf = (mesh: Mesh, vertex: number) =>
 	new Vector3().fromBufferAttribute(mesh.geometry.attributes.position, vertex).applyMatrix4(mesh.matrixWorld);
 
-/** What a viewer shows at a vertex, in linear light. */
+/** Returns a vertex's colour in a viewer, in linear light. */
 export function shade(mesh: Mesh, vertex: number): Color {
 	const { color } = mesh.geometry.attributes;
 	const tint = new Color(color.getX(vertex), color.getY(vertex), color.getZ(vertex));

@@ -14,7 +14,7 @@ import { bunchObj } from "./files";
 const grown = makeGrown(SKETCH);
 const specimen = paperSpecimen({ preset: "short-conical", seed: 7 });
 
-/** As a program would: the materials first, then the meshes that name them. */
+/** Loads like a viewer: the materials first, then the meshes that use them. */
 const read = (files: ReturnType<typeof bunchObj>): Mesh[] => meshesOf(loadObj(files));
 
 const exported = (from: BunchPlant) => bunchObj(from, specimen, "bunch");

@@ -22,7 +22,7 @@ beforeAll(async () => {
 
 const specimenOf = (name: string) => specimenFromPreset(name, 1);
 const grow = (name: string, options?: BunchRequestOptions) => growBunch(core, specimenOf(name), options);
-/** Fewer triangles where only the way of writing them is looked at: reading OBJ takes its time. */
+/** Fewer triangles for tests of the file format: parsing OBJ is slow. */
 const COARSE: BunchRequestOptions = { stemSides: 5, berrySegments: 8 };
 
 describe.each(presetsInRun(({ kind }) => kind !== "variety"))("%s", (name) => {

@@ -3,7 +3,7 @@ import { profileDrags } from "../../../../../web/src/models/bunch/profile/drag_s
 import type { Handle, Locks, Shape } from "../../../../../web/src/models/bunch/profile/handles";
 import { DEFAULTS } from "./shape";
 
-/** A view that records its events, with frames that come when the test says so. */
+/** A view that records its events, with frames that the test triggers. */
 function view(handles: Handle[] = ["p2", "p3", "p4"], locks: Locks = { leftRight: false, frontBack: false }) {
 	const received: [what: string, shape: Shape][] = [];
 	let frame: (() => void) | undefined;

@@ -10,7 +10,7 @@ const HEIGHT = 500;
 
 type Listener = (event: unknown) => void;
 
-/** What listens to events of the page and of the canvas. */
+/** Registered event listeners of the page and of the canvas. */
 class Target {
 	readonly #listeners = new Map<string, Set<Listener>>();
 	addEventListener = (type: string, listener: Listener) => {
@@ -64,14 +64,14 @@ describe("the octahedron's handles", () => {
 		vi.unstubAllGlobals();
 	});
 
-	/** Where a handle is seen on the canvas. */
+	/** Returns a handle's position on the canvas. */
 	const seen = (handle: Handle) => {
 		const at = new Vector3(...handleVector(DEFAULTS, handle, DEFAULTS.unit)).project(camera);
 		return { clientX: (0.5 + at.x / 2) * WIDTH, clientY: (0.5 - at.y / 2) * HEIGHT };
 	};
 	const pointer = (type: string, { clientX, clientY }: { clientX: number; clientY: number }, more = {}) =>
 		canvas.send(type, { pointerId: 1, pointerType: "mouse", button: 0, buttons: 1, clientX, clientY, ...more });
-	/** Takes hold of a handle and pulls it by so many pixels of the canvas. */
+	/** Grabs a handle and drags it by a number of canvas pixels. */
 	const drag = (handle: Handle, right: number, down: number) => {
 		const at = seen(handle);
 		pointer("pointerdown", at);

@@ -1,4 +1,4 @@
-/** Profiles and parameters for the tests of this room. */
+/** Profiles and parameters for the tests in this folder. */
 
 import fc from "fast-check";
 import type { Handle, Shape, ShapeKey } from "../../../../../web/src/models/bunch/profile/handles";

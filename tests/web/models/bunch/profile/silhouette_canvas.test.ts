@@ -30,7 +30,7 @@ const bunch = {
 };
 const scene = { bunch, view: "front", unit: 0.25, frame: viewFrame(240, 240, 150), ratio: 2, ink: "red" } as const;
 
-/** A pen that notes what it is told: calls with numbers rounded, and fills and strokes with their mode. */
+/** A pen that records its calls with numbers rounded, and fills and strokes with their mode. */
 function recorder() {
 	const notes: string[] = [];
 	const note =

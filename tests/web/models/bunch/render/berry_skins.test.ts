@@ -105,7 +105,7 @@ describe("skiesOf", () => {
 	});
 });
 
-/** What the vertex shader makes of a word. */
+/** Unpacks a word like the vertex shader. */
 function halves(word: number): [number, number] {
 	return [((word & 0xffff) / 65535) * 2 - 1, ((word >>> 16) / 65535) * 2 - 1];
 }

@@ -14,7 +14,7 @@ interface Bunch {
 	stems?: number[];
 }
 
-/** What of a bunch the sky is of. */
+/** Data of a bunch that the sky belongs to. */
 function bunch({ ids, skies, kinds, stems }: Bunch): BunchPlant {
 	return {
 		berries: { count: ids.length, ids: Uint32Array.from(ids) },

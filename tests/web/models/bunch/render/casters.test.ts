@@ -13,7 +13,7 @@ const receivers = receiversOf(bunch);
 const records = new Float32Array(receivers.count * CAST_RECORD * 4);
 new Casters().cast(receivers, key, rim, records);
 
-/** Spheres on receiver `i`'s way to the lamp, found by looking at all of them. */
+/** Returns the spheres between receiver `i` and the light, by brute force. */
 function inTheWay(i: number, lamp: Lamp): { j: number; along: number; lateral: number; radius: number }[] {
 	const { spheres } = receivers.index;
 	const at = 4 * i;

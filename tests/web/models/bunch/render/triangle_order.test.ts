@@ -3,7 +3,7 @@ import { describe, expect, it } from "vitest";
 import { triangleOrder } from "../../../../../web/src/models/bunch/render/triangle_order";
 import { pressedBunch } from "../pressed_bunch";
 
-/** Every triangle from its least corner on, so that only what it joins and which way round it goes tells. */
+/** Writes triangles from their least corner on, so that only connectivity and orientation matter. */
 function triangles(indices: Uint32Array): string[] {
 	const corners = (t: number) => [...indices.subarray(3 * t, 3 * t + 3)];
 	const keyOf = (triangle: number[]) => {
@@ -13,7 +13,10 @@ function triangles(indices: Uint32Array): string[] {
 	return Array.from({ length: indices.length / 3 }, (_, t) => keyOf(corners(t))).sort();
 }
 
-/** How often four vertices are worked out by what draws 128 triangles at a time and keeps 64 vertices meanwhile. */
+/**
+ * Counts the groups of four vertices processed by a renderer that draws 128 triangles at a time with a cache of 64
+ * vertices.
+ */
 function fours(indices: Uint32Array): number {
 	let count = 0;
 	for (let first = 0; first < indices.length; first += 384) {

@@ -3,7 +3,7 @@ import { readout } from "../../../../../web/src/models/bunch/ui/readout";
 import { BUNCH, specimenFromPreset, withParameters } from "../../../bunch";
 import { makeGrown, SKETCH } from "../fixture";
 
-/** What a template says, its tags taken out. */
+/** Returns a template's text without tags. */
 function textOf(drawn: unknown): string {
 	if (Array.isArray(drawn)) return drawn.map(textOf).join("");
 	const { strings, values } = (drawn ?? {}) as { strings?: readonly string[]; values?: readonly unknown[] };

@@ -40,7 +40,7 @@ it("is of natural bunches alone", () => {
 	expect(thinning.applies?.(specimenFromPreset("grape-15c", 1))).toBe(false);
 });
 
-/** A canvas and a view that tell what is done to them. */
+/** A canvas and a view that record their calls. */
 function fakeView() {
 	const listeners = new Map<string, (event: unknown) => void>();
 	const classes = new Set<string>();

@@ -25,7 +25,7 @@ beforeAll(async () => {
 const grow = (grammar: string, map = false, constants = {}): FlowerPlant =>
 	readFlowerPlant(core.grow(model.encode({ ...fromPreset(model), grammar, constants }, { meshes: false, map })));
 
-/** That a volume stands on a face of other sides than its own is how whorls stand on each other. */
+/** Notes about volumes on faces with other numbers of sides, as whorls on whorls have them. */
 const faults = ({ notes }: FlowerPlant) => notes.filter((note) => !note.includes("sewn to nothing"));
 
 const anyOf = (field: OrganField): fc.Arbitrary<string | number> => {
@@ -47,14 +47,14 @@ const described = (organ: Organ): fc.Arbitrary<Description> =>
 		.map(([values, margin]) => ({ ...usual(organ, values), ...(values.outline === DRAWN && { margin }) }));
 const anyFlower = fc.tuple(...ORGANS.map(described));
 
-/** How many of an organ have grown, by the label that it begins with. */
+/** Counts an organ's instances, by the label of its first volume. */
 const counted = ({ volumes }: FlowerPlant, label: string, begins: (parent: string) => boolean) =>
 	Array.from(volumes.label).filter((of, i) => {
 		const parent = volumes.parent[i];
 		return volumes.labels[of] === label && parent !== 0xffffffff && begins(volumes.labels[volumes.label[parent]]);
 	}).length;
 
-/** Darts at which the map is none: an α that does not lead back, or a product of two that does not. */
+/** Returns the darts at which the map is invalid: an α that is no involution, or a product of two that is none. */
 function wrongDarts({ darts }: FlowerPlant): number[] {
 	if (!darts) throw new Error("no map");
 	const { alpha, volume } = darts;

@@ -15,7 +15,7 @@ import type { NoticeOptions } from "../../../../../web/src/ui/editor_context";
 
 beforeAll(fetchTexts);
 
-/** An editor context with a text on it, on which nothing grows. */
+/** An editor context with a text, in which nothing grows. */
 function contextWith(grammar: string | undefined, specimen: FlowerSpecimen = fromPreset(model)) {
 	const state = { model, specimen: { ...specimen, grammar } };
 	const take = ({ details = {} }: { details?: object }) => {
@@ -26,7 +26,7 @@ function contextWith(grammar: string | undefined, specimen: FlowerSpecimen = fro
 	return { context, state, notify };
 }
 
-/** The organs, one of them with another number. */
+/** Returns the organs with one number changed. */
 function withNumber(context: FlowerContext, organ: "petal" | "stamen", key: string, value: number) {
 	const design = designIn(context.state.specimen);
 	if (!design) throw new Error("no design");

@@ -62,7 +62,7 @@ describe("two changes of a text", () => {
 		const more = [base[0], "/* Mine */", base[1]];
 		expect(merged(base, more, made)).toMatchObject({ lines: [made[0], "/* Mine */", made[1]], lost: [] });
 		expect(merged(base, made, more)).toMatchObject({ lines: [made[0], "/* Mine */", made[1]], lost: [] });
-		// What was left by hand and taken out by the choice does not come again in the place of another.
+		// Lines that the choice removed do not come back in place of others.
 		expect(merged(["a", "b"], ["b", "x"], ["a", "n", "m"])).toMatchObject({ lines: ["a", "n", "m"], lost: ["x"] });
 	});
 
@@ -77,7 +77,7 @@ describe("two changes of a text", () => {
 	it("are the choice's where they are in one place, and what is lost is told and can be kept", () => {
 		const { lines, retained, lost } = merged([..."abc"], [..."aXc"], [..."aYc"]);
 		expect([lines, retained, lost]).toEqual([[..."aYc"], [..."aXc"], ["X"]]);
-		// What was taken out, and the choice has changed.
+		// Lines deleted by hand that the choice changed.
 		expect(merged([..."abc"], [..."ac"], [..."aYc"])).toEqual({ lines: [..."aYc"], retained: [..."ac"], lost: ["b"] });
 	});
 });
@@ -150,7 +150,7 @@ describe("a choice", () => {
 		expect(lost).toEqual([]);
 		expect(text).toBe(retained);
 		expect(text).toContain(own);
-		// Nothing but that is otherwise than the choice alone would have it.
+		// Nothing else differs from the choice's result.
 		expect(text.replace(own, "")).toBe(assembled([chosen]).replace(was, ""));
 	});
 
@@ -171,7 +171,7 @@ describe("a choice", () => {
 			assembled().replace(/@organ pistil .*@/, "@organ pistil count=5 width=900 nonsense=1 base=red@"),
 		);
 		expect(describedIn(design, "pistil").values).toMatchObject({ count: 5, width: 30, base: "a3b873", style: 5 });
-		// A line that says less, as before there were stalks, is no grammar that was edited.
+		// Shorter descriptions, as from before stalks existed, do not count as edited.
 		const older = designed(assembled().replace(" stalk=0", ""));
 		expect(older.sections.filter(isEdited)).toEqual([]);
 	});

@@ -67,7 +67,7 @@ describe("handles of the flat views", () => {
 			expect([inwards(-20), inwards(0), inwards(8), inwards(13), inwards(40)]).toEqual([1, 1, 2, 3, most]);
 			expect([whorls.nudge(0, 1, false), whorls.nudge(-1, 0, true)].map(({ values }) => values.whorls)).toEqual([2, 1]);
 		}
-		// A calyx has one, and where there is nothing there is no whorl of it.
+		// A calyx has one; without organs there is no whorl.
 		expect(floralDiagram(usually, "sepal").handles.map(({ id }) => id)).not.toContain("sepal-whorls");
 		const none = usually.map((each) => (each.organ === "petal" ? described(each, { count: 0 }) : each));
 		expect(floralDiagram(none, "petal").handles.map(({ id }) => id)).not.toContain("petal-whorls");
@@ -85,7 +85,7 @@ describe("handles of the flat views", () => {
 		const turned = tip.pull({ x: foot.x - out.y, y: foot.y + out.x }).values;
 		expect(Number(turned.angle)).toBeLessThan(Number(before.angle));
 		const middle = handleIn(scene, "petal-bend");
-		// Away from the axis, and below the chord: the tip comes in.
+		// Away from the axis and below the chord: the tip moves inwards.
 		const bent = middle.pull({ x: middle.at.x + 3, y: middle.at.y + 3 }).values;
 		expect(Number(bent.bend)).toBeLessThan(Number(before.bend));
 	});

@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { type PixelImage, TraceError } from "../../../../../web/src/import/tracing/picture";
 import { tracedMargin } from "../../../../../web/src/models/flower/design/traced";
 
-/** Dark on light: what is within the half width at each share of the height. */
+/** Draws a dark shape on a light ground, with a half width at each share of the height. */
 function drawn(half: (along: number) => number, [width, height] = [160, 220]): PixelImage {
 	const data = new Uint8ClampedArray(4 * width * height).fill(255);
 	for (let y = 10; y < height - 10; y++)

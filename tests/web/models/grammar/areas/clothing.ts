@@ -1,10 +1,13 @@
-/** How well leaves clothe growth areas, and what of a plant lies inside of its own: what tests of topiaries measure. */
+/**
+ * Measures for tests of topiaries: how well leaves cover growth areas, and which parts of a plant lie inside its own
+ * area.
+ */
 
 import { type Area, type Triple, turned } from "../../../../../web/src/models/grammar/areas/area";
 import { surfaceOf } from "../../../../../web/src/models/grammar/areas/surface";
 import type { GrammarPlant } from "../../../../../web/src/models/grammar/grammar_plant";
 
-/** Places all over an area's surface, as dense everywhere; of parts that overlap only what is outside of the others. */
+/** Samples an area's surface with even density; where areas overlap, only outside the others. */
 export function surfacePlaces(area: Area, count: number): Triple[] {
 	const { points, triangles } = surfaceOf(area);
 	const corner = (i: number): Triple => [points[3 * i], points[3 * i + 1], points[3 * i + 2]];
@@ -29,7 +32,7 @@ export function surfacePlaces(area: Area, count: number): Triple[] {
 	return places;
 }
 
-/** The share of places that have the base of a leaf within reach. */
+/** Returns the share of points within reach of a leaf's base. */
 export function clothed(places: readonly Triple[], bases: readonly Triple[], reach: number): number {
 	const cells = new Map<string, Triple[]>();
 	const key = (x: number, y: number, z: number) => `${x},${y},${z}`;
@@ -49,7 +52,7 @@ export function clothed(places: readonly Triple[], bases: readonly Triple[], rea
 	return places.filter(near).length / places.length;
 }
 
-/** Whether a place is inside, but for what single precision rounds: by the form itself, of a mesh by what it winds about. */
+/** Returns whether a point is inside, within single precision: by formula, for meshes by winding number. */
 export function holds(area: Area, at: Triple): boolean {
 	const [qx, qy, qz, qw] = area.rotation;
 	const length = Math.hypot(...area.rotation);
@@ -76,7 +79,7 @@ export function holds(area: Area, at: Triple): boolean {
 	return Math.abs(angle) > 2 * Math.PI;
 }
 
-/** The bases of all leaves. */
+/** Returns the bases of all leaves. */
 export function leafBases({ organs }: GrammarPlant): Triple[] {
 	const leaf = organs.tags.indexOf("elliptic");
 	return Array.from({ length: organs.count }, (_, i) => i)
@@ -84,7 +87,7 @@ export function leafBases({ organs }: GrammarPlant): Triple[] {
 		.map((i): Triple => [organs.transforms[8 * i], organs.transforms[8 * i + 1], organs.transforms[8 * i + 2]]);
 }
 
-/** By the area that their segments belong to, the shortest and the longest leaf; those at the foot of the main branch are left out. */
+/** Returns the shortest and the longest leaf of each area, without those at the foot of the main branch. */
 export function leafLengths({ organs, belongs }: GrammarPlant): Map<number, [number, number]> {
 	const leaf = organs.tags.indexOf("elliptic");
 	const found = new Map<number, [number, number]>();
@@ -99,7 +102,7 @@ export function leafLengths({ organs, belongs }: GrammarPlant): Map<number, [num
 	return new Map([...found].sort(([a], [b]) => a - b));
 }
 
-/** Ends of segments that bear none, of laterals alone. */
+/** Returns the ends of laterals' terminal segments. */
 export function lateralTips({ segments, belongs }: GrammarPlant): { at: Triple; area: number }[] {
 	const parents = new Set(segments.parent);
 	return Array.from({ length: segments.count }, (_, i) => i)

@@ -73,7 +73,7 @@ describe("what hands do to growth areas", () => {
 			const handle = handleOf(start, `turn-${k}`, 1);
 			const cone = start.areas?.[1] as Area;
 			const axis = turned([k === 0 ? 1 : 0, k === 1 ? 1 : 0, k === 2 ? 1 : 0], cone.rotation);
-			// The handle itself goes to where it is turned by 30° about the axis.
+			// The handle moves to its position after the rotation by 30° about the axis.
 			const half = Math.sin(Math.PI / 12);
 			const q = [axis[0] * half, axis[1] * half, axis[2] * half, Math.cos(Math.PI / 12)] as const;
 			const out = handle.at.map((value, i) => value - cone.centre[i]) as unknown as Triple;
@@ -124,16 +124,16 @@ describe("what hands do to growth areas", () => {
 			[0, 1, 0],
 			[0.8, 2, 0],
 		]);
-		// A place after the fork goes on with the first branch.
+		// A place after the fork continues the first branch.
 		const more = made(edits.addedPlace(forked, 1), forked);
 		expect(more.from).toEqual([0, 1, 2, 3, 2]);
 		expect(more.path?.slice(6, 9)).toEqual([0, 1.5, 0]);
 		const moved = made(edits.movedPlace(more, 4, [1, 2, 0]), more);
 		expect(moved.from).toEqual(more.from);
-		// Without the place that they part at, both come after the one before it.
+		// Without the fork's place, both branches follow its predecessor.
 		expect(made(edits.removedPlace(forked, 1), forked).from).toEqual([0, 1, 1]);
 		expect(made(edits.removedPlace(forked, 3), forked).from).toBeUndefined();
-		// Without the first, all come after what is the first then.
+		// Without the first, all follow the new first one.
 		expect(
 			made(edits.removedPlace(made(edits.withPath([0, 1, 0, 0, 2, 0, 1, 2, 0], [0, 1, 1])), 0)).from,
 		).toBeUndefined();
@@ -181,7 +181,7 @@ describe("the surface that is shown of an area", () => {
 });
 
 describe("the handles of an area", () => {
-	/** As the page first looks: 24° to the right, 7° above; without perspective. */
+	/** The first view of the page: 24° to the right, 7° above; without perspective. */
 	const seen = ([x, y, z]: Vector): readonly [number, number] => {
 		const [a, e] = [24, 7].map((degrees) => (degrees * Math.PI) / 180);
 		const across = x * Math.cos(a) - z * Math.sin(a);

@@ -41,12 +41,12 @@ describe.each(presets.filter((_, i) => i % inRun(3, 1) === 0))("%s", (name) => {
 			expect(Math.max(...area.size) / longest).toBeLessThan(18);
 			const share = clothed(surfacePlaces(area, 800), bases, longest);
 			expect(share).toBeGreaterThanOrEqual(0.9);
-			// The core's own measure looks at other places, and at each leaf's own length.
+			// The core's measure samples other points, with each leaf's own length.
 			expect(Math.abs((plant.areaMeasures?.clothed[i] ?? 0) - share)).toBeLessThan(0.06);
 		}
 		const tips = lateralTips(plant);
 		expect(tips.length).toBeGreaterThan(100);
-		// Of a mesh each place costs as much as all of its triangles; tests/core/models/grammar/areas_test.cpp asks of all.
+		// A point in a mesh costs as much as all of its triangles; tests/core/models/grammar/areas_test.cpp checks all.
 		const sampled = tips.filter(({ area }, i) => areas[area - 1]?.kind !== "mesh" || i % 5 === 0);
 		const outside = sampled.filter(({ at, area }) => area < 1 || !holds(areas[area - 1], at));
 		expect(outside).toEqual([]);

@@ -23,7 +23,7 @@ describe("the growth volumes of a text", () => {
 			"footprint -> GrowVol(3, 1, 4, 10, 2.5, 0)",
 			"footprint -> GrowVol(1, 1, 4, 10, 2.5, 0, at.rand(1, 2))",
 			"footprint -> GrowVol(1, 1, 4, 10, 2.5, 0) GrowVol(h(3))",
-			// The second's place is worked out.
+			// The second's place is computed.
 			"footprint -> GrowVol(1, 1, 4, 10, 2.5, 0) GrowVol(1, 2, 4, 10, 2.5, 0)",
 			"/* footprint -> GrowVol(1, 1, 4, 10, 2.5, 0) */",
 			"",

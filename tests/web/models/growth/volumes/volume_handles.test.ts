@@ -13,7 +13,7 @@ import type { PlantHandle } from "../../../../../web/src/ui/handles/plant_handle
 const ONE: GrowthVolume = { id: 1, base: 4, height: 10, top: 2, middle: 3, gradient: 0, towards: 0, at: [1, 2] };
 const TWO: GrowthVolume = { id: 2, base: 3, height: 6, top: 1, middle: 3, gradient: 30, towards: 90, at: [-3, 0] };
 
-/** What hands leave of them. */
+/** Volumes after a drag. */
 const put = (volumes: readonly GrowthVolume[]): Change => ({ details: { volumes } });
 const left = ({ details }: Change) => details?.volumes as readonly GrowthVolume[];
 const handle = (id: string, chosen = 0): PlantHandle => {
@@ -31,7 +31,7 @@ describe("a growth volume", () => {
 		near(axisOf(TWO), [0, Math.cos(Math.PI / 6), 0.5]);
 		near(placeIn(ONE, 1), [1, 10, 2]);
 		near(placeIn(TWO, 1), [-3, 6 * Math.cos(Math.PI / 6), 3]);
-		// Its circles are square to its axis, as wide as it says.
+		// Its circles are perpendicular to its axis, with its widths.
 		for (const about of [0, 70, 200]) {
 			const rim = placeIn(TWO, 1, 0.5, about).map((value, k) => value - placeIn(TWO, 1)[k]);
 			expect(Math.hypot(...rim)).toBeCloseTo(0.5, 9);
@@ -99,7 +99,7 @@ describe("handles of growth volumes", () => {
 		expect(left(handle("top", 1).pull(placeIn(TWO, 1, 2)))[1].top).toBeCloseTo(4, 9);
 		const leant = left(handle("lean").pull([1, 5, 7]))[0];
 		expect([leant.gradient, leant.towards]).toEqual([45, 90]);
-		// Upright it keeps where it leant to.
+		// An upright volume keeps its direction of lean.
 		expect(left(handle("lean", 1).pull([-3, 5, 0]))[1]).toEqual({ ...TWO, gradient: 0 });
 	});
 
