@@ -67,7 +67,7 @@ function isAllowed({ from, to, typeOnly }: Pick<Import, "from" | "to" | "typeOnl
 	// A model's folder sees the interfaces alone.
 	if (isOfModel(room))
 		return other === "models" ? typeOnly && /^web\/src\/models\/(page_)?model$/.test(to) : beforeModels.includes(other);
-	// The interface of a model knows no page; what pages add to it are types.
+	// The interface of a model does not know the page; it imports only types from the page's part.
 	if (from === "web/src/models/model.ts")
 		return typeOnly && !["ui", "render", "grammar_editor", "import"].includes(other);
 	return webRooms[room]?.includes(other) ?? false;
@@ -155,7 +155,7 @@ describe("the arrow between the rooms", () => {
 			);
 		expect(words.test(withoutComments("// a berry\nconst berry = 1;"))).toBe(true);
 		expect(words.test(withoutComments("/* a bunch */ const plant = 1; // of grapes"))).toBe(false);
-		// What a link means that names no model.
+		// The default of links without a model.
 		expect(naming).toEqual(['web/src/models/index.ts: export const DEFAULT_MODEL = "bunch";']);
 	});
 

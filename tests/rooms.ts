@@ -1,8 +1,8 @@
 /** Which folder may use which: tests/architecture.test.ts compares every include and import with this; docs/architecture.md draws it. */
 
 /**
- * Folders of wasm-core/src that all models share, and what each may include besides itself; `panicle_room` in wasm-core/CMakeLists.txt
- * links the same.
+ * Folders of wasm-core/src that all models share, and the folders that each may include besides itself; `panicle_room`
+ * in wasm-core/CMakeLists.txt links the same.
  */
 export const coreRooms: Record<string, string[]> = {
 	foundation: [],
@@ -22,7 +22,7 @@ export const coreRooms: Record<string, string[]> = {
 /** Models of the core that are built on another's folder: leaf, root and tree share the engine of particles. */
 export const coreModelUses: Record<string, string> = { leaf: "particles", root: "particles", tree: "particles" };
 
-/** What a model's folder may import. */
+/** Folders that a model's folder may import. */
 export const beforeModels = [
 	"core",
 	"specimen",
@@ -35,7 +35,10 @@ export const beforeModels = [
 	"import",
 ];
 
-/** Folders of web/src, and what each may import besides itself, types included. `models` is the interface and the index. */
+/**
+ * Folders of web/src, and the folders that each may import besides itself, types included. `models` is the interface
+ * and the index.
+ */
 export const webRooms: Record<string, string[]> = {
 	core: [],
 	specimen: ["core"],

@@ -2,9 +2,9 @@
  * Runs the tests: every stage in turn, stopping at the first that fails. At the end it prints a table of stages with
  * the slowest tests, writes it to build/test-times.json, and counts the tests in the last line.
  *
- *     npm test                  the gate: what must pass before a change lands
+ *     npm test                  the gate: must pass before a change lands
  *     npm run test:long         everything, in full (CONTRIBUTING.md)
- *     npm run test:changed      the tests of what changed since this branch left main
+ *     npm run test:changed      the tests of changes since this branch left main
  *     npm test -- types bunch   the set-up, and the stages, rooms or models named
  *
  * Works on a clean clone: nothing here may import a package.

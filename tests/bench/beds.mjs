@@ -1,4 +1,6 @@
-/** A bed of 300 flowers and the grass between them: what its cores take, and how many of its plants are placed on the map of one before. */
+/**
+ * A bed of 300 flowers with grass: the time of its cores, and the number of plants that reuse an earlier plant's map.
+ */
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { repository } from "../../wasm-core/tools/repository.mjs";
@@ -61,7 +63,7 @@ export async function benchBeds(source) {
 	]);
 }
 
-/** @returns what grew, and whether one before has the same triangles: then it was placed on its map, or could be */
+/** @returns the plant, and whether an earlier plant has the same triangles, so that its map was or could be reused */
 function plantOf(known, textNames, blocks, { columns }, time) {
 	const text = blocks.find(({ name }) => name === "text")?.data;
 	const levels = [0, 1, 2, 3].map((k) => columns.uint32(`mesh.level${k}.indices`));

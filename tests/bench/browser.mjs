@@ -1,6 +1,6 @@
 /**
- * What the built page costs in the system's Chromium: its first load, and a drag up to the arrival of new buffers, which
- * the studio measures as "regrow". Drawing is SwiftShader's here, whose frames take far longer than a graphics card's.
+ * Costs of the built page in the system's Chromium: its first load, and a drag until new buffers arrive, which the
+ * studio measures as "regrow". SwiftShader draws here, whose frames take far longer than a graphics card's.
  */
 import { join } from "node:path";
 import { build, preview } from "vite";
@@ -37,11 +37,11 @@ export async function benchBrowser() {
 	}
 }
 
-/** Times warm loads; gives the paths that the first one asked for. */
+/** Times warm loads; returns the paths that the first load requested. */
 async function benchLoad(browser, address) {
-	// What is kept for later is not to be fetched beside what is timed.
+	// Prefetching for the cache must not run during the measurement.
 	const context = await browser.newContext({ viewport, serviceWorkers: "block" });
-	const asked = new Set();
+	const requested = new Set();
 	const marks = [];
 	const frames = [];
 	for (let load = 0; load <= LOADS; load++) {
@@ -55,7 +55,7 @@ async function benchLoad(browser, address) {
 					requestAnimationFrame(() => requestAnimationFrame(() => resolve({ mark, frame: performance.now() })));
 				}),
 		);
-		if (load === 0) for (const path of await page.evaluate(askedBefore)) asked.add(path);
+		if (load === 0) for (const path of await page.evaluate(requestedPaths)) requested.add(path);
 		if (load > 0) {
 			marks.push(drawn.mark);
 			frames.push(drawn.frame);
@@ -71,15 +71,15 @@ async function benchLoad(browser, address) {
 	return [...asked].map((path) => path || "index.html");
 }
 
-/** In the page: paths of what it had asked for when the first plant was drawn. */
-function askedBefore() {
+/** Runs in the page: paths requested before the first plant was drawn. */
+function requestedPaths() {
 	const [{ startTime: first }] = performance.getEntriesByName("first-bunch");
 	const before = performance.getEntriesByType("resource").filter(({ startTime }) => startTime <= first);
 	return ["", ...before.map(({ name }) => new URL(name).pathname.slice(1))];
 }
 
-function benchSizes(asked) {
-	const files = firstLoad(dist, asked);
+function benchSizes(requested) {
+	const files = firstLoad(dist, requested);
 	const kinds = byKind(files);
 	const kilobytes = (bytes) => (bytes / 1000).toFixed(1);
 	printTable("Size, gzipped, kB (aims: core 100, first load 400)", [
@@ -93,9 +93,10 @@ function benchSizes(asked) {
 }
 
 /**
- * Drags p3 of the front view in a page that WebGL is withheld from: the 3-D view stays away, for SwiftShader's frames would
- * be all that is timed. (Chromium keeps WebGL under --disable-gpu; that only spares the page's composing.) Each regrowth counts from two beginnings: from asking the worker, and from the newest
- * pointer event before that, which waits for a frame to take it up and so for the frame being drawn.
+ * Drags p3 of the front view in a page without WebGL: the 3-D view is off, because SwiftShader's frames would dominate
+ * the time. (Chromium keeps WebGL under --disable-gpu, which only disables compositing.) Each regrowth is timed from
+ * two starts: from the request to the worker, and from the newest pointer event before that, which waits for the frame
+ * that is being drawn.
  */
 async function benchDrag(bunch, address) {
 	const browser = await launch(["--disable-gpu"]);
@@ -122,7 +123,7 @@ async function benchDrag(bunch, address) {
 	await browser.close();
 	printTable(`Drag before drawing, ${bunch}, ${regrowths.length} regrowths (aim: within ${FRAME.toFixed(1)} ms)`, [
 		["ms", "median", "95th percentile", "within one 60 Hz frame"],
-		["asked → buffers", ...spread(regrowths.map(({ asked }) => asked))],
+		["request → buffers", ...spread(regrowths.map(({ request }) => request))],
 		["event → buffers", ...spread(regrowths.map(({ event }) => event))],
 	]);
 }
@@ -149,7 +150,7 @@ function noteRegrowths() {
 	new PerformanceObserver((list) => {
 		for (const { startTime, duration } of list.getEntriesByName("regrow")) {
 			const move = moves.findLast(({ seen }) => seen <= startTime);
-			if (move) window.regrowths.push({ asked: duration, event: startTime + duration - move.happened });
+			if (move) window.regrowths.push({ request: duration, event: startTime + duration - move.happened });
 		}
 	}).observe({ entryTypes: ["measure"] });
 }

@@ -48,7 +48,7 @@ export async function loadBenchCore() {
 	return core;
 }
 
-/** What loadBenchCore has built. */
+/** The module that loadBenchCore has built. */
 export function benchModule() {
 	return new WebAssembly.Module(readFileSync(join(testModulesFolder, "core-bench.wasm")));
 }
@@ -66,13 +66,13 @@ const native = join(buildFolder, "release", "core_bench_native");
 
 /** Native microseconds of a kernel's round, and its work. */
 export function nativeKernel(kernel, size, rounds, runs) {
-	const said = execFileSync(native, [KERNELS[kernel], size, rounds, runs].map(String), { encoding: "utf8" });
-	const { microseconds, work } = JSON.parse(said);
+	const output = execFileSync(native, [KERNELS[kernel], size, rounds, runs].map(String), { encoding: "utf8" });
+	const { microseconds, work } = JSON.parse(output);
 	return { microseconds: median(microseconds), work };
 }
 
 /** Native microseconds of growing one request. */
 export function nativeGrow(request, rounds, runs) {
-	const said = execFileSync(native, ["grow", String(rounds), String(runs)], { input: request, encoding: "utf8" });
-	return median(JSON.parse(said).microseconds);
+	const output = execFileSync(native, ["grow", String(rounds), String(runs)], { input: request, encoding: "utf8" });
+	return median(JSON.parse(output).microseconds);
 }

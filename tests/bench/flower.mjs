@@ -1,14 +1,14 @@
-/** Flowers from their text to triangles, beside what Petrenko (2014, figure 28) took for four of them. */
+/** Flowers from text to triangles, compared with the times of Petrenko (2014, figure 28) for four of them. */
 import { grower } from "./core.mjs";
 import { microseconds, printTable } from "./statistics.mjs";
 
 const RUNS = 9;
 /** Seconds in 2012. */
 const FIGURE_28 = { tulip: 37.5, "water-lily": 120.4, bluebell: 56.3, poppy: 63.4 };
-/** A number that texts have and that only places their volumes, and what it may be. */
+/** A parameter of a text that only moves its volumes, and a value for it. */
 const placesOf = (name) => PLACES[name] ?? ["length", 123];
 const PLACES = { meadow: ["height", 1.1], "water-lily": ["scale", 1.1] };
-/** Milliseconds: what is one flower, and what is hundreds. */
+/** Target times for one flower and for hundreds, milliseconds. */
 const aimOf = (name) => (name === "meadow" ? 300 : FIGURE_28[name] ? 50 : "–");
 
 const milliseconds = (micro) => (micro / 1000).toFixed(1);

@@ -1,4 +1,4 @@
-/** What the bench asks of flowers. A module of its own, for what it fetches has to be there once it has been read. */
+/** Requests of the benchmark for flowers. A separate module, because its fetches must finish when it has loaded. */
 import { writeContainer } from "../../web/src/core/container";
 import { model } from "../../web/src/models/flower/index";
 import { encodeFlower } from "../../web/src/models/flower/request";
@@ -13,20 +13,20 @@ export const FLOWERS = model.presets.list
 	.filter(({ kind }) => /^(?:species|inflorescences|meadows)$/.test(kind))
 	.map(({ name }) => name);
 
-/** What presets are called, by their texts. */
+/** Names of presets, by their texts. */
 export const textNames = new Map(
 	model.presets.list.map(({ name }) => [fetchedText(fromPreset(model, name)), name] as const),
 );
 
-/** What of a flower is another than what it is on the shelf. */
+/** Differences of a flower from its preset. */
 export interface Changed {
 	/** A variable’s number, read where the text first gives it. */
 	number?: [name: string, value: number];
 }
 
-/** One volume with its skin, which takes some microseconds: by turns, for then the core lets go of all that it has kept. */
+/** One volume with its skin, which takes some microseconds. Alternating requests make the core release its caches. */
 export const stemsAlone = [4, 5].map((sides) =>
-	asked({ ...fromPreset(model), grammar: `#define STEM(${sides},0,0,0,1,1,1,1)\n#axiom: STEM\n` }, true),
+	encodedRequest({ ...fromPreset(model), grammar: `#define STEM(${sides},0,0,0,1,1,1,1)\n#axiom: STEM\n` }, true),
 );
 
 /** A flower's map alone, or with its skin, rounded so often, and nothing else. */
@@ -40,9 +40,9 @@ export function flowerOf(name: string, meshes: boolean, smooth = 1, { number }: 
 		parameters: { ...plain.parameters, smooth },
 		...(grammar ? { grammar } : {}),
 	};
-	return asked(specimen, meshes);
+	return encodedRequest(specimen, meshes);
 }
 
-function asked(specimen: FlowerSpecimen, meshes: boolean): Uint8Array {
+function encodedRequest(specimen: FlowerSpecimen, meshes: boolean): Uint8Array {
 	return writeContainer(encodeFlower(specimen, { meshes, sky: false, measures: false, map: false }));
 }

@@ -1,6 +1,6 @@
 /**
- * What drawing costs: processor time of Chromium's GPU process, where SwiftShader draws, to one full frame. The nearest
- * thing to a small graphics card that every machine has; wall time would count whatever else is running.
+ * Cost of drawing: CPU time of Chromium's GPU process, where SwiftShader draws, per full frame. This is the closest
+ * measure to a small graphics card that is available on every machine; wall time would include other processes.
  */
 import { join } from "node:path";
 import { build, preview } from "vite";
@@ -40,7 +40,7 @@ export async function benchFrame(built) {
 			await page.evaluate(open, { query, mode, size: SIZE });
 			const rounds = [];
 			for (let round = 0; round < ROUNDS; round++) rounds.push(await costOf(processes, page));
-			// What else the machine does only adds.
+			// Other load on the machine only increases the time.
 			rows.push([title, least(rounds, "GPU").toFixed(2), (1000 * least(rounds, "renderer")).toFixed(1)]);
 			await page.close();
 		}

@@ -1,6 +1,6 @@
 /**
- * Texts as plants: modules a second of rules of three sorts, and a million modules derived, drawn and meshed, with what each
- * part of that takes.
+ * Grammars: modules per second for rules of three kinds, and a million modules derived, drawn and meshed, with the
+ * time of each stage.
  */
 import { grower, KERNELS, nativeGrow, nativeKernel } from "./core.mjs";
 import { microseconds, printTable } from "./statistics.mjs";

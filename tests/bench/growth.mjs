@@ -1,6 +1,6 @@
 /**
- * Trees by divisor functions: what each stage of one costs, thousands of different ones with all their levels (the sizes of
- * Kim, Kim and Cho 2013, Table 2), and whole trees beside those of ez-tree.
+ * Trees by divisor functions: the time of each stage of one tree, of thousands of different trees with all levels (the
+ * sizes of Kim, Kim and Cho 2013, Table 2), and of whole trees compared with ez-tree.
  */
 import { grower, KERNELS } from "./core.mjs";
 import { peerTrees } from "./peer_trees.mjs";
@@ -91,7 +91,7 @@ async function benchPeer(core, instance, request) {
 		const own = ways.map((way) => match(instance, request, peer, way));
 		const [alike, more] = own.map(({ steps, leaves }) => grower(core, request(1, steps, leaves, 1)));
 		const levels = grower(core, request(1, own[1].steps, own[1].leaves, 4));
-		// By turns, so that whatever else the machine does comes to all of them.
+		// Alternating, so that other load on the machine affects all of them.
 		const times = { peer: [], leaves: [], vertices: [], levels: [] };
 		for (let run = 0; run < RUNS; run++) {
 			times.peer.push(peer.time(1));

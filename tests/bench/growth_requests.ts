@@ -1,4 +1,7 @@
-/** What the bench asks of growth grammars. A module of its own, for what it fetches has to be there once it has been read. */
+/**
+ * Requests of the benchmark for growth grammars. A separate module, because its fetches must finish when it has
+ * loaded.
+ */
 import { writeContainer } from "../../web/src/core/container";
 import { model } from "../../web/src/models/growth/index";
 import { encodeGrowth } from "../../web/src/models/growth/request";
@@ -12,7 +15,10 @@ export function levelsOf(seed: number, steps: number): Uint8Array {
 	return writeContainer(blocksOf(seed, steps, 4));
 }
 
-/** One of the same branches that bears `leaves` counted leaves, of three each, on every youngest internode, as trees of the presets do. */
+/**
+ * A tree with the same branches and with `leaves` counted leaves, in threes, on every youngest internode, as trees of
+ * the presets have.
+ */
 export function leafyOf(seed: number, steps: number, leaves: number, levelCount: number): Uint8Array {
 	const blocks = blocksOf(seed, steps, levelCount);
 	const rules = `tree -> DivFunc("sigma1"){branches}\nk >= 0 -> nlf = 0, foliage(${leaves})\n`;

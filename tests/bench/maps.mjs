@@ -1,4 +1,4 @@
-/** Generalized maps: what building one costs, proving it whole, and placing it anew. */
+/** Generalized maps: time to build one, to validate it, and to place it again. */
 import { KERNELS, nativeKernel } from "./core.mjs";
 import { microseconds, printTable } from "./statistics.mjs";
 

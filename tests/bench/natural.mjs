@@ -1,7 +1,7 @@
 /**
- * What the natural procedure costs, from nothing: every preset, bunches of 120 and 500 berries, and how cost grows with
- * their number. A growth has three parts, each timed by leaving the others out: the skeleton with its swollen berries, the
- * meshes of berries and stems, and the measures.
+ * Time of the natural procedure from scratch: every preset, bunches of 120 and 500 berries, and the growth of time
+ * with their number. A growth has three parts, each timed by omitting the others: the skeleton with its swollen
+ * berries, the meshes of berries and stems, and the measures.
  */
 import { grower, nativeGrow } from "./core.mjs";
 import { microseconds, printTable } from "./statistics.mjs";

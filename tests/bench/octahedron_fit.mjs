@@ -1,4 +1,4 @@
-/** What coverage and spill would be were the octahedron of the handles itself the bunch. */
+/** Coverage and spill for a bunch that is the octahedron of the handles itself. */
 
 /** Whether a point lies within a polygon, by the even-odd rule. */
 export function inside(polygon, x, y) {

@@ -1,7 +1,7 @@
 /**
- * `npm run bench -- page [FOLDER]`: what texts cost the built page, or one built before: a million modules, typing beside 10,000
- * segments, a drag of the garden tree's areas. Twice: with drawing switched off (WebGL's draws do nothing, all that leads to
- * them stays), and with what software takes to draw. Tasks are told by the page's thread's own time on a processor.
+ * `npm run bench -- page [FOLDER]`: costs of texts in the built page, or one built before: a million modules, typing
+ * beside 10,000 segments, a drag of the garden tree's areas. Twice: with drawing switched off (WebGL's draws do
+ * nothing, all calls to them stay), and with software drawing. Tasks are measured by CPU time of the page's thread.
  */
 import { loadavg } from "node:os";
 import { join } from "node:path";
@@ -28,7 +28,7 @@ const CANCELS = 5;
 const STEPS = 16;
 /** Software takes seconds for one. */
 const STEPS_DRAWN = 5;
-/** What follows a change when the hand rests has come after so many milliseconds. */
+/** Wait after the last input, milliseconds: all resulting work has started by then. */
 const REST = 2500;
 /** No task of the page's thread is to be longer; milliseconds. */
 const AIM = 50;
@@ -120,7 +120,7 @@ async function benchMillion(browser, open) {
 
 const at = (notes, kind) => notes.find(({ what }) => what === kind)?.at ?? Number.NaN;
 
-/** How long the page takes to let go of what grows. */
+/** Time until the page cancels a growth. */
 async function benchCancels(page) {
 	const ways = [
 		["by its button", () => page.getByRole("button", { name: "Cancel", exact: true }).click(), "calm"],
@@ -168,7 +168,7 @@ async function dragging(page) {
 typing.search = "?v=2&model=grammar&preset=koch-curve-a";
 dragging.search = "?v=2&model=grammar&preset=topiary-garden-tree";
 
-/** Steps of a hand, each followed until it is drawn: without drawing, and with what software draws. */
+/** Steps of a drag, each timed until it is drawn: without drawing, and with software drawing. */
 async function benchSteps(title, begin, opener) {
 	const ways = [
 		["event → asked of the worker", "asked"],

@@ -1,9 +1,9 @@
-/** What a page of the app notes of itself for the bench: when a hand did something, and when what followed from it came. */
+/** Notes that a page of the app takes for the benchmark: times of inputs and of their results. */
 
 /**
- * In the page, before its own scripts: keeps in `window.notes` what happened and when. `asked` and `ended` are of workers, `grown`
- * has the core's own milliseconds, `regrow` and `laid` are the studio's measures, `sent` is a buffer on its way to the
- * graphics card and `drew` the last thing that a frame asked it for.
+ * Runs in the page before its own scripts: records events with their times in `window.notes`. `asked` and `ended` are
+ * of workers, `grown` has the core's own milliseconds, `regrow` and `laid` are the studio's measures, `sent` is an
+ * upload to the GPU and `drew` the last draw call of a frame.
  */
 export function noteAll() {
 	const notes = [];
@@ -47,7 +47,7 @@ export function noteAll() {
 			if (name === "regrow" || name === "laid") note(name, { took: duration }, startTime + duration);
 		}
 	}).observe({ entryTypes: ["measure"] });
-	// Whether the page says that it grows.
+	// Whether the page shows that it is growing.
 	let growing = false;
 	new MutationObserver(() => {
 		const now = document.querySelector(".growing") !== null;
@@ -56,15 +56,15 @@ export function noteAll() {
 	}).observe(document, { childList: true, subtree: true });
 }
 
-/** Forgets what was noted. */
+/** Clears the notes. */
 export const forget = (page) =>
 	page.evaluate(() => {
 		window.notes.splice(0);
 	});
 
 /**
- * Does something with the hand, waits until the plant that follows has been drawn, and tells how long what took, in milliseconds
- * from the hand's own time stamp on; undefined where nothing followed.
+ * Performs an action, waits until the resulting plant has been drawn, and returns the time of each stage in
+ * milliseconds from the input's time stamp; undefined where nothing changed.
  */
 export async function followed(page, act) {
 	await finished(page);
@@ -79,7 +79,7 @@ export async function followed(page, act) {
 	return timesOf(await page.evaluate(() => window.notes), done);
 }
 
-/** When all that was asked of the graphics card is done: a pixel that is read back waits for it. */
+/** Waits until the GPU has finished: reading a pixel waits for it. */
 const finished = (page) =>
 	page.evaluate(() => {
 		const gl = document.querySelector("canvas.stage-surface").getContext("webgl2");
@@ -95,7 +95,7 @@ function timesOf(notes, done) {
 	const regrow = grown && first("regrow", grown.at);
 	if (!regrow) return undefined;
 	const laid = first("laid", regrow.at);
-	// What a frame sends and draws stands together, up to the next thing that happens or the next frame.
+	// Uploads and draws of a frame are adjacent, up to the next event or frame.
 	const begun = notes.findIndex(({ what, at }) => what === "sent" && at > (laid?.at ?? regrow.at));
 	const frame = notes.slice(begun < 0 ? notes.length : begun);
 	const end = frame.findIndex(

@@ -1,12 +1,12 @@
 /**
- * Leaf, tree and root: what running together costs as particles become more, beside a search for neighbours that looks at
- * everyone and beside a tree by space colonisation of as many points; and whole plants with their meshes.
+ * Leaf, tree and root: time of the particle system for growing numbers of particles, compared with a brute-force
+ * search for neighbours and with a tree by space colonisation with as many points; and whole plants with their meshes.
  */
 import { grower, KERNELS, nativeGrow, nativeKernel } from "./core.mjs";
 import { microseconds, printTable } from "./statistics.mjs";
 
 const SIZES = [1_000, 10_000, 100_000];
-/** What looks at everyone takes too long for more. */
+/** Most particles of the brute-force search, which takes too long for more. */
 const MOST_BRUTE = 10_000;
 const PLANTS = [
 	["leaf", 2_000, 50],

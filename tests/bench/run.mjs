@@ -1,6 +1,7 @@
 /**
- * `npm run bench [-- NAME]`: what the core, the page and the service cost, as medians and as ratios (docs/speed.md). Ratios can
- * be compared between machines, times cannot. Without a name it runs everything but `fit`, `soak`, `stand` and `use`. Only `soak` and `use` can fail.
+ * `npm run bench [-- NAME]`: times of core, page and service, as medians and as ratios (docs/speed.md). Ratios can be
+ * compared between machines, times cannot. Without a name it runs all but `fit`, `soak`, `stand` and `use`. Only
+ * `soak` and `use` can fail.
  */
 import { join } from "node:path";
 import { buildCore } from "../../wasm-core/tools/core.mjs";
@@ -8,7 +9,7 @@ import { repository } from "../../wasm-core/tools/repository.mjs";
 import { command, setUp } from "../../wasm-core/tools/setup.mjs";
 import { runTask } from "../../wasm-core/tools/tasks.mjs";
 
-/** What runs on the core take: loaded once, when the first of them begins. */
+/** The core for benchmarks, loaded when the first of them begins. */
 let loaded;
 const onCore = () => {
 	loaded ??= loadCore();

@@ -13,7 +13,7 @@ export async function benchService() {
 	const loadCore = async (wasm) => loadCoreFromBytes(await readFile(join(modulesFolder, wasm)));
 	const service = makeService({ release: "bench", loadCore });
 	let seed = 0;
-	const ask = async (address, count) => {
+	const send = async (address, count) => {
 		for (let i = 0; i < count; i++) {
 			const answer = await service(new Request(`${address}&seed=${++seed}`));
 			if (answer.status !== 200) throw new Error(await answer.text());
@@ -22,11 +22,11 @@ export async function benchService() {
 	};
 	const perSecond = async (address, count) => {
 		const from = process.cpuUsage();
-		await ask(address, count);
+		await send(address, count);
 		const { user, system } = process.cpuUsage(from);
 		return (1e6 * count) / (user + system);
 	};
-	await ask(BUNCH, 200);
+	await send(BUNCH, 200);
 	const rows = [["JSON", "a second of processor time"]];
 	rows.push(["without measures", (await perSecond(`${BUNCH}&file-measures=0`, 300)).toFixed(0)]);
 	rows.push(["with measures", (await perSecond(BUNCH, 300)).toFixed(0)]);

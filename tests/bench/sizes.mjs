@@ -1,4 +1,4 @@
-/** Sizes of files in dist/ as they are sent, and of what a page has fetched of them. */
+/** Transfer sizes of files in dist/, and of the files that a page has fetched. */
 import { readFileSync } from "node:fs";
 import { extname, join } from "node:path";
 import { gzipSync } from "node:zlib";

@@ -135,7 +135,7 @@ export async function soak(requests = REQUESTS) {
 	return verdict(samples, [...statuses.keys()]);
 }
 
-/** Prints the samples and what is wrong with them. */
+/** Prints the samples and problems with them. */
 function verdict(samples, statuses) {
 	const keys = ["cores", "threads", "server", "process"];
 	printTable("Memory held after collecting, MB", [

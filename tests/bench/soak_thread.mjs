@@ -1,4 +1,4 @@
-/** A thread of the model service that tells `npm run bench -- soak` what it holds: the memory of its cores that are alive, and its heap. */
+/** A thread of the model service that reports to `npm run bench -- soak` the memory of its live cores and its heap. */
 import { setFlagsFromString } from "node:v8";
 import { runInNewContext } from "node:vm";
 import { workerData } from "node:worker_threads";
@@ -6,7 +6,10 @@ import { workerData } from "node:worker_threads";
 setFlagsFromString("--expose-gc");
 const collect = runInNewContext("gc");
 
-/** Of every core that was ever brought to life, and what else is WebAssembly; one that nobody holds any more is gone after collecting. */
+/**
+ * Memories of all cores ever created, and of other WebAssembly instances; unreferenced ones disappear after garbage
+ * collection.
+ */
 let memories = [];
 const { instantiate } = WebAssembly;
 WebAssembly.instantiate = async (...given) => {

@@ -1,6 +1,6 @@
 /**
- * A stand of 2,000 trees: what its plants cost in wasm, and in the built page what a view of it costs with drawing switched off (calls
- * and triangles are counted, nothing is drawn), and what memory it takes.
+ * A stand of 2,000 trees: the time of its plants in wasm, and in the built page the cost of a view with drawing
+ * switched off (calls and triangles are counted) and the memory.
  */
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -15,7 +15,7 @@ const FRAMES = 40;
 const MEGABYTE = 1e6;
 
 export async function benchStand() {
-	// What modules fetch later comes through the same server.
+	// Later fetches of modules go to the same server.
 	let memories;
 	const server = await createServer({
 		configFile: join(repository, "vite.config.ts"),
@@ -77,7 +77,7 @@ async function benchCores(source) {
 	return memories;
 }
 
-/** In the page, before its own scripts: counts what is asked of the graphics card, and times what frames take of the script. */
+/** Runs in the page before its own scripts: counts WebGL calls, and times the script's part of frames. */
 function counting() {
 	const counts = { calls: 0, triangles: 0, buffers: 0, frames: [] };
 	window.standBench = counts;

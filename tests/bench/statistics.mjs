@@ -11,8 +11,8 @@ export function geometricMean(ratios) {
 }
 
 /**
- * Median microseconds of one call of `work(rounds)` per round, over `runs` runs after one to warm up. Of this process's
- * time on a processor, so that what else the machine does counts little.
+ * Median microseconds of one call of `work(rounds)` per round, over `runs` runs after one to warm up; CPU time of this
+ * process, on which other load has little effect.
  */
 export function microseconds(rounds, runs, work) {
 	work(rounds);

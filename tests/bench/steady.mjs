@@ -1,7 +1,7 @@
 /** Whether a series of measurements goes up. */
 import { median } from "./statistics.mjs";
 
-/** By how much the end may be above the beginning: what a collector leaves comes and goes. */
+/** Tolerance of the end above the beginning: garbage varies. */
 const GIVE = 0.1;
 
 /**

@@ -1,4 +1,4 @@
-/** Topiaries: what growing one anew costs, as when an area is moved. */
+/** Topiaries: time to grow one again, as when an area is moved. */
 import { grower, nativeGrow } from "./core.mjs";
 import { microseconds, printTable } from "./statistics.mjs";
 

@@ -1,4 +1,4 @@
-/** What a trace of Chromium's says of the page's thread. */
+/** Reads tasks of the page's thread from a Chromium trace. */
 
 /**
  * The tasks of the busiest page's thread, the longest first: milliseconds of its own time, and, where the profiler ran, how
@@ -9,7 +9,7 @@ export function tasksOf(events) {
 		events.filter(({ name, args }) => name === "thread_name" && args.name === "CrRendererMain").map(threadOf),
 	);
 	const tasks = events.filter(
-		// What was under way when the trace began or ended has no time of its own.
+		// Tasks in progress at the trace's beginning or end have no duration.
 		(event) => event.ph === "X" && event.tdur >= 0 && /RunTask$/.test(event.name) && threads.has(threadOf(event)),
 	);
 	const own = outermost(busiest(tasks));
@@ -42,7 +42,7 @@ function busiest(tasks) {
 	return [...byThread.values()].sort((a, b) => total(b) - total(a))[0] ?? [];
 }
 
-/** Two layers of Chromium's tell of the same task: the outer one counts. */
+/** Two layers of Chromium report the same task: the outer one counts. */
 function outermost(tasks) {
 	let end = 0;
 	return tasks
@@ -54,7 +54,7 @@ function outermost(tasks) {
 		});
 }
 
-/** When the profiler looked at a thread, and what it saw. */
+/** Samples of a thread: times and stacks. */
 function samplesOf(events, thread) {
 	const names = new Map();
 	const samples = [];

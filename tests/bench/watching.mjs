@@ -1,8 +1,8 @@
 /**
- * `npm run bench -- watching [model/preset …]`: what the page's own thread does while particles run, from the first frame of a
- * play to the plant at rest. Drawing is switched off in the page (WebGL's draws do nothing, all that leads to them stays), for
- * software would draw most of the time. Counted is the thread's own time on a processor, so that waiting does not count, task
- * by task; of several plays the least, for others on the machine and the collector of rubbish only add.
+ * `npm run bench -- watching [model/preset …]`: work of the page's thread while particles move, from the first frame
+ * of a play to the plant at rest. Drawing is switched off in the page (WebGL's draws do nothing, all calls to them
+ * stay), because software drawing would dominate. CPU time of the thread counts, task by task; of several plays the
+ * least, since other load only increases the time.
  */
 import { join } from "node:path";
 import { build, preview } from "vite";
@@ -16,7 +16,7 @@ const PLANTS = ["leaf/grapevine", "tree/oak", "root/tap"];
 const PLAYS = 4;
 /** A frame of a screen of 60 Hz. */
 const AIM = 16;
-/** How long after the end of a play what belongs to it may still come, in milliseconds. */
+/** Time after the end of a play in which related work may follow, milliseconds. */
 const AFTER = 2500;
 const PAUSED = "the life has come to its end";
 const folder = join(repository, "build/bench/watching");
@@ -57,7 +57,7 @@ export async function openPlant(browser, address, plant) {
 	const [model, preset] = plant.split("/");
 	const page = await browser.newPage({ viewport: { width: 1024, height: 640 }, serviceWorkers: "block" });
 	await page.addInitScript(withoutDrawing);
-	await page.addInitScript(sayPaused, PAUSED);
+	await page.addInitScript(logWhenPaused, PAUSED);
 	await page.goto(`${address}?v=2&model=${model}&preset=${preset}`);
 	await page.waitForFunction(() => document.querySelector(".play") && document.querySelector("[data-fingerprint]"));
 	await page.waitForTimeout(AFTER);
@@ -89,24 +89,24 @@ function percentile(tasks) {
 	return worth[Math.floor(0.01 * worth.length)]?.milliseconds ?? 0;
 }
 
-/** Plays a life from its beginning, and gives what was traced meanwhile. */
+/** Plays an animation from its beginning and returns the trace. */
 export async function traced(browser, page, more = []) {
 	await browser.startTracing(page, { categories: ["toplevel", "devtools.timeline", "v8", ...more] });
-	const ended = page.waitForEvent("console", { predicate: (said) => said.text() === PAUSED, timeout: 300_000 });
+	const ended = page.waitForEvent("console", { predicate: (message) => message.text() === PAUSED, timeout: 300_000 });
 	await page.keyboard.press("k");
 	await ended;
 	await page.waitForTimeout(AFTER);
 	return JSON.parse((await browser.stopTracing()).toString()).traceEvents;
 }
 
-/** In the page: says when a life has come to its end. To ask again and again would be work for the page. */
-function sayPaused(words) {
+/** Runs in the page: logs the end of an animation. Polling would cause work in the page. */
+function logWhenPaused(words) {
 	let button = null;
 	new MutationObserver((_, watch) => {
 		button = document.querySelector(".play");
 		if (!button) return;
 		watch.disconnect();
-		const says = () => button.ariaLabel === "Play" && console.log(words);
-		new MutationObserver(says).observe(button, { attributeFilter: ["aria-label"] });
+		const logPaused = () => button.ariaLabel === "Play" && console.log(words);
+		new MutationObserver(logPaused).observe(button, { attributeFilter: ["aria-label"] });
 	}).observe(document, { childList: true, subtree: true });
 }

@@ -1,9 +1,9 @@
-/** A browser that is driven: what the two protocols have in common, and what both do alike. */
+/** A browser under remote control: the common interface of the two protocols. */
 import { mkdirSync, mkdtempSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 
-/** One device's part of what hands do: the W3C's “actions”, which both protocols take as they are. */
+/** The actions of one input device: W3C “actions”, which both protocols accept. */
 export interface Device {
 	readonly type: "key" | "pointer";
 	readonly id: string;
@@ -15,13 +15,13 @@ export interface Driven {
 	readonly version: string;
 	/** Goes to an address and waits until its page is loaded. */
 	open(address: string): Promise<void>;
-	/** Runs a script's expression in the page; a promise is waited for. What it gives has to be JSON. */
+	/** Evaluates a script's expression in the page and awaits promises. The result must be JSON. */
 	evaluate(expression: string): Promise<unknown>;
 	/** Moves pointers and presses keys. */
 	act(devices: readonly Device[]): Promise<void>;
-	/** What the window shows, as PNG. */
+	/** A screenshot of the window as PNG. */
 	picture(): Promise<Buffer>;
-	/** What the browser's own console complained of since it was last asked. */
+	/** Errors in the browser's console since the last call. */
 	complaints(): string[];
 	close(): Promise<void>;
 }
@@ -31,7 +31,9 @@ export const WINDOW = { width: 1000, height: 760 };
 
 const folder = fileURLToPath(new URL("../../build/browsers/", import.meta.url));
 
-/** An empty folder for a browser: its profile, and what it downloads. It is in the repository, where packaged browsers may read too. */
+/**
+ * An empty folder for a browser's profile and downloads, in the repository, because packaged browsers can read there.
+ */
 export function home(): string {
 	mkdirSync(folder, { recursive: true });
 	return mkdtempSync(join(folder, "home-"));

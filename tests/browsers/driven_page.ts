@@ -1,11 +1,11 @@
-/** The app in a driven browser, as a hand and an eye have it. */
+/** The app in a controlled browser, as a user sees and operates it. */
 import { expect } from "vitest";
 import type { Device, Driven } from "./driven";
 
 /** Keys that have no letter, as WebDriver writes them. */
 export const KEYS = { PageDown: "\uE00F", ArrowLeft: "\uE012" } as const;
 
-/** How long the page may take for what is waited for; milliseconds. */
+/** Timeout and interval of waits, milliseconds. */
 const PATIENCE = { timeout: 60_000, interval: 50 };
 
 interface Point {
@@ -16,7 +16,7 @@ interface Point {
 export class DrivenPage {
 	constructor(readonly browser: Driven) {}
 
-	/** Runs a function in the page: it knows nothing of what stands around it here. */
+	/** Runs a function in the page; it cannot use variables of this file. */
 	run<Result, Arguments extends readonly unknown[]>(
 		work: (...args: Arguments) => Result | Promise<Result>,
 		...args: Arguments
@@ -35,9 +35,9 @@ export class DrivenPage {
 		return this.run(() => document.querySelector<HTMLElement>("[data-fingerprint]")?.innerText ?? "");
 	}
 
-	/** Waits until what is asked is so. */
-	until<Value extends string>(ask: () => Promise<Value>, pattern: RegExp): Promise<void> {
-		return expect.poll(ask, PATIENCE).toMatch(pattern);
+	/** Waits until a query's result matches a pattern. */
+	until<Value extends string>(query: () => Promise<Value>, pattern: RegExp): Promise<void> {
+		return expect.poll(query, PATIENCE).toMatch(pattern);
 	}
 
 	/** Does something and waits for the plant that follows from it. */
@@ -121,7 +121,7 @@ export class DrivenPage {
 		}, picture);
 	}
 
-	/** What the page, and the browser about it, complained of since the page was opened. */
+	/** Errors of the page and the browser since the page was opened. */
 	async complaints(): Promise<string[]> {
 		const own = await this.run(
 			() => (globalThis as unknown as { complaints?: string[] }).complaints ?? ["no listener"],

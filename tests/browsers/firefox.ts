@@ -4,7 +4,7 @@ import { join } from "node:path";
 import { type Device, type Driven, home, onScreen, WINDOW } from "./driven";
 import { start } from "./processes";
 
-/** Nothing of its own is fetched or asked; files are saved without a question. */
+/** Preferences: no background requests, and downloads without a question. */
 const preferences = (downloads: string) => ({
 	"webgl.force-enabled": true,
 	"browser.download.folderList": 2,
@@ -14,7 +14,7 @@ const preferences = (downloads: string) => ({
 	"browser.startup.homepage_override.mstone": "ignore",
 	"datareporting.policy.dataSubmissionEnabled": false,
 	"app.normandy.enabled": false,
-	// It complains of what a page that is left had still asked its service worker for; offline.spec.ts has that.
+	// After navigation Firefox logs errors of pending service worker requests; offline.spec.ts tests them.
 	"dom.serviceWorkers.enabled": false,
 	"app.update.enabled": false,
 	"network.captive-portal-service.enabled": false,
@@ -43,7 +43,7 @@ export async function openFirefox(program: string, display: string, downloads: s
 		rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
 	};
 	try {
-		const session = await Session.connect(`${process.said}/session`);
+		const session = await Session.connect(`${process.output}/session`);
 		return await windowOf(session, close);
 	} catch (error) {
 		await close();
@@ -96,7 +96,7 @@ interface Message {
 	readonly params?: { readonly level?: string; readonly text?: string };
 }
 
-/** Commands go out with a number, answers come back with it; what comes without is an entry of the console. */
+/** A WebDriver BiDi session: commands and responses have numbers, messages without a number are console entries. */
 class Session {
 	readonly complaints: string[] = [];
 	readonly #socket: WebSocket;

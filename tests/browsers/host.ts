@@ -7,8 +7,8 @@ import { withoutDrawing } from "../e2e/without_drawing.mjs";
 const BASE = "/of/panicle/";
 
 /**
- * Before all else in a page: what it complains of is kept. A script above a page's policy is not under it. Firefox 153 says
- * of modules that run already that they could not be preloaded; what is amiss with a module its import says.
+ * The first script of a page: it records errors. A script before a page's policy is not subject to it. Firefox 153
+ * warns that modules which already run could not be preloaded; a module's import reports real problems.
  */
 const LISTENER = `<script>
 	complaints = [];

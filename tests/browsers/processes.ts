@@ -1,25 +1,25 @@
 /** Programs that run as long as a test does. */
 import { type ChildProcess, spawn } from "node:child_process";
 
-/** How long a program may take to say that it is there; milliseconds. */
+/** Longest wait for a program's start, milliseconds. */
 const PATIENCE = 60_000;
 
-/** A program that has started: what it said, and its end. */
+/** A started program: its matched output, and its end. */
 export interface Started {
 	/** The first group of the pattern that was waited for. */
-	readonly said: string;
+	readonly output: string;
 	end(): Promise<void>;
 }
 
 /**
- * Starts a program and waits until its output, or what it writes to its third channel, fits a pattern with a group.
- * Without a pattern it is there as soon as it runs.
- * @throws when it ends before, or says nothing of the kind within a minute
+ * Starts a program and waits until its output, or its third channel, matches a pattern with a group. Without a pattern
+ * it does not wait.
+ * @throws when the program ends first, or writes no match within a minute
  */
 export async function start(
 	command: string,
 	args: readonly string[],
-	said: RegExp | undefined,
+	output: RegExp | undefined,
 	env: NodeJS.ProcessEnv = process.env,
 ): Promise<Started> {
 	// A group of its own: browsers are many processes, and all of them go.
@@ -33,7 +33,7 @@ export async function start(
 		process.off("exit", kill);
 	};
 	try {
-		return { said: await heard(child, command, said), end };
+		return { output: await heard(child, command, output), end };
 	} catch (error) {
 		await end();
 		throw error;
@@ -70,10 +70,10 @@ function heard(child: ChildProcess, command: string, pattern: RegExp | undefined
 	});
 }
 
-/** A screen that nobody sees, for browsers that draw on nothing else. Its name is what it said. */
+/** A virtual screen for browsers that need one; the program's output is its name. */
 export async function startScreen(): Promise<Started & { readonly display: string }> {
 	const size = "1440x900x24";
 	const args = ["-displayfd", "3", "-screen", "0", size, "-nolisten", "tcp"];
 	const screen = await start("Xvfb", args, /^(\d+)\n/m);
-	return { ...screen, display: `:${screen.said}` };
+	return { ...screen, display: `:${screen.output}` };
 }

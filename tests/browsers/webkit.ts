@@ -4,10 +4,10 @@ import { freePort } from "../free_port.mjs";
 import { type Driven, home, onScreen, WINDOW } from "./driven";
 import { start } from "./processes";
 
-/** How often, and how many times, a driver that has just started is asked whether it listens; milliseconds. */
-const ASKED = { every: 50, times: 400 };
+/** Interval in milliseconds and number of attempts to reach a driver that has just started. */
+const ATTEMPTS = { every: 50, times: 400 };
 
-/** How long a script in the page may wait for what it asked; milliseconds. */
+/** Timeout of scripts in the page, milliseconds. */
 const PATIENCE = 120_000;
 
 /** Opens a window of WebKit that saves to `downloads`. */
@@ -49,7 +49,7 @@ async function windowOf(sessions: string, close: () => Promise<void>): Promise<D
 		async picture() {
 			return Buffer.from((await call(`${address}/screenshot`)) as string, "base64");
 		},
-		// The driver keeps what the console says to itself; the page's own listener (complaints.js) has to do.
+		// The driver does not report console messages; the page's own listener (complaints.js) does.
 		complaints: () => [],
 		close,
 	};
@@ -63,19 +63,19 @@ async function suit(address: string, evaluate: (expression: string) => Promise<u
 	await resize(2 * WINDOW.width - width, 2 * WINDOW.height - height);
 }
 
-/** Asks again while nobody listens yet. */
-async function listening<Result>(ask: () => Promise<Result>): Promise<Result> {
+/** Repeats a request until the driver listens. */
+async function listening<Result>(request: () => Promise<Result>): Promise<Result> {
 	for (let times = 1; ; times++) {
 		try {
-			return await ask();
+			return await request();
 		} catch (error) {
-			if (!(error instanceof TypeError) || times === ASKED.times) throw error;
-			await new Promise((resolve) => setTimeout(resolve, ASKED.every));
+			if (!(error instanceof TypeError) || times === ATTEMPTS.times) throw error;
+			await new Promise((resolve) => setTimeout(resolve, ATTEMPTS.every));
 		}
 	}
 }
 
-/** @throws TypeError when nobody listens; Error with what the driver says against it */
+/** @throws TypeError when the driver does not listen; Error with the driver's message */
 async function call(address: string, body?: object): Promise<unknown> {
 	const response = await fetch(address, body ? { method: "POST", body: JSON.stringify(body) } : {});
 	const { value } = (await response.json()) as { value: unknown };

@@ -1,4 +1,4 @@
-/** The scripts of package.json and what the documentation says about them; the set-up files and the tools that they install. */
+/** The documentation lists the scripts of package.json, the set-up files and the tools that they install. */
 import { readFileSync } from "node:fs";
 import { join, relative } from "node:path";
 import { describe, expect, it } from "vitest";

@@ -1,6 +1,6 @@
 /**
- * Where a page's examples are run: a folder that looks like a checkout, by links, and like a site that has the built app, the package and
- * three.js. What examples write stays in it.
+ * A folder in which a page's examples run: linked like a checkout, and like a site with the built app, the package and
+ * three.js. Files that examples write stay in it.
  */
 import { type ChildProcess, spawn } from "node:child_process";
 import { mkdir, mkdtemp, readdir, rm, symlink, writeFile } from "node:fs/promises";
@@ -11,13 +11,13 @@ import { repository } from "../../wasm-core/tools/repository.mjs";
 import type { Project } from "../package/project";
 import { type Example, patternOf, plainly } from "./examples";
 
-/** What a series says of itself where it takes its time. */
+/** Progress messages of a long series. */
 const SLOWLY = /^\d+ of \d+ plants\n/gm;
 
-/** As in a terminal that shows no colours: the runner of tests asks programs for them. */
+/** No colours: the test runner requests them through the environment. */
 const { FORCE_COLOR: _, ...environment } = process.env;
 
-/** How long a program may take to say that it is ready, milliseconds. */
+/** Longest wait until a program is ready, milliseconds. */
 const PATIENCE = 240_000;
 
 /** Both outputs in their order, as a terminal shows them; ends with the first command that fails. */
@@ -32,21 +32,24 @@ export class EditorContext {
 		private readonly python: string,
 	) {}
 
-	/** @param python one that has what tests/readers/trimesh.txt lists */
+	/** @param python has the packages of tests/readers/trimesh.txt */
 	static async at(project: Project, python: string): Promise<EditorContext> {
 		const folder = await mkdtemp(join(tmpdir(), "panicle-desk-"));
 		for (const name of await readdir(repository)) {
 			if (!name.startsWith(".")) await symlink(join(repository, name), join(folder, name));
 		}
 		await mkdir(join(folder, "vendor"));
-		// What a host has, as docs/for-web-authors.md and for-game-developers.md say.
+		// Files of a host, as in docs/for-web-authors.md and for-game-developers.md.
 		await symlink(join(repository, "dist"), join(folder, "panicle"));
 		await symlink(join(project.folder, "node_modules/panicle"), join(folder, "vendor/panicle"));
 		await symlink(join(repository, "node_modules/three"), join(folder, "vendor/three"));
 		return new EditorContext(folder, project, python);
 	}
 
-	/** Runs an example, unless it is a page, which is only laid there. Throws where it fails or prints other than it says. */
+	/**
+	 * Runs an example; a page is only written. Throws where the example fails or its output differs from the
+	 * documentation.
+	 */
 	async run(example: Example): Promise<void> {
 		const { language, title = "", code } = example;
 		if (language === "sh") {
@@ -63,11 +66,12 @@ export class EditorContext {
 	async #check(example: Example, program: string, words: string[], cwd = this.folder): Promise<void> {
 		const { status, output } = await run(program, words, { cwd, env: environment });
 		const printed = plainly(output.replace(SLOWLY, ""));
-		const asSaid = patternOf(example.prints ?? "").test(printed);
-		if (status !== 0 || !asSaid) throw new Error(`Line ${example.line}: status ${status}; it printed\n${printed}`);
+		const asDocumented = patternOf(example.prints ?? "").test(printed);
+		if (status !== 0 || !asDocumented)
+			throw new Error(`Line ${example.line}: status ${status}; it printed\n${printed}`);
 	}
 
-	/** Starts what goes on, and waits until it has printed what it says. */
+	/** Starts a program that keeps running, and waits for its documented output. */
 	async #start({ code, prints = "", line }: Example): Promise<void> {
 		const child = spawn("sh", scriptOf(code), {
 			cwd: this.folder,
@@ -90,9 +94,9 @@ export class EditorContext {
 		});
 	}
 
-	/** Ends what still runs, and takes all away that was written. */
+	/** Ends running programs and removes all written files. */
 	async clear(): Promise<void> {
-		// With what they have started: each leads a group of its own.
+		// Includes child processes: each program leads a process group.
 		for (const { pid, exitCode } of this.#background) if (pid && exitCode === null) process.kill(-pid, "SIGTERM");
 		await rm(this.folder, { recursive: true, force: true });
 	}

@@ -1,12 +1,12 @@
 /**
- * Examples of the pages for people (docs/for-*.md), as their fences have them: the words after the language say how one is run, the
- * ```` ```text ```` that follows what it prints.
+ * Examples in the user guides (docs/for-*.md): the words after a fence's language specify how to run the example, the
+ * following ```` ```text ```` fence is its output.
  */
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { repository } from "../../wasm-core/tools/repository.mjs";
 
-/** What an example can be written in. */
+/** Languages of examples. */
 export const LANGUAGES = ["sh", "js", "html", "python"] as const;
 type Language = (typeof LANGUAGES)[number];
 
@@ -16,7 +16,7 @@ export interface Example {
 	/** The file that it is, where its fence names one: `title="berries.py"`. */
 	readonly title: string | undefined;
 	readonly code: string;
-	/** What it prints, or what its page then says; `…` stands for what varies. */
+	/** The expected output or page content; `…` matches varying parts. */
 	readonly prints: string | undefined;
 	/** `not-run`: it takes a program that tests do not have. `background`: it goes on while the others run. */
 	readonly how: "run" | "not-run" | "background";
@@ -52,7 +52,7 @@ export function examplesOf(text: string): Example[] {
 	return examples;
 }
 
-/** What is printed, as a pattern of the whole: `…` is anything within a line, a line of `…` alone any lines. */
+/** A pattern for the whole output: `…` matches anything within a line, a line of `…` any lines. */
 export const patternOf = (prints: string): RegExp => new RegExp(`^${sourceOf(prints)}$`);
 
 /** The same, of a part. */
@@ -66,12 +66,12 @@ function sourceOf(prints: string): string {
 	return patterns.join("\\n");
 }
 
-/** What was printed, as patterns expect it: without spaces at ends of lines. */
+/** Output without spaces at ends of lines. */
 export const plainly = (printed: string): string => printed.replace(/[ \t\r]+$/gm, "").trimEnd();
 
 const literally = (text: string) => text.replace(/[.*+?^${}()|[\]\\/]/g, "\\$&");
 
-/** Links of a page, from their `?` on; those with `…` in them only say what links are like. */
+/** Links of a page, from their `?` on; links with `…` are only illustrations and are omitted. */
 export function linksOf(text: string): string[] {
 	const all = [...text.matchAll(/\?v=\d[^\s"'`<>)\\]*/g)].map(([link]) => link.replaceAll("&amp;", "&"));
 	return [...new Set(all)].filter((link) => !link.includes("…"));

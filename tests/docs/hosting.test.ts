@@ -1,4 +1,4 @@
-/** The headers that docs/hosting.md tells hosts to set are those that the pages need. */
+/** docs/hosting.md lists the headers that the pages need. */
 import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
 

@@ -1,4 +1,4 @@
-/** Every example of the language grows, without a note, and fits what the text says of it. */
+/** Every example of the language grows without a note and matches its description. */
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { beforeAll, describe, expect, it } from "vitest";

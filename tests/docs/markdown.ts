@@ -1,4 +1,4 @@
-/** What Markdown says of other files: its links, and the anchors that others may lead to. */
+/** Links of a Markdown file, and its anchors. */
 
 export interface Target {
 	/** As it is written, without the anchor; empty: the same file. */

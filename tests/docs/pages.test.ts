@@ -1,4 +1,7 @@
-/** The pages for people hold together: what they lead to is there, their links grow as they stand, their examples are run (tests/e2e/docs.spec.ts). */
+/**
+ * The user guides are consistent: link targets exist and links to plants grow. Their examples run in
+ * tests/e2e/docs.spec.ts.
+ */
 import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { dirname, join, relative } from "node:path";
 import { describe, expect, it } from "vitest";
@@ -36,8 +39,8 @@ describe.each(pages())("docs/%s.md", (page) => {
 		const links = linksOf(text);
 		expect(links.length).toBeGreaterThan(0);
 		for (const link of links) {
-			const { status, json, said } = await grow([link]);
-			expect([link, status, said, json?.notes]).toEqual([link, 0, [], []]);
+			const { status, json, said: messages } = await grow([link]);
+			expect([link, status, messages, json?.notes]).toEqual([link, 0, [], []]);
 		}
 	});
 });

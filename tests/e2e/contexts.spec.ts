@@ -3,7 +3,7 @@ import { openViews, serveViews } from "./views_page";
 
 test.use({ drawn: true });
 
-/** What views take of the graphics card, and give back. Browsers keep some sixteen contexts, and drop the oldest beyond. */
+/** Graphics contexts that views use and release. Browsers keep about sixteen contexts, and drop the oldest beyond. */
 let host: Awaited<ReturnType<typeof serveViews>>;
 test.beforeAll(async () => {
 	host = await serveViews();
@@ -18,10 +18,10 @@ test("twenty views made and disposed leave nothing behind", { tag: "@long" }, as
 	page.on("console", (message) => warnings.push(message.text()));
 	const left = await page.evaluate(async (query) => {
 		const { view } = window.views;
-		const kept = view(query, [48, 48]);
-		await kept.whenIdle();
+		const remaining = view(query, [48, 48]);
+		await remaining.whenIdle();
 		const gl = document.querySelector("canvas")?.getContext("webgl2");
-		// Whoever listens to what outlives a view.
+		// Listeners on objects that outlive a view.
 		const listening = new Set<string>();
 		const numbers = new Map<unknown, number>();
 		for (const lasting of [window, document]) {
@@ -73,12 +73,12 @@ test("twenty views share one context, and each shows its own plant at its own si
 }) => {
 	const seen = await page.evaluate(async () => {
 		const { canvas, grow, pixels, Renderer, Viewer, bunchRenderer } = window.views;
-		const asked = HTMLCanvasElement.prototype.getContext;
+		const original = HTMLCanvasElement.prototype.getContext;
 		let contexts = 0;
 		HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, ...all: unknown[]) {
 			if (all[0] === "webgl2") contexts++;
-			return Reflect.apply(asked, this, all);
-		} as typeof asked;
+			return Reflect.apply(original, this, all);
+		} as typeof original;
 		const renderer = new Renderer(undefined, true);
 		const making = contexts;
 		const hues = ["40d040", "d04040"];

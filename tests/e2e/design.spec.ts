@@ -3,7 +3,10 @@ import { drawnBlade } from "./drawn_picture";
 import { expect, test } from "./fixtures";
 import { StudioPage } from "./studio_page";
 
-/** Does something that makes another specimen; a fingerprint tells of places of organs only, the link of all. */
+/**
+ * Performs an action that changes the specimen and returns its link. A fingerprint covers only positions of organs,
+ * the link everything.
+ */
 async function written(page: Page, action: () => Promise<unknown>): Promise<string> {
 	const before = page.url();
 	await action();
@@ -21,7 +24,7 @@ test("a flower is designed: choices, the diagram and the outline write its text,
 	const download = page.waitForEvent("download");
 	await studio.button("Diagram as SVG").click();
 	expect((await download).suggestedFilename()).toBe("designed-buttercup-diagram.svg");
-	// A choice: each petal is lanceolate, and the fit says so.
+	// A choice: each petal is lanceolate, and the readout of the fit shows it.
 	const chosen = await written(page, () => page.getByRole("combobox", { name: "Outline" }).selectOption("Lanceolate"));
 	await expect(page.getByText(/within 1\.\d % of its width/)).toBeVisible();
 
@@ -46,7 +49,7 @@ test("a flower is designed: choices, the diagram and the outline write its text,
 	await expect(page.getByText("K5 C3 A12+12+12 G14")).toBeVisible();
 	await expect(studio.fingerprint).not.toHaveText(grown ?? "");
 
-	// The outline: a point by the keyboard; what is drawn is a shape of its own.
+	// The outline: the keyboard moves a point, after which the shape is a custom one.
 	const point = page.getByRole("button", { name: /^Point 4 of the outline/ });
 	await point.focus();
 	const drawn = await written(page, () => point.press("Shift+ArrowLeft"));
@@ -164,13 +167,13 @@ test("a text without descriptions says so, and a design begins", async ({ page }
 	await written(page, () => studio.button("Design a new flower").click());
 	await expect(page.getByText("P5 A5 G(3)")).toBeVisible();
 	const count = page.getByRole("textbox", { name: "Count, typed" });
-	for (const [typed, said] of [
+	for (const [typed, message] of [
 		["abc", "“abc” is not a number; Count stays 5."],
 		["99", "99 became 21."],
 	]) {
 		await count.fill(typed);
 		await count.press("Enter");
-		await expect(page.getByText(said)).toBeVisible();
+		await expect(page.getByText(message)).toBeVisible();
 	}
 	await expect(page.getByRole("region", { name: "Diagram view" })).toBeVisible();
 });

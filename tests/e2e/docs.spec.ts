@@ -30,16 +30,16 @@ for (const name of pages()) {
 		const host = await serveUnder("/", pathToFileURL(desk.folder).href);
 		await standInForModelViewer(page);
 		try {
-			// What stands for a port that another program may have.
+			// The documented port may be in use.
 			const text = textOf(name).replaceAll("8765", String(await freePort()));
 			const problems: string[] = [];
 			for (const example of examplesOf(text)) {
 				if (example.how === "not-run") continue;
-				// All of them, so that what a page says can be mended at one go.
+				// Runs all examples, so that all errors of a page are reported at once.
 				await test.step(`line ${example.line}`, () => desk.run(example).catch(({ message }) => problems.push(message)));
 				if (example.language !== "html") continue;
 				await page.goto(new URL(example.title ?? "", host.address).href);
-				// As a screen reader has it: texts, and the names of what is no text.
+				// The page as for a screen reader: texts, and names of other elements.
 				if (example.prints === undefined) await page.waitForLoadState("networkidle");
 				for (const line of plainly(example.prints ?? "").split("\n"))
 					await expect.poll(() => page.locator("body").ariaSnapshot(), { timeout: 60_000 }).toMatch(partOf(line));

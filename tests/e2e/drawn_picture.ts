@@ -1,6 +1,6 @@
 import type { Page } from "@playwright/test";
 
-/** A PNG of 200 × 240: a green ellipse, 100 wide and 160 tall, on a stalk; what outlines are traced from. */
+/** A PNG of 200 × 240 for tracing: a green ellipse, 100 wide and 160 tall, on a stalk. */
 export async function drawnBlade(page: Page): Promise<Buffer> {
 	const bytes = await page.evaluate(async () => {
 		const canvas = new OffscreenCanvas(200, 240);

@@ -36,17 +36,17 @@ test("a mistake is shown where it stands, and the last bunch stays until it is m
 	await studio.endOf("axiom:");
 	await page.keyboard.type(" [");
 	await page.keyboard.press("Delete"); // The bracket that is closed by itself.
-	await expect(studio.told.getByRole("button", { name: /^Line \d+ / })).toHaveCount(1);
+	await expect(studio.details.getByRole("button", { name: /^Line \d+ / })).toHaveCount(1);
 	await expect(studio.text.locator(".cm-error")).toHaveCount(1);
 	await expect(studio.text).toHaveAttribute("aria-invalid", "true");
 	await expect(studio.canvas).toHaveAccessibleName(/\d+ berries/);
 	await expect(studio.notices).not.toContainText("cannot be grown");
 	await page.getByRole("checkbox", { name: "Tab indents" }).focus();
-	await studio.told.getByRole("button").click();
+	await studio.details.getByRole("button").click();
 	await expect(studio.text).toBeFocused();
 	await studio.endOf("axiom:");
 	for (let at = 0; at < 2; at++) await page.keyboard.press("Backspace");
-	await expect(studio.told.getByRole("button")).toHaveCount(0);
+	await expect(studio.details.getByRole("button")).toHaveCount(0);
 	await expect(studio.text.locator(".cm-error")).toHaveCount(0);
 	await expect(studio.fingerprint).toHaveText(first);
 });
@@ -71,7 +71,7 @@ test("closing the editor over a mistake shows a message that leads back to it", 
 	const studio = await new EditorPage(page).edit(PAPER);
 	await studio.endOf("axiom:");
 	await page.keyboard.type(" )");
-	await expect(studio.told.getByRole("button")).toHaveCount(1);
+	await expect(studio.details.getByRole("button")).toHaveCount(1);
 	await studio.button("Close the grammar").click();
 	await expect(studio.text).toHaveCount(0);
 	await expect(studio.notices).toContainText(/Line \d+, column \d+/);
@@ -83,7 +83,7 @@ test("a remark of the core stands in its line", { tag: "@long" }, async ({ page 
 	const studio = await new EditorPage(page).edit(PAPER);
 	await studio.endOf("Ap(l,w) -->");
 	await page.keyboard.type(" F1");
-	await expect(studio.told.getByRole("button", { name: /F1 is one symbol/ })).toBeVisible();
+	await expect(studio.details.getByRole("button", { name: /F1 is one symbol/ })).toBeVisible();
 	await expect(studio.text.locator(".cm-remark")).toHaveText("F1");
 });
 

@@ -12,7 +12,7 @@ export class EditorPage extends StudioPage {
 		return this.page.getByRole("slider", { name: "Number at the cursor" });
 	}
 
-	get told(): Locator {
+	get details(): Locator {
 		return this.page.locator(".pane-told");
 	}
 

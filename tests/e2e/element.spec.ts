@@ -19,7 +19,7 @@ test("one script and one tag show a plant in a page of another origin, which tel
 	const view = page.getByRole("application", { name: "Redcurrant bunch: 6 berries" });
 	await expect(view).toBeVisible();
 	await grown(page);
-	const told = await page.evaluate(async () => {
+	const result = await page.evaluate(async () => {
 		const plant = document.querySelector("panicle-specimen") as PanicleSpecimen;
 		const heard: [string, GrownDetail | undefined][] = [];
 		for (const type of ["change", "grown", "error"])
@@ -37,7 +37,7 @@ test("one script and one tag show a plant in a page of another origin, which tel
 		const document_ = JSON.parse(await json.text());
 		const same = document_.fingerprint === plant.plant?.fingerprint;
 		const { specimen } = plant;
-		const told = heard.map(([type, detail]) => [type, detail?.link, detail?.words]);
+		const result = heard.map(([type, detail]) => [type, detail?.link, detail?.words]);
 		// One change does not undo another that is on its way, nor is one lost that comes while the plant is on no page.
 		await Promise.allSettled([plant.set({ seed: 12 }), plant.set({ age: 40 })]);
 		const both = plant.specimen;
@@ -47,7 +47,7 @@ test("one script and one tag show a plant in a page of another origin, which tel
 		await plant.grow();
 		return {
 			notes,
-			heard: told,
+			heard: result,
 			specimen,
 			both,
 			after: plant.specimen,
@@ -56,15 +56,15 @@ test("one script and one tag show a plant in a page of another origin, which tel
 			same,
 		};
 	});
-	expect(told.notes).toEqual(["colour: no parameter of the bunch has that name; it is passed over."]);
+	expect(result.notes).toEqual(["colour: no parameter of the bunch has that name; it is passed over."]);
 	const link = "?v=2&preset=redcurrant&seed=11&count=9&age=50";
-	expect(told.heard.map(([type]) => type)).toEqual(["grown", "change", "grown"]);
-	expect(told.heard.map(([, link]) => link)).toEqual(["?v=2&preset=redcurrant&seed=7&count=9", link, link]);
-	expect(told.heard[0][2]).toMatch(/^9 berries/);
-	expect(told.specimen).toMatchObject({ seed: 11, parameters: { age: 50, count: 9 } });
-	expect(told.both).toMatchObject({ seed: 12, parameters: { age: 40, count: 9 } });
-	expect(told.after).toMatchObject({ seed: 7, parameters: { count: 8 } });
-	expect({ ...told, notes: 0, heard: 0, specimen: 0 }).toMatchObject({ magic: "glTF", size: [40, 60], same: true });
+	expect(result.heard.map(([type]) => type)).toEqual(["grown", "change", "grown"]);
+	expect(result.heard.map(([, link]) => link)).toEqual(["?v=2&preset=redcurrant&seed=7&count=9", link, link]);
+	expect(result.heard[0][2]).toMatch(/^9 berries/);
+	expect(result.specimen).toMatchObject({ seed: 11, parameters: { age: 50, count: 9 } });
+	expect(result.both).toMatchObject({ seed: 12, parameters: { age: 40, count: 9 } });
+	expect(result.after).toMatchObject({ seed: 7, parameters: { count: 8 } });
+	expect({ ...result, notes: 0, heard: 0, specimen: 0 }).toMatchObject({ magic: "glTF", size: [40, 60], same: true });
 	await close();
 });
 
@@ -185,11 +185,11 @@ test("a frame holds a plant, and talks with its page alone", async ({ page }) =>
 	const view = page.frameLocator("iframe").getByRole("application", { name: "Redcurrant bunch: 6 berries" });
 	await expect(view).toBeVisible();
 	expect(await view.evaluate((canvas) => [canvas.clientWidth, canvas.clientHeight])).toEqual([200, 300]);
-	const told = await page.evaluate(async () => {
+	const result = await page.evaluate(async () => {
 		const frame = (document.querySelector("iframe") as HTMLIFrameElement).contentWindow as Window;
 		const heard: { id?: number; event?: string; result?: unknown; error?: string; detail?: { words: string } }[] = [];
 		addEventListener("message", ({ data }) => heard.push(data));
-		const asked = (id: number, method: string, values?: object) =>
+		const call = (id: number, method: string, values?: object) =>
 			new Promise<(typeof heard)[number]>((resolve) => {
 				const wait = () => {
 					const answer = heard.find((each) => each.id === id);
@@ -199,17 +199,17 @@ test("a frame holds a plant, and talks with its page alone", async ({ page }) =>
 				frame.postMessage({ panicle: "panicle/1", id, method, values }, "*");
 				wait();
 			});
-		await asked(1, "listen");
-		await asked(2, "set", { count: 9 });
-		await asked(3, "open", { link: "?v=2&preset=redcurrant&count=7" });
-		const { result: file } = await asked(4, "file", { format: "json" });
-		const { error } = await asked(5, "dance");
-		const { error: unknown } = await asked(6, "file", { format: "dwg" });
-		await asked(7, "open", { link: "?v=2&model=leaf&preset=birch&n=200" });
-		await asked(8, "open", { link: "?v=2&model=root&preset=carrot&n=60" });
-		await asked(9, "open", { link: "?v=2&model=flower&preset=crocus" });
+		await call(1, "listen");
+		await call(2, "set", { count: 9 });
+		await call(3, "open", { link: "?v=2&preset=redcurrant&count=7" });
+		const { result: file } = await call(4, "file", { format: "json" });
+		const { error } = await call(5, "dance");
+		const { error: unknown } = await call(6, "file", { format: "dwg" });
+		await call(7, "open", { link: "?v=2&model=leaf&preset=birch&n=200" });
+		await call(8, "open", { link: "?v=2&model=root&preset=carrot&n=60" });
+		await call(9, "open", { link: "?v=2&model=flower&preset=crocus" });
 		return {
-			// What was first shown may still have grown on when the page began to listen.
+			// The first plant may have grown after the page began to listen.
 			events: heard
 				.filter(({ event, detail }) => event && !detail?.words?.startsWith("6 berries"))
 				.map(({ event, detail }) => [event, detail?.words]),
@@ -218,7 +218,7 @@ test("a frame holds a plant, and talks with its page alone", async ({ page }) =>
 			unknown,
 		};
 	});
-	expect(told.events).toEqual([
+	expect(result.events).toEqual([
 		["change", undefined],
 		["grown", expect.stringMatching(/^9 berries/)],
 		["grown", expect.stringMatching(/^7 berries/)],
@@ -226,8 +226,8 @@ test("a frame holds a plant, and talks with its page alone", async ({ page }) =>
 		["grown", expect.stringMatching(/ deep, 60 root tips$/)],
 		["grown", expect.stringMatching(/ volumes$/)],
 	]);
-	expect(told.file).toMatchObject({ berries: 7 });
-	expect(told.unknown).toMatch(/dwg/);
-	expect(told.error).toMatch(/^there is no method "dance"/);
+	expect(result.file).toMatchObject({ berries: 7 });
+	expect(result.unknown).toMatch(/dwg/);
+	expect(result.error).toMatch(/^there is no method "dance"/);
 	await close();
 });

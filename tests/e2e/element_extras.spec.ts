@@ -12,7 +12,7 @@ test.beforeAll(async () => {
 test.afterAll(() => library.close());
 const open = (page: Page, body: string) => openHost(page, library.address, body);
 
-/** What the plant tells from now on. */
+/** Events of the plant from now on. */
 async function listen(page: Page): Promise<() => Promise<[string, string][]>> {
 	await page.evaluate(() => {
 		const heard: [string, string][] = [];
@@ -82,17 +82,17 @@ test("the bar turns, ages, seeds and saves a plant, and leads into the app", asy
 	const downloading = page.waitForEvent("download");
 	await bar.getByRole("button", { name: "Download GLB" }).click();
 	expect((await downloading).suggestedFilename()).toBe("redcurrant-12.glb");
-	// What goes wrong is seen as well as heard, until something grows.
+	// Errors are visible and announced until a plant grows.
 	await page.evaluate(() => {
 		const plant = document.querySelector("panicle-specimen") as PanicleSpecimen;
 		plant.toFile = () => Promise.reject(new Error("no room is left"));
 	});
 	await bar.getByRole("button", { name: "Download GLB" }).click();
-	const told = bar.getByText("The GLB could not be made: no room is left");
-	expect((await told.boundingBox())?.height).toBeGreaterThan(10);
+	const error = bar.getByText("The GLB could not be made: no room is left");
+	expect((await error.boundingBox())?.height).toBeGreaterThan(10);
 	await seed.fill("13");
 	await seed.press("Enter");
-	await expect(told).toHaveCount(0);
+	await expect(error).toHaveCount(0);
 	const turn = bar.getByRole("button", { name: "Turn" });
 	await turn.click();
 	await expect(turn).toHaveAttribute("aria-pressed", "true");

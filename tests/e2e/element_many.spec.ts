@@ -80,7 +80,7 @@ test("a hundred that come and go leave nothing behind, and ten share a context",
 			}
 		}, count);
 	const countsOf = () => page.evaluate(() => (window as unknown as { counts: object }).counts);
-	/** What is left once the workers have ended, which are kept for a moment after the last plant has gone. */
+	/** Resources after the workers have ended, which happens a moment after the last plant is gone. */
 	const left = async () => {
 		await expect.poll(countsOf).toEqual({ workers: 0, contexts: 0, listeners: 0 });
 		const session = await page.context().newCDPSession(page);
@@ -89,7 +89,7 @@ test("a hundred that come and go leave nothing behind, and ten share a context",
 		await session.detach();
 		return { heap: usedSize, counts: await countsOf() };
 	};
-	// Until what a browser makes of code that runs often is there, too.
+	// Enough cycles for the browser to compile frequently run code.
 	await cycles(60);
 	const before = await left();
 	await cycles(100);
@@ -175,7 +175,7 @@ test("ten visible ones are turned on one context that is not lost, and what come
 	});
 	const after = await seen();
 	expect(after.draws - before.draws).toBeGreaterThan(10 * 12);
-	// One that only asks whether there is a card is given up at once.
+	// A context that only tests for graphics support is released at once.
 	expect(after.lost).toBe(before.lost);
 	expect(after.counts).toEqual(before.counts);
 	await close();

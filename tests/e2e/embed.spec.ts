@@ -48,7 +48,7 @@ test("copied code shows the plant in a page of another origin, as it was shown: 
 	const [all, scripts, core] = (await weight.innerText()).match(/\d+(?= kB)/g)?.map(Number) ?? [];
 	const wasm = readdirSync(DIST).find((name) => /^bunch-.*\.wasm$/.test(name));
 	expect(core / (gzipped(`${DIST}/${wasm}`) / 1000)).toBeCloseTo(1, 1);
-	// three.js alone is more than this. What the element may take is in the table of sizes.
+	// three.js alone is larger than this. The element's limit is in the table of sizes.
 	expect(scripts).toBeGreaterThan(100);
 	expect(Math.abs(all - scripts - core)).toBeLessThanOrEqual(1);
 	const element = await copied(page, dialog);

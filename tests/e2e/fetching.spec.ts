@@ -2,7 +2,7 @@ import type { Page } from "@playwright/test";
 import { expect, test } from "./fixtures";
 import { StudioPage } from "./studio_page";
 
-/** Lets what is fetched from an address fail until it is allowed. */
+/** Makes requests of a pattern fail until they are allowed. */
 async function failing(page: Page, pattern: RegExp): Promise<{ allow(): void; failed(): number }> {
 	let [open, count] = [false, 0];
 	await page.context().route(pattern, (route) => {

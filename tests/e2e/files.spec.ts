@@ -28,7 +28,7 @@ test("a natural bunch's GLB is valid, and brings its age and thinning back", { t
 	const { bytes } = await studio.download("glb");
 	const { issues } = await validateBytes(new Uint8Array(bytes));
 	expect(issues).toMatchObject({ numErrors: 0, numWarnings: 0 });
-	// The menu says how large a file is before it is chosen; the light forms come from a worker with wasm of its own.
+	// The menu shows a file's size before it is chosen; simplified files come from a worker with its own wasm.
 	await studio.button("Download").click();
 	const sizeOf = (format: string) => page.locator(`[data-format=${format}] .size`);
 	for (const format of ["glb", "glb-web", "glb-low"])
@@ -81,7 +81,7 @@ test("OBJ with its MTL in one archive, and a series of plants in one", { tag: "@
 	expect(obj).toContain("mtllib lychee-1.mtl");
 	expect(obj.match(/^v /gm)?.length).toBeGreaterThan(1000);
 
-	// Many: what cannot be read is said where it was typed, a long series is called off, a short one comes as one archive.
+	// Batch export: invalid input is reported at its field, a long series is cancelled, a short one gives one archive.
 	await studio.button("Download").click();
 	await page.locator("[data-format=many]").click();
 	const dialog = page.getByRole("dialog", { name: "Many in one ZIP" });

@@ -32,10 +32,10 @@ test("what packs and writes files is no part of the first load", { tag: "@long" 
 	});
 	const studio = await new StudioPage(page).open();
 	await expect(studio.canvas).toHaveAccessibleName(/berries/);
-	// The built files, not what the browser keeps of its answers: it lets go of those as it likes.
+	// Reads the built files instead of the browser's responses, which it may discard.
 	const texts = [...scripts].map((path) => readFileSync(join(dist, path), "utf8"));
 	expect(texts.length).toBeGreaterThan(3);
-	// The mark that each file in a ZIP archive begins with; what asks for WebGL shows that scripts were read.
+	// The signature of files in a ZIP archive; the test for WebGL proves that scripts were read.
 	expect(texts.filter((text) => /67324752|0x4034b50/.test(text))).toEqual([]);
 	expect(texts.filter((text) => /webgl2/.test(text))).not.toEqual([]);
 });

@@ -1,7 +1,7 @@
 import { test as base, expect, type Page } from "@playwright/test";
 import { withoutDrawing } from "./without_drawing.mjs";
 
-/** What a page complained of, and what a test says it will complain of. */
+/** Errors of a page, and the errors that a test expects. */
 export class Complaints {
 	readonly #heard: string[] = [];
 	readonly #expected: RegExp[] = [];
@@ -27,7 +27,7 @@ export class Complaints {
 		});
 	}
 
-	/** What was heard and not expected. */
+	/** Errors that were not expected. */
 	unexpected(): string[] {
 		return this.#heard.filter((complaint) => !this.#expected.some((pattern) => pattern.test(complaint)));
 	}
@@ -35,7 +35,7 @@ export class Complaints {
 
 interface Fixtures {
 	complaints: Complaints;
-	/** Whether pages draw: `test.use({ drawn: true })` where what is seen in 3-D is looked at. */
+	/** Whether pages draw: `test.use({ drawn: true })` for tests that check the 3-D picture. */
 	drawn: boolean;
 }
 

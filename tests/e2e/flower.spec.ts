@@ -71,7 +71,7 @@ test("a click on a volume shows its numbers; a figure of the text is dragged, un
 	await sides.focus();
 	await sides.press("ArrowRight");
 	await expect(darts).not.toHaveText(few ?? "");
-	// It is still the same one, and its name is all that is said of it.
+	// The same volume is chosen, and only its name is announced.
 	await expect(page.locator("panicle-volume [aria-live]")).toHaveText("StemSTEM, volume 1.");
 });
 
@@ -142,7 +142,7 @@ test("a flower's life is played from the bud, by stages and by numbers; undo and
 	await expect(studio.notices).toContainText("Age takes 0 … 2");
 	await studio.regrown(() => studio.button("Undo").click());
 	await expect(studio.fingerprint).toHaveText(shut);
-	// A text that says nothing of age has no life to be played.
+	// A text without age has no animation.
 	await studio.regrown(() => page.locator("[data-preset=figure-16]").click());
 	await expect(studio.button("Play")).toHaveCount(0);
 });

@@ -1,4 +1,4 @@
-/** What is chosen can be told where the person's own colours take the place of the page's. */
+/** The choice is visible with forced colours. */
 import type { Locator } from "@playwright/test";
 import { expect, test } from "./fixtures";
 import { StudioPage } from "./studio_page";

@@ -4,7 +4,7 @@ import { StudioPage } from "./studio_page";
 test("the page's own policy lets no foreign code, style, frame or address in", async ({ page, complaints }) => {
 	await new StudioPage(page).open();
 	complaints.expect(/Content Security Policy|violates the following|elsewhere\.example\S* csp/);
-	// What a text that found its way into the page could try.
+	// Attacks that a text injected into the page could try.
 	const refused = await page.evaluate(async () => {
 		const blocked: string[] = [];
 		document.addEventListener("securitypolicyviolation", ({ effectiveDirective }) => blocked.push(effectiveDirective));
@@ -18,7 +18,7 @@ test("the page's own policy lets no foreign code, style, frame or address in", a
 		element("img", { src: "https://elsewhere.example/picture.png" });
 		element("iframe", { src: "https://elsewhere.example/" });
 		await fetch("https://elsewhere.example/").catch(() => {});
-		// What is refused is told of when the browser gets round to it.
+		// The browser reports violations of the policy later.
 		for (let waits = 0; waits < 100 && new Set(blocked).size < 5; waits++)
 			await new Promise((resolve) => setTimeout(resolve, 100));
 		return { blocked: [...new Set(blocked)].sort(), ran: "broughtIn" in window };

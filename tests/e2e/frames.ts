@@ -1,4 +1,4 @@
-/** Animation frames of a page: they measure rest and movement by counting, whatever the speed of the machine. */
+/** Counts animation frames of a page, to measure rest and movement independently of the machine's speed. */
 import type { Page } from "@playwright/test";
 
 /** Waits until the browser has drawn so many frames. */

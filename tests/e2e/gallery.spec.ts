@@ -111,13 +111,13 @@ for (const [words, width, height] of [
 }
 
 test("pictures come when they are near to being seen", async ({ page }) => {
-	const asked = new Set<string>();
+	const requested = new Set<string>();
 	page.on("request", (request) => {
-		if (/\/gallery\//.test(request.url())) asked.add(request.url());
+		if (/\/gallery\//.test(request.url())) requested.add(request.url());
 	});
 	await page.setViewportSize({ width: 390, height: 844 });
 	await opened(page);
 	await page.waitForLoadState("networkidle");
-	expect(asked.size).toBeGreaterThan(0);
-	expect(asked.size).toBeLessThan(await shown(page).count());
+	expect(requested.size).toBeGreaterThan(0);
+	expect(requested.size).toBeLessThan(await shown(page).count());
 });

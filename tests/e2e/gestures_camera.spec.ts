@@ -27,7 +27,7 @@ const INJECTED = `globalThis.CanvasInteraction = class {
 	async close() { globalThis.closed = true; }
 };`;
 
-/** A hand with its palm's middle there, as the camera sees it. */
+/** A hand with the centre of its palm at a position in the camera's picture. */
 function handAt(x: number, y: number, pinching = false) {
 	const points = Array.from({ length: 21 }, () => ({ x, y }));
 	points[0] = { x, y: y + 0.06 };
@@ -72,15 +72,15 @@ test("a hand drives the two numbers, and a pinch brings the next two, which wait
 test("what finds hands is the app's own, finds none in a picture without, and lets go of the camera", {
 	tag: "@long",
 }, async ({ page }) => {
-	const asked: string[] = [];
-	page.on("request", (request) => asked.push(request.url()));
+	const requested: string[] = [];
+	page.on("request", (request) => requested.push(request.url()));
 	const studio = await new StudioPage(page).open(FLOWER);
-	expect(asked.filter((url) => url.includes("/hands"))).toEqual([]);
+	expect(requested.filter((url) => url.includes("/hands"))).toEqual([]);
 	const bar = page.getByRole("group", { name: "Gestures" });
 	await studio.button("Gestures").click();
 	await bar.getByLabel("By").selectOption("Hand before the camera");
 	await expect(bar.getByRole("status")).toContainText("No hand is seen", { timeout: 60_000 });
-	const found = asked.filter((url) => /hands/.test(url)).map((url) => new URL(url));
+	const found = requested.filter((url) => /hands/.test(url)).map((url) => new URL(url));
 	expect(found.length).toBeGreaterThan(4);
 	expect(found.every(({ origin }) => origin === new URL(page.url()).origin)).toBe(true);
 	const live = () =>

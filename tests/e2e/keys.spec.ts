@@ -37,7 +37,7 @@ test("single letters can be switched off, in every tab and for good, and the hel
 	await page.keyboard.press("Escape");
 	for (const key of ["s", "n", "?"]) await page.keyboard.press(key);
 	await expect(help).toBeHidden();
-	// Word reaches the other tab when the browser passes it on: its own help tells when it has come.
+	// The browser forwards the message to the other tab; that tab's own help shows when it arrived.
 	await beside.button("Help").click();
 	await expect(other.getByRole("dialog", { name: "Panicle" })).not.toContainText("New variation");
 	await other.keyboard.press("Escape");
@@ -90,7 +90,7 @@ test("a number is typed from its slider, by Enter or by its digits, and the keys
 	await expect(slider).toBeFocused();
 	await expect(slider).toHaveValue("348");
 	await expect(field).toHaveValue("150");
-	// What is half typed stays when the page is drawn anew meanwhile, as when a bunch comes.
+	// Half-typed text stays when the page updates meanwhile, as when a bunch arrives.
 	await studio.slider("Age").focus();
 	await page.keyboard.type("3");
 	await page.emulateMedia({ colorScheme: "dark" });
@@ -131,18 +131,18 @@ test("a handle says where it stands: after a key step, and when it is pressed, e
 }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical");
 	const view = page.getByRole("region", { name: "Front view" });
-	const said = view.locator("[aria-live=polite]");
+	const announced = view.locator("[aria-live=polite]");
 	const handle = studio.handle("Front", "p3");
-	await expect(said).toHaveText("");
+	await expect(announced).toHaveText("");
 	await handle.focus();
 	await studio.regrown(() => page.keyboard.press("ArrowRight"));
 	const width = await page.getByRole("textbox", { name: "Right width in millimetres" }).inputValue();
-	await expect(said).toHaveText(new RegExp(`^${width} mm wide, [\\d.]+ mm down$`));
-	const words = await said.textContent();
+	await expect(announced).toHaveText(new RegExp(`^${width} mm wide, [\\d.]+ mm down$`));
+	const words = await announced.textContent();
 	await page.keyboard.press("Enter");
-	expect(await said.textContent()).toBe(`${words}\u00a0`);
+	expect(await announced.textContent()).toBe(`${words}\u00a0`);
 	await page.keyboard.press("Space");
-	await expect.poll(() => said.textContent()).toBe(words);
+	await expect.poll(() => announced.textContent()).toBe(words);
 	await expect(handle).toBeFocused();
 	await expect(handle).toHaveAccessibleDescription(/Enter says where it stands/);
 });

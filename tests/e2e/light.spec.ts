@@ -3,7 +3,9 @@ import { brightness, drawn, openViews, type Seen, serveViews, whereTheyDiffer } 
 
 test.use({ drawn: true });
 
-/** Laws of the view's light, told by means over small pictures: no picture is kept, and margins are wide. */
+/**
+ * Properties of the view's light, tested by means over small pictures without stored references, with wide tolerances.
+ */
 let host: Awaited<ReturnType<typeof serveViews>>;
 test.beforeAll(async () => {
 	host = await serveViews();
@@ -11,7 +13,10 @@ test.beforeAll(async () => {
 test.afterAll(() => host.close());
 test.beforeEach(({ page }) => openViews(page, host.address));
 
-/** Dark grapes on light paper: what is darker than any paper, even in the shadow, is plant. A stalk above them would stand in the light. */
+/**
+ * Dark grapes on a light background: pixels darker than any background, even in shadow, show the plant. A stalk above
+ * would cast a shadow.
+ */
 const DARK = "?v=2&preset=short-conical&peduncle=0";
 const isPlant = (pixel: readonly number[]) => Math.max(...pixel) < 150;
 const plantOf = (seen: Seen, where = (_x: number, _y: number) => true) =>
@@ -25,7 +30,7 @@ test("the key light comes from the upper left", async ({ page }) => {
 });
 
 test("berries stand in each other's light", { tag: "@long" }, async ({ page }) => {
-	// Where a bunch's berries are is told by black ones, how they are lit by pale ones.
+	// A black bunch shows the berries' positions, a pale one their light.
 	const black = await drawn(page, { query: `${DARK}&bloom=0&glow=0&skin=000000&unripe=000000&stem=000000` });
 	const rows = black.pixels;
 	const isBunch = (x: number, y: number) => isPlant(rows[Math.floor(y * rows.length)][Math.floor(x * rows[0].length)]);
@@ -72,8 +77,8 @@ test("a turn to the right takes the berry in front to the right, one to the left
 	tag: "@long",
 }, async ({ page }) => {
 	const query = `${DARK}&count=40`;
-	const marked = await page.evaluate((asked) => {
-		const { spheres, count } = window.views.grow(asked).grown.berries;
+	const marked = await page.evaluate((options) => {
+		const { spheres, count } = window.views.grow(options).grown.berries;
 		// From where the view opens: 24° to the right.
 		const towards = (i: number) => spheres[4 * i] * Math.sin(0.42) + spheres[4 * i + 2] * Math.cos(0.42);
 		return Array.from({ length: count }, (_, i) => i).sort((a, b) => towards(b) - towards(a))[0];
@@ -87,17 +92,17 @@ test("a turn to the right takes the berry in front to the right, one to the left
 
 test("a matt card is as bright as the lamps' own numbers make it", { tag: "@long" }, async ({ page }) => {
 	for (const theme of ["light", "dark"] as const) {
-		const { seen, said } = await page.evaluate(async (which) => {
+		const { seen, expectedLight } = await page.evaluate(async (which) => {
 			const { canvas, card, pixels, Viewer } = window.views;
 			const viewer = new Viewer<undefined, undefined>(canvas(64, 64), { still: true, theme: which });
 			const lit = card(viewer, 0.3, which);
 			const { data, width } = await pixels(await viewer.snapshot(64, 64));
 			viewer.dispose();
 			const at = 4 * (32 * width + 32);
-			return { seen: [...data.subarray(at, at + 3)], said: lit };
+			return { seen: [...data.subarray(at, at + 3)], expectedLight: lit };
 		}, theme);
 		// Below the tone mapping's shoulder, 0.04 off; then sRGB.
-		const expected = said.map((light) => 255 * (1.055 * (light - 0.04) ** (1 / 2.4) - 0.055));
+		const expected = expectedLight.map((light) => 255 * (1.055 * (light - 0.04) ** (1 / 2.4) - 0.055));
 		for (const [k, value] of expected.entries()) expect(Math.abs(seen[k] / value - 1)).toBeLessThan(0.05);
 	}
 });

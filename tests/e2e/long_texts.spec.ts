@@ -1,4 +1,4 @@
-/** Texts with much in them: what they put into the page is bounded. */
+/** Long texts: the number of elements that they add to the page is limited. */
 import { EditorPage } from "./editor_page";
 import { expect, test } from "./fixtures";
 

@@ -1,7 +1,7 @@
 import type { Page } from "@playwright/test";
 import { MODEL_VIEWER } from "../../web/src/app/files/embed_code";
 
-/** What stands for Google's viewer: it fetches what it is told to, and says what that is. */
+/** A stub of Google's viewer: it fetches its file and reports the size. */
 const STAND_IN = `customElements.define("model-viewer", class extends HTMLElement {
 	async connectedCallback() {
 		const bytes = await (await fetch(this.getAttribute("src"))).arrayBuffer();
@@ -10,7 +10,7 @@ const STAND_IN = `customElements.define("model-viewer", class extends HTMLElemen
 	}
 });`;
 
-/** Answers for the host that has Google's viewer, which tests do not ask. */
+/** Answers requests to the host of Google's viewer, so that tests do not use the network. */
 export async function standInForModelViewer(page: Page): Promise<void> {
 	const headers = { "access-control-allow-origin": "*" };
 	await page.route(MODEL_VIEWER, (route) => route.fulfill({ contentType: "text/javascript", body: STAND_IN, headers }));

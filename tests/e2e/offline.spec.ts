@@ -4,7 +4,7 @@ import { validateBytes } from "gltf-validator";
 import { listFiles } from "../../web/offline_app.mjs";
 import type { PanicleSpecimen } from "../../web/src/element/panicle";
 import { expect, test } from "./fixtures";
-import { expectKept, Site, wholeBuilds } from "./site";
+import { expectStored, Site, wholeBuilds } from "./site";
 import { StudioPage } from "./studio_page";
 
 test.use({ serviceWorkers: "allow" });
@@ -24,12 +24,12 @@ test("after one visit the whole app works without its host", async ({ page, cont
 	const address = await site.start();
 	const studio = new StudioPage(page);
 	await page.goto(`${address}${SMALL}`);
-	await expectKept(page);
+	await expectStored(page);
 	// Browsers install nothing in a window that forgets, as tests have it.
 	const { installabilityErrors } = await (await context.newCDPSession(page)).send("Page.getInstallabilityErrors");
 	expect(installabilityErrors.map(({ errorId }) => errorId).filter((id) => id !== "in-incognito")).toEqual([]);
 	await site.stop();
-	// The page asks its host whether the worker is still wanted, and for a newer version.
+	// The page requests its service worker and a newer version from its host.
 	complaints.expect(/\/plants\/(service-worker\.js)?( net::ERR_CONNECTION_REFUSED|\)$)/);
 	await page.goto(`${address}?v=2&preset=lychee`);
 	await expect(studio.fingerprint).toHaveText(/^[0-9a-f]{16}$/);
@@ -64,7 +64,7 @@ test("a new version is offered, and old pages keep theirs until they are left", 
 	const address = await site.start();
 	const studio = new StudioPage(page);
 	await page.goto(`${address}${SMALL}`);
-	await expectKept(page);
+	await expectStored(page);
 	const other = await context.newPage();
 	complaints.listenTo(other);
 	await other.goto(`${address}${SMALL}`);
@@ -78,14 +78,14 @@ test("a new version is offered, and old pages keep theirs until they are left", 
 	await studio.notices.getByRole("button", { name: "Reload" }).click();
 	await expect.poll(() => page.evaluate(mainScript).catch(() => old)).not.toBe(old);
 	await expect(studio.fingerprint).toHaveText(fingerprint);
-	// The other tab was left alone, and what it has not asked for yet comes.
+	// The other tab was not changed, and its later requests succeed.
 	expect(await other.evaluate(mainScript)).toBe(old);
 	await other.getByRole("button", { name: "Help" }).click();
 	await expect(other.getByRole("dialog")).toBeVisible();
 	expect(await wholeBuilds(page)).toBe(2);
 	await other.close();
 	await page.reload();
-	await expectKept(page);
+	await expectStored(page);
 	await expect(studio.notices).not.toContainText("A new version is here");
 	await page.goto("about:blank");
 	await site.stop();
@@ -98,7 +98,7 @@ test("a host that rewrites its pages, or removes the worker, leaves no visitor w
 	const address = await site.start();
 	const studio = new StudioPage(page);
 	await page.goto(`${address}${SMALL}`);
-	await expectKept(page);
+	await expectStored(page);
 	const old = await page.evaluate(mainScript);
 	site.deploy();
 	site.rewrite();
@@ -180,7 +180,7 @@ test("the plant of a frame keeps its scripts while newer versions come", { tag: 
 	const address = await site.start();
 	const studio = new StudioPage(page);
 	await page.goto(`${address}${SMALL}`);
-	await expectKept(page);
+	await expectStored(page);
 	const frame = await context.newPage();
 	await frame.goto(`${address}embed.html${SMALL}`);
 	await frame.waitForFunction(() => document.querySelector<PanicleSpecimen>("panicle-specimen")?.plant);
@@ -222,7 +222,7 @@ test("a page of the same host has specimens by their addresses, with and without
 	await ready();
 	// A page has specimens without the whole app's being fetched.
 	expect(await wholeBuilds(page)).toBe(0);
-	const ask = async (path: string, headers: Record<string, string> = {}) => {
+	const get = async (path: string, headers: Record<string, string> = {}) => {
 		const { text, ...answer } = await page.evaluate(
 			async ([address, sent]) => {
 				const answer = await fetch(address, { headers: sent });
@@ -235,17 +235,17 @@ test("a page of the same host has specimens by their addresses, with and without
 		return { ...answer, bytes: Buffer.from(text, "latin1") };
 	};
 	const query = "seed=7&count=5";
-	const json = await ask(`specimens/redcurrant.json?${query}`);
+	const json = await get(`specimens/redcurrant.json?${query}`);
 	const { fingerprint } = JSON.parse(json.bytes.toString());
-	const again = await ask(`specimens/redcurrant.json?${query}`, { "if-none-match": json.etag });
+	const again = await get(`specimens/redcurrant.json?${query}`, { "if-none-match": json.etag });
 	expect([again.status, again.bytes.length]).toEqual([304, 0]);
-	const glb = await ask(`specimens/redcurrant.glb?${query}`);
+	const glb = await get(`specimens/redcurrant.glb?${query}`);
 	expect(glb.status).toBe(200);
 	expect((await validateBytes(glb.bytes)).issues.numErrors).toBe(0);
-	expect((await ask("specimens/no-such.glb")).status).toBe(404);
+	expect((await get("specimens/no-such.glb")).status).toBe(404);
 	await page.goto(`${address}?v=2&preset=redcurrant&${query}`);
 	await expect(new StudioPage(page).fingerprint).toHaveText(fingerprint);
-	await expectKept(page);
+	await expectStored(page);
 	await page.goto(`${address}mine.html`);
 	await ready();
 	await site.stop();

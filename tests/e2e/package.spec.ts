@@ -10,7 +10,7 @@ import { grown } from "./element_page";
 import { expect, test } from "./fixtures";
 import { serveUnder } from "./static_server";
 
-/** What the page says is the least, and an icon. */
+/** The least policy in the documentation, and an icon. */
 const POLICY =
 	"default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self'; img-src data:";
 
@@ -67,7 +67,7 @@ test("served as it is, it grows in a page with an import map, and so does its el
 	expect(
 		await page.evaluate(() => document.querySelector<PanicleSpecimen>("panicle-specimen")?.plant?.fingerprint),
 	).toBe(fingerprint);
-	// Asked for again, since the browser lets go of its answers as it likes.
+	// Fetched again, because the browser may discard responses.
 	const sizes = await Promise.all(
 		[...scripts].map(async (url) => gzipSync(Buffer.from(await (await page.request.get(url)).body())).length),
 	);

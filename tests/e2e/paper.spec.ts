@@ -14,8 +14,8 @@ test("a leaf's shadow lies on the paper to its right, and no edge shows where it
 	/** Paper, in the light or not, is nearly grey; leaves and stalks are green. */
 	const isPaper = (at: number) => Math.abs(data[at] - data[at + 1]) < 20 && Math.abs(data[at + 1] - data[at + 2]) < 20;
 	// Not beside the leaf, whose edges are smoothed.
-	const aside = [0, -3, 3, -6, 6];
-	const isOpen = (at: number) => aside.every((y) => aside.every((x) => isPaper(at + 4 * (y * width + x))));
+	const offsets = [0, -3, 3, -6, 6];
+	const isOpen = (at: number) => offsets.every((y) => offsets.every((x) => isPaper(at + 4 * (y * width + x))));
 	const rows = data.length / 4 / width;
 	let [left, right, steepest] = [255, 255, 0];
 	for (let row = Math.floor(0.3 * rows); row < 0.6 * rows; row += 3) {

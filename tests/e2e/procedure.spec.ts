@@ -2,7 +2,7 @@ import { readFileSync } from "node:fs";
 import { expect, test } from "./fixtures";
 import { StudioPage } from "./studio_page";
 
-/** What links of version 1 gave before there was another procedure. */
+/** Results of links of version 1 before the second procedure. */
 const PAPER = JSON.parse(readFileSync("tests/golden/bunch.json", "utf8"))["short-conical 1"].fingerprint;
 
 const group = (studio: StudioPage, key: string) => studio.page.locator(`details[data-group=${key}]`);

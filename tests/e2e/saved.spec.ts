@@ -1,6 +1,6 @@
 import type { Page } from "@playwright/test";
 import { expect, test } from "./fixtures";
-import { cards, dialog, exported, imported, inDialog, libraryOf, names, openSaved, said, save } from "./saved_page";
+import { cards, dialog, exported, imported, inDialog, libraryOf, names, openSaved, save, status } from "./saved_page";
 import { StudioPage } from "./studio_page";
 
 /** As when the person clears the browser's data. */
@@ -37,10 +37,10 @@ test("what is saved is there again: searched, opened as one step, renamed, delet
 	await expect(name).toBeFocused();
 	await expect(name).toHaveValue("Riesling");
 	await save(page);
-	await expect(said(page)).toHaveText("Saved as “Riesling”.");
+	await expect(status(page)).toHaveText("Saved as “Riesling”.");
 	await expect(name).toHaveValue("Riesling 2");
 	await save(page, "Riesling");
-	await expect(said(page)).toHaveText("Saved as “Riesling 2”: there is a “Riesling” already.");
+	await expect(status(page)).toHaveText("Saved as “Riesling 2”: there is a “Riesling” already.");
 	const riesling = await studio.fingerprint.innerText();
 	await page.keyboard.press("Escape");
 	await expect(dialog(page)).toBeHidden();
@@ -73,7 +73,7 @@ test("what is saved is there again: searched, opened as one step, renamed, delet
 	await expect(dialog(page).getByLabel("New name of Riesling 2")).toBeFocused();
 	await page.keyboard.type("Twin ries");
 	await page.keyboard.press("Enter");
-	await expect(said(page)).toHaveText("“Riesling 2” is “Twin ries” now.");
+	await expect(status(page)).toHaveText("“Riesling 2” is “Twin ries” now.");
 	await expect(inDialog(page, "Open Twin ries")).toBeFocused();
 	await page.keyboard.press("F2");
 	await page.keyboard.type("No");
@@ -83,7 +83,7 @@ test("what is saved is there again: searched, opened as one step, renamed, delet
 	await expect(names(page)).toHaveText(["Riesling"]);
 	await expect(inDialog(page, "Open Riesling")).toBeFocused();
 	await page.keyboard.press("Control+z");
-	await expect(said(page)).toHaveText("“Twin ries” is back.");
+	await expect(status(page)).toHaveText("“Twin ries” is back.");
 	await expect(inDialog(page, "Open Twin ries")).toBeFocused();
 	await inDialog(page, "Delete Twin ries").click();
 	await inDialog(page, "Bring “Twin ries” back").click();
@@ -105,7 +105,7 @@ test("several are selected by hand, by a range or by a search, deleted as one st
 	await new StudioPage(page).open("?v=2&preset=lychee");
 	await openSaved(page);
 	await imported(page, "many.panicle.json", libraryOf(7));
-	await expect(said(page)).toHaveText("7 imported.");
+	await expect(status(page)).toHaveText("7 imported.");
 	const select = (name: string) => dialog(page).getByRole("checkbox", { name, exact: true });
 	const selected = dialog(page).getByRole("group", { name: "Selection" });
 	await select("Select Vine 6").click();
@@ -113,21 +113,21 @@ test("several are selected by hand, by a range or by a search, deleted as one st
 	await expect(selected).toContainText("4 selected");
 	await select("Select Vine 5").click();
 	await inDialog(page, "Delete 3").click();
-	await expect(said(page)).toHaveText("3 are deleted.");
+	await expect(status(page)).toHaveText("3 are deleted.");
 	await expect(names(page)).toHaveText(["Vine 5", "Vine 2", "Vine 1", "Vine 0"]);
 	await inDialog(page, "Bring 3 back").click();
-	await expect(said(page)).toHaveText("3 are back.");
+	await expect(status(page)).toHaveText("3 are back.");
 	await expect(inDialog(page, "Open Vine 6")).toBeFocused();
 	await expect(names(page)).toHaveCount(7);
 
-	// What a search leaves out is not deleted with what it finds.
+	// Items outside the search result are not deleted with it.
 	await select("Select all").click();
 	await expect(selected).toContainText("7 selected");
 	await dialog(page).getByRole("searchbox", { name: "Search what is saved" }).fill("vine 1");
 	await expect(selected).toContainText("1 selected");
 	await inDialog(page, "Open Vine 1").focus();
 	await page.keyboard.press("Delete");
-	await expect(said(page)).toHaveText("“Vine 1” is deleted.");
+	await expect(status(page)).toHaveText("“Vine 1” is deleted.");
 	await dialog(page).getByRole("searchbox", { name: "Search what is saved" }).fill("");
 	await expect(names(page)).toHaveCount(6);
 
@@ -140,7 +140,7 @@ test("several are selected by hand, by a range or by a search, deleted as one st
 	await inDialog(page, "Bring 6 back").click();
 	await inDialog(page, "Bring “Vine 1” back").click();
 	await inDialog(page, "Undo the import of 7").click();
-	await expect(said(page)).toHaveText("The import is undone: 7 removed.");
+	await expect(status(page)).toHaveText("The import is undone: 7 removed.");
 	await expect(cards(page)).toHaveCount(0);
 	await expect(dialog(page).getByRole("button", { name: /back$|^Undo/ })).toHaveCount(0);
 });
@@ -151,7 +151,7 @@ test("of 10,000 specimens only those in sight are in the page, and keys, search 
 	await new StudioPage(page).open("?v=2&preset=lychee");
 	await openSaved(page);
 	await imported(page, "many.panicle.json", libraryOf(10_000));
-	await expect(said(page)).toHaveText("10,000 imported.");
+	await expect(status(page)).toHaveText("10,000 imported.");
 	const size = () => dialog(page).evaluate((element) => element.querySelectorAll("*").length);
 	expect(await size()).toBeLessThan(1500);
 	const item = (name: string) =>
@@ -192,12 +192,12 @@ test("everything goes into one file and comes back out of it, once; what cannot 
 	await save(page, "<img src=x onerror=alert(1)>");
 	const text = await exported(page);
 	await imported(page, "again.json", text);
-	await expect(said(page)).toHaveText("Nothing new: all 2 were there already.");
+	await expect(status(page)).toHaveText("Nothing new: all 2 were there already.");
 	await imported(page, "cut.panicle.json", text.slice(0, -9));
-	await expect(said(page)).toContainText("cut.panicle.json was not imported.");
-	await expect(said(page)).toContainText("damaged or unfinished JSON");
+	await expect(status(page)).toContainText("cut.panicle.json was not imported.");
+	await expect(status(page)).toContainText("damaged or unfinished JSON");
 	await imported(page, "plant.json", '{"specimen":{"preset":"duku"}}');
-	await expect(said(page)).toContainText("plant.json is one plant: Open… opens it.");
+	await expect(status(page)).toContainText("plant.json is one plant: Open… opens it.");
 	await page.keyboard.press("Escape");
 	await forget(page);
 
@@ -215,12 +215,12 @@ test("everything goes into one file and comes back out of it, once; what cannot 
 		},
 	);
 	await studio.drop("mine.panicle.json", Buffer.from(JSON.stringify(document)));
-	await expect(said(page)).toContainText("3 imported.");
-	await expect(said(page)).toContainText("No. 3, “No link”: its link is not text; it is left out.");
-	await expect(said(page)).toContainText("No. 4, “Changed”: its picture is no JPEG; it comes without.");
+	await expect(status(page)).toContainText("3 imported.");
+	await expect(status(page)).toContainText("No. 3, “No link”: its link is not text; it is left out.");
+	await expect(status(page)).toContainText("No. 4, “Changed”: its picture is no JPEG; it comes without.");
 	await expect(names(page)).toHaveText(["<img src=x onerror=alert(1)>", "Lychee", "Changed"]);
 
-	// One that grows otherwise than the file says is opened, and that is told.
+	// A plant that differs from the file's fingerprint is opened with a message.
 	await studio.regrown(() => inDialog(page, "Open Changed").click());
 	await expect(studio.notices).toContainText("“Changed” grows otherwise than when it was saved");
 	await expect(studio.notices).toContainText("fingerprint 0123456789abcdef");
@@ -259,7 +259,7 @@ test("two tabs see what the other does, and a later version in one is no harm to
 	await expect(cards(page).first()).toContainText("not kept");
 });
 
-test("what a full disk does not take is said, can be exported, and is kept when there is room", {
+test("plants that do not fit on a full disk are reported, can be exported, and are stored when there is room", {
 	tag: "@long",
 }, async ({ page }) => {
 	await new StudioPage(page).open("?v=2&preset=lychee");
@@ -269,15 +269,15 @@ test("what a full disk does not take is said, can be exported, and is kept when 
 	await inDialog(page, /^Save this/).click();
 	const alert = dialog(page).getByRole("alert");
 	await expect(alert).toContainText("the part of it that the browser grants this page, is full");
-	await expect(said(page)).toHaveText(/^\s*This bunch is saved already, as “Lychee/);
+	await expect(status(page)).toHaveText(/^\s*This bunch is saved already, as “Lychee/);
 	await expect(alert).toContainText("“Lychee 2” is here only until the page is closed");
 	await expect(names(page)).toHaveText(["Lychee 2", "Lychee"]);
 	const text = await exported(page, "Export what is not kept");
 	expect(JSON.parse(text).specimens.map(({ name }: { name: string }) => name)).toEqual(["Lychee 2"]);
-	// Who leaves is asked.
-	const asked = page.waitForEvent("dialog");
+	// Leaving the page requires a confirmation.
+	const confirmation = page.waitForEvent("dialog");
 	const closing = page.close({ runBeforeUnload: true });
-	const question = await asked;
+	const question = await confirmation;
 	expect(question.type()).toBe("beforeunload");
 	await question.dismiss();
 	await closing;

@@ -1,4 +1,4 @@
-/** The dialog of what is saved, as tests use it. */
+/** The dialog of saved plants, for tests. */
 import { readFileSync } from "node:fs";
 import type { Locator, Page } from "@playwright/test";
 import { expect } from "./fixtures";
@@ -6,7 +6,7 @@ import { expect } from "./fixtures";
 export const dialog = (page: Page) => page.getByRole("dialog", { name: "Saved" });
 export const cards = (page: Page) => dialog(page).locator("[data-saved]");
 export const names = (page: Page) => dialog(page).locator("[data-saved] .name");
-export const said = (page: Page) => dialog(page).locator(".said [role=status]");
+export const status = (page: Page) => dialog(page).locator(".said [role=status]");
 export const inDialog = (page: Page, name: string | RegExp): Locator =>
 	dialog(page).getByRole("button", { name, exact: typeof name === "string" });
 
@@ -19,7 +19,7 @@ export async function openSaved(page: Page): Promise<void> {
 export async function save(page: Page, name?: string): Promise<void> {
 	if (name !== undefined) await dialog(page).getByLabel("Name", { exact: true }).fill(name);
 	await inDialog(page, /^Save this/).click();
-	await expect(said(page)).toContainText("Saved as");
+	await expect(status(page)).toContainText("Saved as");
 }
 
 /** The text of an exported file. */

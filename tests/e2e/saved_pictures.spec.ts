@@ -1,5 +1,5 @@
 import { expect, test } from "./fixtures";
-import { cards, exported, inDialog, openSaved, said, save } from "./saved_page";
+import { cards, exported, inDialog, openSaved, save, status } from "./saved_page";
 import { StudioPage } from "./studio_page";
 
 test("pictures of the first layout are kept, apart from the records, and a rename reads none", {
@@ -50,7 +50,7 @@ test("pictures of the first layout are kept, apart from the records, and a renam
 	await inDialog(page, "Rename Lychee 3").click();
 	await page.keyboard.type("Litchi");
 	await page.keyboard.press("Enter");
-	await expect(said(page)).toHaveText("“Lychee 3” is “Litchi” now.");
+	await expect(status(page)).toHaveText("“Lychee 3” is “Litchi” now.");
 	expect(await page.evaluate(() => Reflect.get(window, "storesRead"))).toEqual(["specimens"]);
 	await expect(cards(page).locator("canvas")).toHaveCount(5);
 	const { specimens } = JSON.parse(await exported(page));

@@ -68,7 +68,8 @@ test("a pen drags a handle, and that is one undo step", { tag: "@long" }, async 
 	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical");
 	const { x, y } = await studio.grip("Front", "p4");
 	const seen = page.evaluate(
-		() => new Promise((told) => addEventListener("pointerdown", (event) => told(event.pointerType), { once: true })),
+		() =>
+			new Promise((resolve) => addEventListener("pointerdown", (event) => resolve(event.pointerType), { once: true })),
 	);
 	const session = await context.newCDPSession(page);
 	const pen = (type: "mousePressed" | "mouseMoved" | "mouseReleased", dx: number) => {
@@ -242,7 +243,7 @@ test("colours change the picture, not the bunch", { tag: "@long" }, async ({ pag
 test("a flat view draws the bunch that stands there, in the theme's ink", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical");
 	const drawing = page.getByRole("region", { name: "Front view" }).locator("canvas");
-	/** The middle of what is drawn, in shares of the view, and the ink's mean brightness. */
+	/** Centre of the drawing in shares of the view, and mean brightness of the ink. */
 	const ink = () =>
 		drawing.evaluate((canvas: HTMLCanvasElement) => {
 			const { width, height } = canvas;

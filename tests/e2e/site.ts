@@ -34,7 +34,7 @@ export class Site {
 		rmSync(join(this.folder, file));
 	}
 
-	/** What some hosts do with pages on their way: they are no longer what was built. */
+	/** Changes pages as some hosts do, so that they differ from the built ones. */
 	rewrite(): void {
 		appendFileSync(join(this.folder, "index.html"), "<!-- This host’s own words. -->\n");
 	}
@@ -76,5 +76,5 @@ export const wholeBuilds = (page: Page): Promise<number> =>
 	});
 
 /** Waits until a page's browser keeps one build whole: a machine that is busy takes its time. */
-export const expectKept = (page: Page): Promise<void> =>
+export const expectStored = (page: Page): Promise<void> =>
 	expect.poll(() => wholeBuilds(page), { timeout: 60_000 }).toBe(1);

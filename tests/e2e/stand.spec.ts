@@ -77,7 +77,7 @@ test("a plan is edited; what it asks for and there is not is told at its place, 
 	await page.keyboard.insertText("\nlilac/blue, share 900");
 	await expect(page.getByText(/There is no model lilac; there are bunch/).first()).toBeVisible();
 	expect(await studio.fingerprint.textContent()).toBe(before);
-	// The faulty line is whole in sight above what is said of it.
+	// The faulty line is fully visible above its message.
 	const inSight = () =>
 		text.evaluate((content) => {
 			const view = content.closest(".cm-scroller")?.getBoundingClientRect();

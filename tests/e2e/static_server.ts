@@ -24,9 +24,10 @@ export interface HostPage {
 }
 
 /**
- * A plain static host that has a built app below `base`, for pages of any origin, and besides only the pages it is given.
+ * A static host with a built app below `base`, for pages of any origin, and with the given pages.
+ *
  * @param pages by their names at the root: `plant.html`
- * @param policy what every file of the app is sent with, its workers' scripts too
+ * @param policy sent with every file of the app, workers' scripts included
  */
 export async function serveUnder(
 	base: string,

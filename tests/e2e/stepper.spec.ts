@@ -20,7 +20,7 @@ class StepperPage extends StudioPage {
 		return this.string.getByRole("option", { selected: true });
 	}
 
-	get told(): Locator {
+	get details(): Locator {
 		return this.page.locator(".told");
 	}
 
@@ -79,10 +79,10 @@ test("strings, parents and children of the algae are those worked out by hand, a
 	await studio.reads(FIBONACCI[4]);
 	await expect(studio.string).toHaveAccessibleName("String: Step 4 of 9, 5 modules");
 	await studio.modules.nth(3).click();
-	await expect(studio.told).toContainText("4 of 5");
-	await expect(studio.told).toContainText("Written by line 10.");
-	await expect(studio.told).toContainText("Rewritten next by line 10");
-	await expect(studio.told).toContainText("It becomes 2 modules.");
+	await expect(studio.details).toContainText("4 of 5");
+	await expect(studio.details).toContainText("Written by line 10.");
+	await expect(studio.details).toContainText("Rewritten next by line 10");
+	await expect(studio.details).toContainText("It becomes 2 modules.");
 	await expect(studio.text.locator(".cm-fires")).toHaveText("a --> a b");
 	await studio.string.focus();
 	await page.keyboard.press("ArrowUp");
@@ -111,12 +111,12 @@ test("a module lists the productions that do not rewrite it, and why; each leads
 	const studio = await new StepperPage(page).steps("?v=2&model=grammar", text);
 	await studio.step.fill("0");
 	await studio.modules.first().click();
-	const others = studio.told.getByRole("list", { name: "Productions that do not apply" });
+	const others = studio.details.getByRole("list", { name: "Productions that do not apply" });
 	await expect(others.getByRole("listitem")).toHaveText([
 		"Not line 2: its condition is false with x = 3.",
 		"Not line 3: the B behind it is in a branch; to match it there, write > [ B ].",
 	]);
-	await expect(studio.told).toContainText("Rewritten next by line 4 with x = 3");
+	await expect(studio.details).toContainText("Rewritten next by line 4 with x = 3");
 	await others.getByRole("button", { name: "line 3" }).click();
 	await expect(studio.text).toBeFocused();
 });
@@ -128,7 +128,7 @@ test("the modules of the production at the cursor are marked", { tag: "@long" },
 	await studio.text.locator(".cm-line", { hasText: "a --> a b" }).click();
 	await expect(studio.modules.and(page.locator(".rewritten"))).toHaveCount(3);
 	await expect(studio.modules.and(page.locator(".written"))).toHaveCount(4);
-	await expect(studio.told).toContainText("The production in line 10 wrote 4 of them and rewrites 3 next.");
+	await expect(studio.details).toContainText("The production in line 10 wrote 4 of them and rewrites 3 next.");
 });
 
 test("a slider dragged fast shows no string but of the step where it stands", { tag: "@long" }, async ({ page }) => {
@@ -158,7 +158,7 @@ test("in context, only what has its neighbour is rewritten; by chance, the lot i
 	await studio.reads("baaaaaaaa");
 	await expect(studio.string.locator(".fires")).toHaveCount(2);
 	await studio.modules.nth(1).click();
-	await expect(studio.told).toContainText("Rewritten next by line 10");
+	await expect(studio.details).toContainText("Rewritten next by line 10");
 	await studio.button("Step forward").click();
 	await studio.reads("abaaaaaaa");
 	await expect(studio.chosen).toHaveText("b");
@@ -167,7 +167,7 @@ test("in context, only what has its neighbour is rewritten; by chance, the lot i
 	await studio.button("First step").click();
 	await studio.reads("F");
 	await studio.modules.first().click();
-	await expect(studio.told).toContainText(/line 1\d, by chance: 0\.3[34] of 1 is its weight, 0\.\d+ was drawn/);
+	await expect(studio.details).toContainText(/line 1\d, by chance: 0\.3[34] of 1 is its weight, 0\.\d+ was drawn/);
 });
 
 test("a mistake in the text leaves the string; a change derives anew", { tag: "@long" }, async ({ page }) => {
@@ -254,7 +254,8 @@ test.describe("in the view", () => {
 		await expect(studio.chosen).toHaveAttribute("aria-posinset", "5");
 		await page.mouse.move(x + 1, y);
 		await expect(studio.string.locator(".pointed")).toHaveText("F");
-		// In the step before it was not there yet: what it descends from is found, and all that comes of that shines.
+		// The module does not exist in the step before: its ancestor is chosen, and all descendants of that are
+		// highlighted.
 		await studio.button("Show the plant as it was after the step").click();
 		await studio.step.fill("1");
 		await studio.reads("BC");
@@ -280,7 +281,7 @@ test.describe("in the view", () => {
 test("a bunch tells what its pedicels asked, what they were answered, and why", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StepperPage(page).steps("?v=1&preset=grape-15b");
 	await studio.button("Next question").click();
-	await expect(studio.told).toContainText(/Asked .+ → answered /);
+	await expect(studio.details).toContainText(/Asked .+ → answered /);
 	const last = Number(await studio.step.getAttribute("max"));
 	expect(last).toBeGreaterThan(5);
 	await studio.button("First step").click();
@@ -296,7 +297,7 @@ test.describe("on a phone", () => {
 		expect(await studio.overflow()).toBeLessThanOrEqual(0);
 		expect((await studio.string.boundingBox())?.height).toBeGreaterThan(90);
 		await studio.modules.nth(2).tap();
-		await expect(studio.told).toContainText("Written by line");
+		await expect(studio.details).toContainText("Written by line");
 		await studio.button("Step back").tap();
 		await expect(studio.step).toHaveValue("8");
 		for (const name of ["First step", "Step back", "Play the steps", "Step forward", "Last step"])

@@ -18,10 +18,10 @@ test("of a topiary a text beside the picture lists missed areas and those that w
 	// The handles are there from the first.
 	const second = page.getByRole("button", { name: /^Area 2, a box: / });
 	await second.focus();
-	const said = page.locator(".plant-handles [role=status]");
+	const status = page.locator(".plant-handles [role=status]");
 	for (const x of ["−0.01", "−0.02"]) {
 		await page.keyboard.press("ArrowLeft");
-		await expect(said).toHaveText(`x ${x.replace("−", "-")}, y 2.00, z 0.00`);
+		await expect(status).toHaveText(`x ${x.replace("−", "-")}, y 2.00, z 0.00`);
 		await expect(second).toHaveAccessibleName(`Area 2, a box: x ${x.replace("−", "-")}, y 2.00, z 0.00`);
 	}
 
@@ -88,10 +88,10 @@ test("of very many remarks some are listed, and all are marked", { tag: "@long" 
 	);
 	await expect(page.locator(".readout .notes")).toContainText("more.");
 	await page.keyboard.press("g");
-	const told = page.locator(".pane-told");
-	await expect(told.getByRole("button")).toHaveCount(50);
-	await expect(told).toContainText("250 more are marked in the text.");
-	await expect(told).toContainText("The grammar draws nothing.");
+	const messages = page.locator(".pane-told");
+	await expect(messages.getByRole("button")).toHaveCount(50);
+	await expect(messages).toContainText("250 more are marked in the text.");
+	await expect(messages).toContainText("The grammar draws nothing.");
 	await expect(page.locator(over)).toContainText("The grammar draws nothing.");
 	await expect(studio.button("Grammar")).toHaveAttribute("aria-pressed", "true");
 });

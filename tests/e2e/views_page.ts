@@ -21,7 +21,7 @@ export async function serveViews(): Promise<{ address: string; close(): Promise<
 }
 
 function builtHere(): string {
-	// Another worker's tests may be looking at what it has built.
+	// Tests of another worker may use its own build.
 	const folder = `build/views/${process.env.TEST_PARALLEL_INDEX}`;
 	const built = [
 		"build",
@@ -40,8 +40,8 @@ export async function openViews(page: Page, address: string): Promise<void> {
 	await page.waitForFunction(() => "views" in window);
 }
 
-/** What a small picture is asked to show. */
-export interface Asked {
+/** Options of a small picture. */
+export interface PictureOptions {
 	/** A bunch as a link has it. */
 	query: string;
 	theme?: "light" | "dark";
@@ -61,14 +61,14 @@ export interface Seen {
 }
 
 /** Draws a small picture with a view of its own. */
-export function drawn(page: Page, asked: Asked): Promise<Seen> {
+export function drawn(page: Page, options: PictureOptions): Promise<Seen> {
 	return page.evaluate(async ({ query, theme = "light", mode, turn = 0, marked, side = 64 }) => {
 		const { grow, view, pixels } = window.views;
 		const viewer = view(query, [side, side], { theme });
 		if (mode) viewer.setMode(mode);
 		if (turn) viewer.orbit(turn, 0);
 		if (marked !== undefined) viewer.mark(grow(query).grown.berries.ids[marked]);
-		// Smaller than what a canvas smooths: drawn larger, and every pixel is the mean of what it covers.
+		// Supersampling: drawn larger than a canvas smooths, each pixel is the mean of the pixels that it covers.
 		const { data, width } = await pixels(await viewer.snapshot(4 * side, 4 * side));
 		viewer.dispose();
 		const mean = (row: number, column: number): [number, number, number] => {
@@ -82,7 +82,7 @@ export function drawn(page: Page, asked: Asked): Promise<Seen> {
 		};
 		const each = Array.from({ length: side }, (_, i) => i);
 		return { pixels: each.map((row) => each.map((column) => mean(row, column))) };
-	}, asked);
+	}, options);
 }
 
 const luma = ([red, green, blue]: readonly number[]) => 0.2126 * red + 0.7152 * green + 0.0722 * blue;

@@ -65,7 +65,7 @@ test.describe("to the eye", () => {
 					reducedMotion: true,
 					checked: true,
 					events: {
-						// A canvas keeps what was drawn until the task is over.
+						// A canvas keeps its drawing until the task ends.
 						drawn: () => {
 							copy.drawImage(drawn, 0, 0, side, side);
 							frames.push(copy.getImageData(0, 0, side, side).data);

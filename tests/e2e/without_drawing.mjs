@@ -1,6 +1,6 @@
 /**
- * In a page, before its own scripts: nothing is drawn, copied or cleared; buffers, textures and programs are sent as ever. What
- * software draws would be most of what a page costs.
+ * Runs in a page before its own scripts: WebGL draws, copies and clears do nothing; buffers, textures and programs are
+ * uploaded as usual. Software drawing would dominate the costs of a page.
  */
 export function withoutDrawing() {
 	const drawing = ["drawElements", "drawArrays", "drawElementsInstanced", "drawArraysInstanced", "drawRangeElements"];

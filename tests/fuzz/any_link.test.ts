@@ -131,7 +131,7 @@ it(`${RUNS} strings are safe links`, { timeout: 3_600_000 }, async () => {
 			const { specimen, notes } = await decodeLink(of, search, hash);
 			expect(isPlain(specimen)).toBe(true);
 			for (const { text: note } of notes) expect(note).toMatch(/^[^\n]{1,400}$/);
-			// It is whole: it has a link of its own, which says it without a word.
+			// The specimen is valid: its own link restores it without a note.
 			const link = linkParts(await encodeLink(of, specimen));
 			const { notes: again, specimen: same } = await decodeLink(of, link.query, link.fragment);
 			expect(same).toEqual(specimen);

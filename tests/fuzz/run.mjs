@@ -1,6 +1,7 @@
 /**
- * The longer run of a fuzz test, by the number of its cases: `npm run fuzz -- links [100000]`, or `npm run fuzz -- texts [100000]`, `-- growth` and
- * `-- flower`, which run natively under the sanitizers. Texts that make the engine fall over are kept as tests/fuzz/grammars/*.lsys.
+ * Runs a fuzz test for a number of cases: `npm run fuzz -- links [100000]`, or `npm run fuzz -- texts [100000]`, `--
+ * growth` and `-- flower`, which run natively with the sanitizers. Texts that crash the engine are stored as
+ * tests/fuzz/grammars/*.lsys.
  */
 import { spawnSync } from "node:child_process";
 import { join } from "node:path";
@@ -13,7 +14,7 @@ async function native(program) {
 	return [join(buildFolder, "asan", program), "--source-file=*fuzz*_test.cpp"];
 }
 
-/** What is run, with its arguments. */
+/** Programs and their arguments. */
 const TESTS = {
 	links: () => [process.execPath, "node_modules/vitest/vitest.mjs", "run", "tests/fuzz/any_link.test.ts"],
 	texts: () => native("lsystem_tests"),

@@ -1,7 +1,8 @@
 /**
- * Recorded counts, sizes and fingerprints of every preset of the bunch. They are frozen: a changed value is a changed link.
- * bunch.json has the paper's procedure, which links of version 1 mean; natural.json has the natural procedure.
- * `UPDATE_GOLDENS=1 npx vitest run tests/golden/bunch` adds new presets to natural.json; nothing changes what is recorded.
+ * Recorded counts, sizes and fingerprints of every preset of the bunch. They are frozen: a changed value changes a
+ * link. bunch.json has the paper's procedure, which links of version 1 use; natural.json has the natural procedure.
+ * `UPDATE_GOLDENS=1 npx vitest run tests/golden/bunch` adds new presets to natural.json and never changes recorded
+ * values.
  */
 import { createHash } from "node:crypto";
 import { readFileSync, writeFileSync } from "node:fs";

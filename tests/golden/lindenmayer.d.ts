@@ -11,7 +11,7 @@ declare module "lindenmayer" {
 		ignoredSymbols: string[];
 		branchSymbols: string[];
 	}
-	/** What of the library the tests use: strings of parts, productions that are functions. */
+	/** The part of the library that tests use: strings of modules, and productions as functions. */
 	export default class LSystem {
 		constructor(options: { axiom: Part[]; allowClassicSyntax: boolean });
 		setProduction(

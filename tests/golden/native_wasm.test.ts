@@ -1,7 +1,7 @@
 /**
- * The core gives the same bytes for the same request: natively and as wasm, when it grows a request again after others,
- * and in a fresh instance. No value is recorded here: what is frozen is in links/links.json, bunch.json and natural.json.
- * `npm test` grows a few plants of each model, `npm run test:long` every preset.
+ * The core returns equal bytes for equal requests: natively and as wasm, after other requests, and in a new instance.
+ * No values are recorded here: the frozen ones are in links/links.json, bunch.json and natural.json. `npm test` grows
+ * a few plants of each model, `npm run test:long` every preset.
  */
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../web/src/core/core";

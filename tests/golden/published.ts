@@ -1,7 +1,7 @@
 /**
- * Reads a published grammar's text for the oracle: by itself, from the notation's description and not from the core's parser, so that
- * the two can be compared. Reads what is deterministic: constants, `ignore:`, `consider:`, contexts, conditions. Homomorphisms
- * draw and change no string, so they are passed over.
+ * Reads a published grammar's text for the oracle, from the notation's description and independently of the core's
+ * parser, so that the two can be compared. Reads deterministic grammars: constants, `ignore:`, `consider:`, contexts,
+ * conditions. Homomorphisms are skipped, since they do not change the string.
  */
 
 /** A module as it is written: its symbol and the texts of its arguments. */
@@ -74,8 +74,8 @@ const OPERATIONS: [RegExp, string][] = [
 const compiled = new Map<string, (...values: number[]) => number>();
 
 /**
- * An expression's value, from numbers in single precision to one. What lies between is in double precision: the comparison bears
- * that.
+ * Value of an expression on single precision numbers. Intermediate results are in double precision; the comparison's
+ * tolerance covers the difference.
  */
 export function evaluate(text: string, names: ReadonlyMap<string, number>): number {
 	const key = `${[...names.keys()]}:${text}`;
@@ -98,7 +98,7 @@ function production(line: string): Production {
 	return { left: context(left), symbol, formals: args, right: context(right), condition, successor };
 }
 
-/** @throws when the text has what chance decides or the environment answers: it is not for the oracle. */
+/** @throws when the text has random productions or environment queries, which the oracle does not support */
 export function readPublished(text: string): Published {
 	const plain = text.replace(/\/\*[\s\S]*?\*\//g, "");
 	const [derivation] = plain.split(/^homomorphism$/m);

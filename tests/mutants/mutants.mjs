@@ -129,7 +129,7 @@ export function sharded(mutants, part, parts) {
  * @param {string[]} args of `npm run mutants --`
  * @returns {{ words: string[], part: number, parts: number, again: boolean, report: boolean } | { wrong: string }}
  */
-export function asked(args) {
+export function parseArguments(args) {
 	const wishes = { words: [], part: 1, parts: 1, again: false, report: false };
 	for (let i = 0; i < args.length; i++) {
 		const arg = args[i];

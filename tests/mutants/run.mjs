@@ -13,10 +13,10 @@ import { Copy, RefusedError, readCheckout } from "./copy.mjs";
 import { groups } from "./list/index.mjs";
 import {
 	applied,
-	asked,
 	KINDS,
 	keyOf,
 	mutantsOf,
+	parseArguments,
 	problemsOf,
 	repeatedIds,
 	selected,
@@ -31,14 +31,14 @@ const resultsFolder = join(place, "results");
 const resultFile = (id) => join(resultsFolder, `${id}.json`);
 
 /** Results that still hold. */
-function keptResults(mutants) {
-	const kept = new Map();
+function storedResults(mutants) {
+	const stored = new Map();
 	for (const mutant of mutants) {
 		if (!existsSync(resultFile(mutant.id))) continue;
 		const result = JSON.parse(readFileSync(resultFile(mutant.id), "utf8"));
-		if (result.key === keyOf(mutant, readCheckout)) kept.set(mutant.id, result);
+		if (result.key === keyOf(mutant, readCheckout)) stored.set(mutant.id, result);
 	}
-	return kept;
+	return stored;
 }
 
 /** A suite that fails by itself would catch everything: all must pass without a fault first. */
@@ -92,7 +92,7 @@ async function tryAll(copy, mutants, results) {
 }
 
 async function main() {
-	const wishes = asked(process.argv.slice(2));
+	const wishes = parseArguments(process.argv.slice(2));
 	if ("wrong" in wishes) throw new Error(wishes.wrong);
 	const all = mutantsOf(groups);
 	const mutants = sharded(selected(all, wishes.words), wishes.part, wishes.parts);
@@ -102,7 +102,7 @@ async function main() {
 	];
 	if (problems.length > 0) throw new Error(`The list is stale:\n${problems.join("\n")}`);
 	mkdirSync(resultsFolder, { recursive: true });
-	const results = wishes.again && !wishes.report ? new Map() : keptResults(mutants);
+	const results = wishes.again && !wishes.report ? new Map() : storedResults(mutants);
 	const due = wishes.report ? [] : mutants.filter(({ id }) => !results.has(id));
 	if (due.length > 0) {
 		if (due.some(({ kind }) => kind !== "core")) await buildCore("wasm", ["all", "toy"]);

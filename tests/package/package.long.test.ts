@@ -18,7 +18,7 @@ beforeAll(async () => {
 afterAll(() => project.remove());
 const inProject = (file: string) => readFile(join(project.folder, file));
 
-/** What the command line grows, as the JSON that it prints. */
+/** A plant as the JSON that the command line prints. */
 const RIESLING = ["riesling", "--seed", "7", "--set", "age=80"];
 
 describe("under Node", () => {
@@ -68,9 +68,9 @@ describe("under Node", () => {
 				for (const asked of ${JSON.stringify(Object.keys(links))}) prints[asked] = (await grow(asked, { meshes: false, measures: false })).fingerprint;
 				console.log(JSON.stringify({ prints, models: (await models()).map(({ name }) => name) }));`,
 		});
-		const said = JSON.parse(project.run("goldens.mjs"));
-		expect(said.prints).toEqual(links);
-		expect(said.models).toEqual(["bunch", "flower", "grammar", "growth", "leaf", "root", "stand", "tree"]);
+		const output = JSON.parse(project.run("goldens.mjs"));
+		expect(output.prints).toEqual(links);
+		expect(output.models).toEqual(["bunch", "flower", "grammar", "growth", "leaf", "root", "stand", "tree"]);
 	});
 });
 

@@ -1,4 +1,4 @@
-/** Projects of people who use the package: empty folders outside the repository into which the tarball is installed. */
+/** Projects that use the package: empty folders outside the repository in which the tarball is installed. */
 import { execFileSync } from "node:child_process";
 import { cp, mkdir, mkdtemp, readFile, rm, symlink, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
@@ -12,7 +12,7 @@ export interface Project {
 	readonly folder: string;
 	/** Writes files by their names. */
 	write(files: Readonly<Record<string, string>>): Promise<void>;
-	/** Runs a script of it under Node; what it prints. */
+	/** Runs a script of the project in Node and returns its output. */
 	run(script: string): string;
 	/** Has a package of the repository's there too, as if it had been installed. */
 	borrow(...packages: string[]): Promise<void>;

@@ -1,6 +1,7 @@
 /**
- * `npm run pictures -- drawings`: the SVG drawings of the documentation: floral diagrams and elevations of the designed flowers, and veins of
- * leaves with the measures in docs/models/leaf/likeness.md. Tests compare these files with what the code draws.
+ * `npm run pictures -- drawings`: draws the SVGs of the documentation: floral diagrams and elevations of the designed
+ * flowers, and veins of leaves with the measures in docs/models/leaf/likeness.md. Tests compare the files with newly
+ * drawn ones.
  */
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";

@@ -17,7 +17,7 @@ const SECTIONS = [
 	["fruit", "Other fruits", "The paper's other fruits, at their own size."],
 ];
 
-/** Column by column: its title and what it says of a bunch. */
+/** Columns of the table of bunches: title and content. */
 const COLUMNS = [
 	["berries", ({ berry_count }) => whole(berry_count)],
 	["length", ({ bunch_length }) => `${whole(bunch_length)} mm`],

@@ -59,7 +59,7 @@ function leafOf({ name, leaf: { chart, margin, segments }, millimetres }: Subjec
 			pens[wide] = [...to];
 		};
 		go("m", at(chart, 4 * first));
-		// On along one of those that it bears, as long as they are as wide.
+		// Continues along a child segment of the same width class.
 		for (let i: number | undefined = first; i !== undefined && !drawn[i] && classOf(i) === wide; i = last.get(i)) {
 			go("l", at(chart, 4 * i + 2));
 			drawn[i] = 1;

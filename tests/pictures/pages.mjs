@@ -13,7 +13,7 @@ import { launch } from "../browsers/chromium.mjs";
 const LARGEST = 90 * 1024;
 const WINDOW = { width: 1080, height: 675 };
 
-/** name, window, address, and what is done before the picture is taken. */
+/** Name, window size, address, and actions before the picture. */
 const PICTURES = [
 	["artists", WINDOW, "panicle/?v=2&preset=merlot&seed=7", downloads],
 	["game-developers", { width: 960, height: 540 }, "field.html", (page) => page.getByText("200 bunches").waitFor()],
@@ -32,17 +32,17 @@ const PICTURES = [
 	],
 ];
 
-/** The menu of files, once it has told how large they are. */
+/** The download menu, when it shows the files' sizes. */
 async function downloads(page) {
 	await page.getByRole("button", { name: "Download", exact: true }).click();
-	const told = () => {
+	const isReady = () => {
 		const sizes = [...document.querySelectorAll(".menu .size")];
 		return sizes.length > 0 && !sizes.some((size) => size.textContent === "…");
 	};
-	await page.waitForFunction(told, undefined, { timeout: 120_000 });
+	await page.waitForFunction(isReady, undefined, { timeout: 120_000 });
 }
 
-/** What is measured, in place of all that can be changed. */
+/** Shows the measures in place of the parameters. */
 async function numbers(page) {
 	for (const group of await page.locator("details.group").all()) {
 		const wanted = (await group.getAttribute("data-group")) === "numbers";

@@ -3,7 +3,7 @@ import { modulesFolder } from "../../wasm-core/tools/repository.mjs";
 import { openSources } from "./sources_page.mjs";
 
 /**
- * @typedef {object} Asked
+ * @typedef {object} PictureOptions
  * @property {{ width: number, height: number }} size of a picture, pixels
  * @property {number} oversampling drawn this much larger and scaled down: softer edges than the canvas's own
  * @property {number} quality of the WebP, 0 … 1
@@ -66,13 +66,13 @@ async function listPresets(model) {
 /**
  * Draws every preset of a model, in the order of the gallery.
  * @param {string} model its name
- * @param {Asked[]} asked one after the other
- * @param {(preset: object, drawn: { pictures: Record<string, Buffer>, measures: Record<string, number> }, asked: Asked) => void} keep
+ * @param {PictureOptions[]} options one after the other
+ * @param {(preset: object, drawn: { pictures: Record<string, Buffer>, measures: Record<string, number> }, options: PictureOptions) => void} keep
  * @param {(preset: { name: string }) => boolean} wanted
  */
-export async function drawPresets(model, asked, keep, wanted = () => true) {
+export async function drawPresets(model, options, keep, wanted = () => true) {
 	const sources = await openSources();
-	for (const each of asked) {
+	for (const each of options) {
 		const page = await sources.page();
 		for (const preset of await page.evaluate(listPresets, model)) {
 			if (!wanted(preset)) continue;

@@ -47,7 +47,7 @@ async function inThree({ from, glb, width, height }) {
 	return new Uint8Array(await picture.arrayBuffer()).toBase64();
 }
 
-/** Runs in the page: pictures as PNG in base64 and what is written under them, beside one another as a WebP. */
+/** Runs in the page: arranges PNG pictures (base64) with captions side by side as a WebP. */
 async function sheet({ pictures, width, height, ground, quality }) {
 	const line = 26;
 	const canvas = new OffscreenCanvas(width * pictures.length, height + line);
@@ -105,7 +105,7 @@ export async function render(named) {
 	const out = join(repository, "docs/readers");
 	mkdirSync(out, { recursive: true });
 	const sources = await openSources();
-	// three's loader makes pictures of what the page's policy forbids.
+	// three's loader creates pictures in a way that the page's policy forbids.
 	const page = await sources.page({ bypassCSP: true });
 	for (const name of named.length > 0 ? named : PRESETS) {
 		const path = (ending) => join(folder, `${name}${ending}`);

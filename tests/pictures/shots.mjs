@@ -12,10 +12,10 @@ const LAPTOP = { viewport: { width: 1024, height: 640 } };
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 };
 /** Windows that are both narrow and low: a laptop at 200 % and 400 %, a phone on its side. */
 const ZOOMED = { viewport: { width: 720, height: 450 } };
-const ASIDE = { ...PHONE, viewport: { width: 667, height: 375 } };
+const SIDEWAYS = { ...PHONE, viewport: { width: 667, height: 375 } };
 const SMALLEST = { viewport: { width: 320, height: 256 } };
 
-/** name, device, address, and what is done before the picture is taken. */
+/** Name, device, address, and actions before the picture. */
 const SHOTS = [
 	["desktop", DESKTOP, ""],
 	["desktop-shouldered", DESKTOP, "?v=2&preset=shouldered-conical&seed=4"],
@@ -34,7 +34,7 @@ const SHOTS = [
 	["phone-front", PHONE, "?v=2&preset=grape-15c", (page) => page.getByRole("radio", { name: "Front" }).check()],
 	["phone-sheet", PHONE, "", (page) => page.locator(".sheet").evaluate((sheet) => sheet.scrollBy(0, 420))],
 	["zoomed", ZOOMED, ""],
-	["aside", ASIDE, ""],
+	["aside", SIDEWAYS, ""],
 	["smallest", SMALLEST, ""],
 	["phone-numbers", PHONE, "?v=2&preset=shine-muscat&age=80", (page) => onlyGroup(page, "numbers")],
 ];

@@ -1,4 +1,4 @@
-/** What random use does with a page: a table of actions. */
+/** Actions of random use on a page. */
 import { setTimeout as delay } from "node:timers/promises";
 
 /**
@@ -6,7 +6,7 @@ import { setTimeout as delay } from "node:timers/promises";
  * @property {string} name
  * @property {number} weight how often it is drawn, relative to the others
  * @property {(use: Use) => Promise<boolean> | boolean} [when] whether it can be done now; always, where absent
- * @property {(use: Use) => Promise<string | void>} act does it; returns what was chosen, for the log
+ * @property {(use: Use) => Promise<string | void>} act does it; returns the chosen item for the log
  *
  * @typedef {object} Use
  * @property {import("./watched_page.mjs").WatchedPage} watched
@@ -63,7 +63,7 @@ const SIZES = [
 	{ width: 1280, height: 720 },
 ];
 
-/** What can be clicked; in a dialog that is open nothing outside it can. */
+/** Clickable elements; outside an open dialog there are none. */
 const CLICKABLE =
 	"button, summary, [role=button], [role=tab], [role=switch], input[type=checkbox], input[type=radio], a[href^='#']";
 
@@ -108,7 +108,7 @@ export const clicks = (selector) => async (use) => {
 	return box.name;
 };
 
-/** @param {string} selector of what is pressed, and dragged by up to `reach` pixels */
+/** @param {string} selector of the elements that are pressed and dragged by up to `reach` pixels */
 const drags = (selector, reach) => async (use) => {
 	const box = await reachable(use, selector);
 	if (!box) return "nothing there";

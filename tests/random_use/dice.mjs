@@ -40,7 +40,7 @@ export function diceOf(seed, number) {
 		 */
 		of: (list) => list[Math.floor(list.length * next())],
 		/**
-		 * An item of a list that is not empty, each as likely as its weight says.
+		 * A random item of a non-empty list, with a probability proportional to its weight.
 		 * @template {{ weight: number }} T
 		 * @param {readonly T[]} list
 		 * @returns {T}

@@ -25,7 +25,7 @@ import { Fault, WatchedPage } from "./watched_page.mjs";
 
 /** Duration of a long run, in milliseconds. */
 const LONG = 10 * 60_000;
-/** Actions between two samples of what the page holds. */
+/** Actions between two samples of the page's resources. */
 const SAMPLED_EVERY = 60;
 /** Actions that are printed when a run fails. */
 const PRINTED = 30;
@@ -57,9 +57,9 @@ async function step(watched, seed, number, log, actions) {
 /**
  * @typedef {object} Run how a run went
  * @property {number} actions how many were done
- * @property {string | undefined} fault what was wrong with the page
+ * @property {string | undefined} fault the error of the page
  * @property {string[]} log all actions
- * @property {Held[]} samples of what the page held
+ * @property {Held[]} samples of the page's resources
  */
 
 /**

@@ -1,4 +1,4 @@
-/** A page of the app under observation: what it reports, how busy it is and what it holds. */
+/** Observes a page of the app: errors, activity and resources. */
 import { setTimeout as delay } from "node:timers/promises";
 
 /** The page's thread may not be blocked for longer, in milliseconds. */
@@ -9,7 +9,7 @@ const HUNG = 60_000;
 const LONGEST_WORK = 240_000;
 /** How often one action may request the same address; more is a request that is repeated without end. */
 const MOST_REPEATS = 25;
-/** What a browser reports of a request while there is no network; nothing else is expected of it. */
+/** Errors that a browser reports for requests while offline; no other errors are expected. */
 const OFFLINE_ERRORS = [
 	"Failed to load resource: net::ERR_INTERNET_DISCONNECTED",
 	"Failed to load resource: net::ERR_FAILED",
@@ -26,8 +26,8 @@ export class Fault extends Error {}
 
 /** In the page, before its own scripts: keeps the contexts that draw in 3-D, to be lost, and the length of the longest task. */
 function observe() {
-	const kept = [];
-	window.webglContexts = kept;
+	const contexts = [];
+	window.webglContexts = contexts;
 	window.longestTask = 0;
 	new PerformanceObserver((list) => {
 		for (const { duration } of list.getEntries()) window.longestTask = Math.max(window.longestTask, duration);
@@ -35,7 +35,7 @@ function observe() {
 	const { getContext } = HTMLCanvasElement.prototype;
 	HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
 		const context = getContext.call(this, kind, ...rest);
-		if (kind === "webgl2" && context) kept.push(new WeakRef(context));
+		if (kind === "webgl2" && context) contexts.push(new WeakRef(context));
 		return context;
 	};
 }
@@ -150,9 +150,9 @@ export class WatchedPage {
 	}
 
 	/**
-	 * Brings the page to its default plant, with its network and without a dialog, and waits until its workers rest.
+	 * Resets the page to its default plant, online and without a dialog, and waits until its workers are idle.
 	 *
-	 * @returns {Promise<import("./held.mjs").Held>} what it holds then
+	 * @returns {Promise<import("./held.mjs").Held>} the page's resources then
 	 */
 	async held() {
 		const { page, devtools } = this;

@@ -4,7 +4,7 @@ import { join } from "node:path";
 import { run } from "../../wasm-core/tools/process.mjs";
 import { buildFolder, repository } from "../../wasm-core/tools/repository.mjs";
 
-/** What a program says; throws where it fails. */
+/** Output of a program; throws where it fails. */
 export async function must(command, args) {
 	const { status, output } = await run(command, args, { cwd: repository });
 	if (status !== 0) throw new Error(`${command} ${args.join(" ")} failed:\n${output}`);
@@ -12,7 +12,8 @@ export async function must(command, args) {
 }
 
 /**
- * Installs what is listed in tests/readers/NAME.txt into build/NAME, unless it is there; returns the Python that has it.
+ * Installs the packages of tests/readers/NAME.txt in build/NAME, unless they are installed; returns the Python that
+ * has them.
  * @param {string} name
  * @param {string} program a Python with its venv
  */
@@ -39,7 +40,7 @@ export async function installed(name, program) {
 }
 
 /**
- * What a reader makes of files (read.py), in their order.
+ * Results of a reader (read.py) for files, in their order.
  * @param {string} python that has the reader
  * @param {"trimesh" | "blender" | "usd"} reader
  * @param {readonly string[]} files

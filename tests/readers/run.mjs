@@ -16,8 +16,9 @@ const folder = join(buildFolder, "readers");
 /** Plants small enough to be read soon. */
 const PLANTS = ["bunch/riesling", "leaf/oak", "root/carrot"];
 /**
- * Files, who reads them, and how far bounds may be from the detailed one's, as a share of the longest edge. Of triangles back to
- * back, which are what is left of the thinnest twigs, Blender keeps one: `fewer` is the share that may so be missing. `most` is of bytes.
+ * Files, their readers, and the largest difference of the bounds from those of the detailed file, as a share of the
+ * longest edge. Blender removes one of two coincident triangles, as in the thinnest twigs: `fewer` is the permitted
+ * share of missing ones. `most` is the largest size in bytes.
  */
 const FILES = [
 	{ name: "detailed.glb", words: ["--form", "detailed"], readers: ["trimesh", "blender"], within: 1e-5 },
@@ -46,12 +47,12 @@ function problems(found, { within, count, fewer = 0 }, first, detailed) {
 	const longest = ([low, high]) => Math.max(...high.map((value, k) => value - low[k]));
 	const ratio = longest(detailed.bounds) / longest(found.bounds);
 	const scale = [1, 2, 5, 10, 20, 50, 100].find((each) => Math.abs(ratio / each - 1) < 0.1) ?? 1;
-	const said = [];
-	if (apart(found.bounds, detailed.bounds, scale) > within) said.push(`bounds ${JSON.stringify(found.bounds)}`);
+	const issues = [];
+	if (apart(found.bounds, detailed.bounds, scale) > within) issues.push(`bounds ${JSON.stringify(found.bounds)}`);
 	const wanted = count ?? first.count;
-	if (found.count > wanted || found.count < (1 - fewer) * wanted) said.push(`${found.count} in place of ${wanted}`);
-	if (found.closed === false) said.push("not closed");
-	return [...said, ...(found.complaints ?? [])];
+	if (found.count > wanted || found.count < (1 - fewer) * wanted) issues.push(`${found.count} in place of ${wanted}`);
+	if (found.closed === false) issues.push("not closed");
+	return [...issues, ...(found.complaints ?? [])];
 }
 
 /**
@@ -71,11 +72,11 @@ export async function readFiles() {
 				const [found] = await readBy(python, reader, [path]);
 				detailed ??= found;
 				first ??= found;
-				const said = problems(found, file, first, detailed);
-				if (statSync(path).size > (file.most ?? Number.POSITIVE_INFINITY)) said.push(`more than ${file.most} bytes`);
-				total[said.length > 0 ? "failed" : "passed"]++;
+				const issues = problems(found, file, first, detailed);
+				if (statSync(path).size > (file.most ?? Number.POSITIVE_INFINITY)) issues.push(`more than ${file.most} bytes`);
+				total[issues.length > 0 ? "failed" : "passed"]++;
 				const size = (statSync(path).size / 1e6).toFixed(2);
-				console.log(`${plant} ${file.name} ${size} MB, ${reader}: ${found.count} ${said.join("; ") || "ok"}`);
+				console.log(`${plant} ${file.name} ${size} MB, ${reader}: ${found.count} ${issues.join("; ") || "ok"}`);
 			}
 		}
 	}

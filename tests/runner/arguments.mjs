@@ -1,7 +1,7 @@
 /**
  * Reads the arguments of a test run. A word is a stage (`types`, `e2e`), a room (`lsystem`, `studio`, `core`), a model
  * (`bunch`), a folder of tests (`models`, `toy`, `fuzz`), or `unit`: native and web tests. `--long` chooses the long run,
- * `--changed` the tests of what changed.
+ * `--changed` the tests of changed files.
  */
 import { existsSync } from "node:fs";
 import { join } from "node:path";
@@ -16,7 +16,7 @@ const CORE = ["tests/core", "tests/core/models"];
 const OTHER = ["docs", "fuzz", "golden", "package", "tools", "toy"];
 /** Tests of every model: a model's name chooses them too. */
 const OF_ALL_MODELS = "tests/golden/native_wasm.test.ts";
-/** Stages that need what others build. */
+/** Stages that need the results of others. */
 const NEEDS = {
 	e2e: ["wasm", "app"],
 	sizes: ["wasm", "app"],
@@ -27,7 +27,7 @@ const NEEDS = {
 };
 /** Words that stand for several stages. */
 const GROUPS = { unit: ["native", "wasm", "web"] };
-/** Stages that take seconds: they run with whatever changed. */
+/** Stages that take seconds: they run after any change. */
 const QUICK = ["docs", "lint", "types"];
 
 /**
@@ -70,7 +70,7 @@ function ordered(stages, names) {
 }
 
 /**
- * The tests of what changed. Where it is the core, all native and web tests, since every model grows by it; else the web
+ * The tests of changed files. Where it is the core, all native and web tests, since every model grows by it; else the web
  * tests that import a changed file.
  */
 function changedPlan(stages, isLong, files) {

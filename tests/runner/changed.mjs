@@ -18,7 +18,7 @@ export const coreFolders = () => [
 	...foldersIn("wasm-core/src/models"),
 ];
 
-/** Files that concern every room: the build, and what all native tests share. */
+/** Files that affect every room: the build, and helpers of all native tests. */
 const OF_ALL_ROOMS = /^(wasm-core\/(CMake[^/]*|tools\/native\.cmake)|tests\/core\/[^/]+)$/;
 /** Files of one room: sources, tests, grammars, tables. */
 const OF_A_ROOM = [
@@ -27,7 +27,7 @@ const OF_A_ROOM = [
 	/^wasm-core\/parameters\/([^/.]+)\./,
 ];
 
-/** Whether a change of the file can change what grows, or what the native tests find. */
+/** Whether a change of the file can change plants or results of native tests. */
 export const isOfCore = (file) => OF_ALL_ROOMS.test(file) || OF_A_ROOM.some((pattern) => pattern.test(file));
 
 /**

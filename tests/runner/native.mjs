@@ -20,7 +20,7 @@ const filters = () => (process.env.PANICLE_LONG === "1" ? [] : ["--test-suite-ex
  * @param {string[]} [sanitizeRooms] rooms to build with sanitizers, of preset `native`
  */
 export async function nativeTests(preset, programs, sanitizeRooms) {
-	// Goldens compare what grows natively with the wasm.
+	// Goldens compare native plants with those of the wasm.
 	await buildCore(preset, [...programs, "native_grow"], { sanitizeRooms });
 	const total = { passed: 0, failed: 0, tests: [] };
 	for (const program of programs) {
@@ -33,7 +33,7 @@ export async function nativeTests(preset, programs, sanitizeRooms) {
 	return total;
 }
 
-/** Runs every case of a program, in several runs side by side; shows what failed. */
+/** Runs every case of a program, in several parallel runs; shows failures. */
 async function runProgram(program) {
 	const { output } = await run(program, ["--no-colors", "--count", ...filters()]);
 	const cases = Number(/filters: (\d+)/.exec(output)?.[1]);

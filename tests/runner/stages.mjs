@@ -87,7 +87,7 @@ async function otherBrowsers() {
 	return vitest("browsers.json", ["--config", "tests/browsers/vitest.config.ts", ...files]);
 }
 
-/** Sizes in bytes of what was built, against those of the last release. */
+/** Sizes in bytes of built files, against those of the last release. */
 async function sizes() {
 	const { checkSizes } = await import("../sizes/check.mjs");
 	const { table, advice } = checkSizes();

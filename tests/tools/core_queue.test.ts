@@ -1,7 +1,7 @@
 import { expect, it, vi } from "vitest";
 import { CoreQueue } from "../../wasm-core/tools/core_queue.mjs";
 
-/** A queue whose builds end when the test says so. */
+/** A queue whose builds end when the test resolves them. */
 function queueOf(models: string[]) {
 	const started: string[] = [];
 	const ends: ((isBuilt: boolean) => void)[] = [];

@@ -6,9 +6,9 @@ import { readCheckout } from "../mutants/copy.mjs";
 import { groups } from "../mutants/list/index.mjs";
 import {
 	applied,
-	asked,
 	keyOf,
 	mutantsOf,
+	parseArguments,
 	problemsOf,
 	programOf,
 	repeatedIds,
@@ -141,15 +141,15 @@ describe("a run", () => {
 	});
 
 	it("understands its call", () => {
-		expect(asked(["specimen", "--shard", "2/4", "--again"])).toEqual({
+		expect(parseArguments(["specimen", "--shard", "2/4", "--again"])).toEqual({
 			words: ["specimen"],
 			part: 2,
 			parts: 4,
 			again: true,
 			report: false,
 		});
-		expect(asked(["--shard", "5/4"])).toHaveProperty("wrong");
-		expect(asked(["--all"])).toHaveProperty("wrong");
+		expect(parseArguments(["--shard", "5/4"])).toHaveProperty("wrong");
+		expect(parseArguments(["--all"])).toHaveProperty("wrong");
 	});
 
 	it("complains of survivors, of reasons that hold no more, and of what does not compile", () => {

@@ -41,7 +41,7 @@ describe("octahedronFit", () => {
 	it("spills by half where the outline is its right half, less what lies within a berry's radius", () => {
 		expect(octahedronFit(parameters, [half, half], 0).spill).toBeCloseTo(0.5, 2);
 		expect(octahedronFit(parameters, [half, block], 0).spill).toBeCloseTo(0.25, 2);
-		// What is left of a triangle of half-width 50 beyond 10: (40 / 50)² of its half.
+		// The part of a triangle of half width 50 beyond 10: (40 / 50)² of its half.
 		expect(octahedronFit(parameters, [half, half], 10).spill).toBeCloseTo(0.32, 2);
 	});
 });

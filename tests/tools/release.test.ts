@@ -69,7 +69,7 @@ describe("a release", () => {
 			).toBe(sum);
 		}
 		const app = unzipSync(new Uint8Array(await read("panicle-app-2.0.0.zip")));
-		// In this order, whatever order a disk has.
+		// In this order, independently of the file system's.
 		expect(Object.entries(app).map(([name, bytes]) => [name, strFromU8(bytes)])).toEqual([
 			["panicle-app-2.0.0/assets/a.js", "of assets/a.js"],
 			["panicle-app-2.0.0/assets/b.js", "of assets/b.js"],

@@ -1,4 +1,4 @@
-/** The application with one model more: what a page does that brings its own. */
+/** The application with an additional model, as pages with own models have it. */
 import wasm from "../../build/core-test/toy.wasm?url";
 import { addModel } from "../../web/src/models/index";
 

@@ -48,7 +48,7 @@ describe("a model of three files", () => {
 			try {
 				return execFileSync("git", grep, { encoding: "utf8" });
 			} catch {
-				return ""; // git says so with its status
+				return ""; // git reports this by its exit status.
 			}
 		})();
 		expect(naming).toBe("");

@@ -1,4 +1,4 @@
-/** A page of nothing but views: what is asked of the scene itself runs here, without the studio (tests/views/views.ts). */
+/** A page with only views, for tests of the scene without the studio (tests/views/views.ts). */
 import wasm from "../../build/core/bunch.wasm?url";
 import { Core } from "../../web/src/core/core";
 import { compileCore } from "../../web/src/core/loader";
@@ -47,7 +47,7 @@ function view(query: string, [width, height]: readonly [number, number], options
 	return viewer;
 }
 
-/** What a picture shows, pixel by pixel: 4 × width × height. */
+/** Pixels of a picture: 4 × width × height. */
 async function pixels(picture: Blob): Promise<{ width: number; height: number; data: Uint8ClampedArray }> {
 	const image = await createImageBitmap(picture);
 	const { width, height } = image;
@@ -56,7 +56,9 @@ async function pixels(picture: Blob): Promise<{ width: number; height: number; d
 	return { width, height, data: context.getImageData(0, 0, width, height).data };
 }
 
-/** A matt card before the eye, and what the light makes of it by its own numbers: linear, red, green, blue. */
+/**
+ * A matt card in front of the camera, and its expected colour from the light's parameters: linear, red, green, blue.
+ */
 function card(viewer: Viewer<undefined, undefined>, albedo: number, theme: Theme): number[] {
 	const mesh = {
 		positions: Float32Array.from([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0], (value) => 0.1 * value),

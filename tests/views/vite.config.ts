@@ -2,7 +2,7 @@ import { fileURLToPath } from "node:url";
 import { mergeConfig } from "vite";
 import application from "../../vite.config";
 
-/** Builds a page of nothing but views in build/views: for what is asked of the scene itself, without the studio. */
+/** Builds a page with only views in build/views, for tests of the scene without the studio. */
 const views = mergeConfig(application, {
 	root: fileURLToPath(new URL(".", import.meta.url)),
 	publicDir: false,

@@ -2,7 +2,7 @@
 import type { Model } from "../../../web/src/models/model";
 import { type Entry, nearestWithin } from "../../../web/src/specimen/table";
 
-/** A key that keeps plants small: what a link means shows in few particles, too. */
+/** A parameter that keeps plants small; few particles suffice to test a link's meaning. */
 const SMALL: Readonly<Record<string, string>> = { leaf: "n=120", tree: "n=80", root: "n=60", stand: "many=24" };
 
 /** Details, by model and the version since which links have them. */

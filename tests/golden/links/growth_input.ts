@@ -1,4 +1,4 @@
-/** What a link's plant grows from: links that differ in it must have different fingerprints. */
+/** The inputs of a link's plant: links with different inputs must have different fingerprints. */
 import { textOf } from "../../../web/src/models/grammar/texts";
 import type { Model } from "../../../web/src/models/model";
 import type { WithGrammar } from "../../../web/src/specimen/grammar_text";

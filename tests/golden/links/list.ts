@@ -1,4 +1,4 @@
-/** The frozen links with their fingerprints (links.json), and the links of previews: docs/links.md, "For ever". */
+/** The frozen links with their fingerprints (links.json), and the links of previews: docs/links.md. */
 import { readFileSync, writeFileSync } from "node:fs";
 import { version } from "../../../package.json";
 import type { Core } from "../../../web/src/core/core";
