@@ -2,7 +2,7 @@ import { createHash } from "node:crypto";
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { FACE, FIGURE, without, withoutPreloading } from "../wasm-core/tools/without_pages.mjs";
+import { MODEL_RENDERER, MODEL_UI, without, withoutPreloading } from "../wasm-core/tools/without_pages.mjs";
 import { HANDS } from "./hands_files.mjs";
 
 const SCRIPT = "service-worker.js";
@@ -18,7 +18,7 @@ async function bundle(name, define = {}) {
 		publicDir: false,
 		logLevel: "error",
 		define,
-		plugins: [without(FACE, FIGURE), withoutPreloading],
+		plugins: [without(MODEL_UI, MODEL_RENDERER), withoutPreloading],
 		build: {
 			write: false,
 			target: "es2022",

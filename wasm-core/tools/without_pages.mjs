@@ -1,25 +1,25 @@
-/** Bundles of models without what only pages need of them. */
+/** Vite plugins that leave the pages' part of models out of bundles. */
 
-/** What models have of the page: the studio's tools, and what draws them, which is the element's alone. */
-export const FACE = /\.\/tools\/face$/;
-export const FIGURE = /^\.\/figure\/|_figure$/;
+/** Dynamic imports of a model's index.ts: the studio's tools, and the renderer, which only pages and the element need. */
+export const MODEL_UI = /^\.\/ui\/ui$/;
+export const MODEL_RENDERER = /^\.\/render\/|_renderer$/;
 
-/** Leaves out of models' folders what no entry of a bundle comes to: it would lie about as scripts that nobody loads. */
+/** Replaces imports of models by empty modules, so that a bundle has no scripts that nothing loads. */
 export function without(...parts) {
 	return {
 		name: "without-pages",
 		enforce: "pre",
 		resolveId(source, importer) {
-			const left = /\/models\/.*\/index\.ts$/.test(importer ?? "") && parts.some((part) => part.test(source));
-			return left ? "\0nothing" : undefined;
+			const isLeftOut = /\/models\/.*\/index\.ts$/.test(importer ?? "") && parts.some((part) => part.test(source));
+			return isLeftOut ? "\0empty" : undefined;
 		},
-		load: (id) => (id === "\0nothing" ? "export {};" : undefined),
+		load: (id) => (id === "\0empty" ? "export {};" : undefined),
 	};
 }
 
 /**
- * Vite wraps every `import()` in what preloads styles. Here are none, Node and workers have no document, and a bundler that is Vite too
- * would wrap them again under the same name: its plugin for that goes.
+ * Removes the plugin by which Vite wraps every `import()` in a preload of styles. These bundles have no styles, Node and workers have no
+ * document, and a reader's own Vite would wrap the imports again under the same name.
  */
 export const withoutPreloading = {
 	name: "without-preloading",

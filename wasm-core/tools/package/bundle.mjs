@@ -2,7 +2,7 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { repository } from "../repository.mjs";
-import { FACE, FIGURE, without, withoutPreloading } from "../without_pages.mjs";
+import { MODEL_RENDERER, MODEL_UI, without, withoutPreloading } from "../without_pages.mjs";
 
 /** Notes which packages of node_modules went in. */
 function noting(packages) {
@@ -49,7 +49,7 @@ async function bundle({ input, left, external = [], output, minify }, folder, pa
 		plugins: [without(...left), withoutPreloading, noting(packages)],
 		worker: {
 			format: "es",
-			plugins: () => [without(FACE, FIGURE), noting(packages)],
+			plugins: () => [without(MODEL_UI, MODEL_RENDERER), noting(packages)],
 			// Bundlers copy a worker's script as it is: it must need no other.
 			rolldownOptions: { output: { codeSplitting: false, entryFileNames: "workers/[name].js" } },
 		},
@@ -83,7 +83,7 @@ export async function bundlePackage(folder) {
 			node: source("library/node.ts"),
 			three: source("library/three.ts"),
 		},
-		left: [FACE, FIGURE],
+		left: [MODEL_UI, MODEL_RENDERER],
 		// three is the reader's own; Node's modules are asked for by Node's front door alone.
 		external: ["three", /^node:/],
 		output: { chunkFileNames: "library/[name].js" },
@@ -93,7 +93,7 @@ export async function bundlePackage(folder) {
 	/** @type {Bundle} */
 	const element = {
 		input: { element: source("element/panicle.ts") },
-		left: [FACE],
+		left: [MODEL_UI],
 		output: {
 			chunkFileNames: "element/[name].js",
 			codeSplitting: { groups: [{ name: "three", test: /node_modules\/three\// }] },
