@@ -198,13 +198,13 @@ export default [
 		faults: [
 			{
 				id: "flower-orders-place-anew",
-				find: "if (of_map) pin(at_, end);",
+				find: "if (of_map) pin_figures(at_, end);",
 				replace: ";",
 				breaks: "another order in the text places the old map",
 			},
 			{
 				id: "flower-calls-place-anew",
-				find: "if (program_.variables[variable].rebuilds) pin(statement.begin, statement.end);",
+				find: "if (program_.variables[variable].rebuilds) pin_figures(statement.begin, statement.end);",
 				replace: ";",
 				breaks: "what a call gives a variable that orders depend on places the old map",
 			},

@@ -88,8 +88,8 @@ export default [
 			},
 			{
 				id: "grammar-limit-in-drawing-shows-nothing",
-				find: "if (undrawn.reason != Reason::none && undrawn.reason != Reason::limit) return undrawn;",
-				replace: "if (undrawn.reason != Reason::none) return undrawn;",
+				find: "if (drawing_error.reason != Reason::none && drawing_error.reason != Reason::limit) return drawing_error;",
+				replace: "if (drawing_error.reason != Reason::none) return drawing_error;",
 				breaks: "a homomorphism that reaches a limit is an error that shows nothing",
 			},
 		],
@@ -312,7 +312,7 @@ export default [
 		],
 	},
 	{
-		file: `${CORE}/models/grammar/measures/clothing.cpp`,
+		file: `${CORE}/models/grammar/measures/leaf_coverage.cpp`,
 		suites: [`${TESTS}/models/grammar/measures_test.cpp`],
 		faults: [
 			{

@@ -11,13 +11,13 @@ export default [
 		faults: [
 			{
 				id: "divisors-buds-are-never-used-up",
-				find: "memories_[number].buds_used += grown;",
+				find: "shoot_states_[number].buds_used += grown;",
 				replace: ";",
 				breaks: "old wood makes branches without end, several from one bud",
 			},
 			{
 				id: "divisors-deformed-for-good",
-				find: "if (memory.gravitropism == outcome.gravitropism && memory.length == outcome.length) return true;",
+				find: "if (state.gravitropism == outcome.gravitropism && state.length == outcome.length) return true;",
 				replace: "if (outcome.length == 1) return true;",
 				breaks: "a branch that grew twice as long once does so for ever",
 			},
@@ -29,8 +29,8 @@ export default [
 			},
 			{
 				id: "divisors-own-leaves-stay",
-				find: "{memory.counted, memory.of_branches}",
-				replace: "{memory.of_branches}",
+				find: "{state.counted, state.of_branches}",
+				replace: "{state.of_branches}",
 				breaks: "no leaf ever falls: a shoot whose count is negative has given none to branches",
 			},
 			{

@@ -17,8 +17,8 @@ export default [
 			},
 			{
 				id: "growth-shoots-leave-their-room",
-				find: "i < most_halvings && regard > 0 && !about_.holds",
-				replace: "i < 0 && regard > 0 && !about_.holds",
+				find: "i < most_halvings && regard > 0 && !about_.contains",
+				replace: "i < 0 && regard > 0 && !about_.contains",
 				breaks: "branches grow into the crowns beside them",
 			},
 			{

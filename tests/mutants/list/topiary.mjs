@@ -53,14 +53,14 @@ export default [
 			},
 			{
 				id: "areas-with-the-first-mesh",
-				find: "stock = {stock.points.subspan(3 * std::size_t{points}), stock.triangles.subspan(3 * std::size_t{triangles})};",
+				find: "data = {data.points.subspan(3 * std::size_t{points}), data.triangles.subspan(3 * std::size_t{triangles})};",
 				replace: "",
 				breaks: "every mesh is the first one's",
 			},
 		],
 	},
 	{
-		file: "wasm-core/src/models/grammar/belonging.cpp",
+		file: "wasm-core/src/models/grammar/area_membership.cpp",
 		suites: [AREAS],
 		faults: [
 			{

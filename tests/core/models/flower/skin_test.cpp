@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "flowers.hpp"
-#include "models/flower/upright.hpp"
+#include "models/flower/units.hpp"
 
 using namespace panicle;
 using namespace panicle::flower;
@@ -96,7 +96,7 @@ TEST_CASE("each triangle has its volume and face, and every free face has triang
       for (std::size_t i = 3 * t; i < 3 * t + 3; ++i) {
         const float* const at = &mesh.mesh.positions[3 * std::size_t{mesh.mesh.indices[i]}];
         CHECK(std::any_of(corners.begin(), corners.end(), [&](std::uint32_t corner) {
-          const glm::vec3 place = metres * upright(embedding.positions()[corner]);
+          const glm::vec3 place = metres * y_up(embedding.positions()[corner]);
           return place.x == at[0] && place.y == at[1] && place.z == at[2];
         }));
       }

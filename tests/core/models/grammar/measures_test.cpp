@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "models/grammar/growing.hpp"
-#include "models/grammar/measures/clothing.hpp"
+#include "models/grammar/measures/leaf_coverage.hpp"
 #include "models/grammar/measures/measures.generated.hpp"
 #include "near.hpp"
 #include "spatial/surfaces.hpp"
@@ -148,10 +148,10 @@ TEST_CASE("each leaf clothes the surface within its own length") {
   // A square 2 across: a quarter of its surface is within 1 of a corner's leaf, but for the curve of the circle.
   Surface square{{{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}}, {0, 2, 1, 0, 3, 2}};
   const double quarter = 3.14159265 / 4;
-  CHECK(Clothing({{{-1, 0, -1}, 1}}).share_of(square) == near(quarter / 4, 0.03));
-  CHECK(Clothing({{{-1, 0, -1}, 1}, {{1, 0, 1}, 0.5f}}).share_of(square) == near(1.25 * quarter / 4, 0.03));
-  CHECK(Clothing({}).share_of(square) == 0);
-  CHECK(Clothing({{{0, 0, 0}, 9}}).share_of({}) == 0);
+  CHECK(LeafCoverage({{{-1, 0, -1}, 1}}).share_of(square) == near(quarter / 4, 0.03));
+  CHECK(LeafCoverage({{{-1, 0, -1}, 1}, {{1, 0, 1}, 0.5f}}).share_of(square) == near(1.25 * quarter / 4, 0.03));
+  CHECK(LeafCoverage({}).share_of(square) == 0);
+  CHECK(LeafCoverage({{{0, 0, 0}, 9}}).share_of({}) == 0);
 }
 
 TEST_CASE("a plant has measures where they are requested") {

@@ -79,8 +79,8 @@ TEST_CASE("no end of a shoot jumps as a tree ages") {
   const Tree tree = tree_of(text_named("figure-7"), 8);
   const auto tips = [&](float time) {
     const Moment moment = at(tree, time);
-    std::vector<glm::vec3> found(tree.form.ways.size(), glm::vec3(-1000));
-    std::vector<float> radii(tree.form.ways.size(), 0);
+    std::vector<glm::vec3> found(tree.form.paths.size(), glm::vec3(-1000));
+    std::vector<float> radii(tree.form.paths.size(), 0);
     for (std::size_t i = 0; i < moment.segments.size(); ++i) {
       found[static_cast<std::size_t>(moment.axes[i])] = moment.segments[i].end;
       radii[static_cast<std::size_t>(moment.axes[i])] =
@@ -153,11 +153,11 @@ TEST_CASE("at eight steps three of four branches of the paper's presets end with
     CAPTURE(name);
     const Tree tree = tree_of(content(path), 8);
     std::size_t within = 0, all = 0;
-    for (std::size_t q = 0; q < tree.form.ways.size(); ++q) {
+    for (std::size_t q = 0; q < tree.form.paths.size(); ++q) {
       if (tree.population.shoots[q].trunk) continue;
       const GrowthVolume& volume = tree.population.volumes[tree.population.shoots[q].volume];
-      const Way& way = tree.form.ways[q];
-      within += VolumeShape(volume).holds(tree.form.nodes[way.first + way.count]);
+      const ShootPath& shoot_path = tree.form.paths[q];
+      within += VolumeShape(volume).contains(tree.form.nodes[shoot_path.first + shoot_path.count]);
       ++all;
     }
     CAPTURE(all);
@@ -191,11 +191,11 @@ TEST_CASE("habits set the trunk's height, whorls, and branches that reach the vo
     change(habit);
     return tree_of(text, 8, 1, habit);
   };
-  const auto trunk_top = [](const Tree& tree) { return tree.form.nodes[tree.form.ways[0].count].y; };
+  const auto trunk_top = [](const Tree& tree) { return tree.form.nodes[tree.form.paths[0].count].y; };
   CHECK(trunk_top(with([](FormHabit& habit) { habit.leader = 0.5f; })) == doctest::Approx(5).epsilon(0.03));
   const Tree whorled = with([](FormHabit& habit) { habit.whorl = 1; });
-  for (std::size_t q = 0; q < whorled.form.ways.size(); ++q)
-    if (whorled.population.shoots[q].order == 1) CHECK(whorled.form.ways[q].along > 0.9f);
+  for (std::size_t q = 0; q < whorled.form.paths.size(); ++q)
+    if (whorled.population.shoots[q].order == 1) CHECK(whorled.form.paths[q].along > 0.9f);
   const auto widest = [](const Tree& tree) {
     float wide = 0;
     for (const glm::vec3& node : tree.form.nodes) wide = std::max(wide, std::hypot(node.x, node.z));
@@ -213,13 +213,13 @@ TEST_CASE("a trained trunk goes up to its wire and along it, and its canes stand
   const Tree tree =
       tree_of("footprint -> GrowVol(1, 1, 2.4, 2, 2.4, 0, towards(90))\nk == N - 1 -> nbr = 2\nk < N - 1 -> nbr = 0\n",
               6, 1, habit);
-  const Way& arm = tree.form.ways[0];
+  const ShootPath& arm = tree.form.paths[0];
   CHECK(tree.form.nodes[arm.first + 1].y == doctest::Approx(0.9f).epsilon(0.03));
   const glm::vec3 end = tree.form.nodes[arm.first + arm.count];
   CHECK(end.y == doctest::Approx(0.9f).epsilon(0.1));
   CHECK(end.z == doctest::Approx(1.2f).epsilon(0.1));
-  for (std::size_t q = 1; q < tree.form.ways.size(); ++q) {
-    const Way& cane = tree.form.ways[q];
+  for (std::size_t q = 1; q < tree.form.paths.size(); ++q) {
+    const ShootPath& cane = tree.form.paths[q];
     CHECK(tree.form.nodes[cane.first + cane.count].y > tree.form.nodes[cane.first].y + 0.15f);
   }
 }

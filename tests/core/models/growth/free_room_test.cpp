@@ -39,13 +39,13 @@ FreeRoom::Found plainly(const FreeRoom::Query& query, const std::vector<glm::vec
     for (const glm::vec3& node : nodes)
       if (glm::distance(node, query.tip) > 1e-4f) nearest = std::min(nearest, glm::distance(node, place) / query.radius);
     if (ahead < 0.3f - 1e-5f) continue;
-    const bool taken = nearest < 0.55f || !about.holds(place);
-    const float weight = (taken ? 1 - query.regard : 1.0f) * (volume.holds(place) ? 1.0f : 0.05f) *
+    const bool taken = nearest < 0.55f || !about.contains(place);
+    const float weight = (taken ? 1 - query.regard : 1.0f) * (volume.contains(place) ? 1.0f : 0.05f) *
                          (1 + 0.5f * std::max(0.0f, glm::dot(d, query.light)));
     const glm::vec3 offset(2e-5f * query.radius);
     if (ahead < 0.3f + 1e-5f || std::fabs(nearest - 0.55f) < 1e-5f || deep < 1e-5f || deep > 1 - 1e-5f ||
-        volume.holds(place - offset) != volume.holds(place + offset) ||
-        about.holds(place - offset) != about.holds(place + offset))
+        volume.contains(place - offset) != volume.contains(place + offset) ||
+        about.contains(place - offset) != about.contains(place + offset))
       doubt += 1.5f;
     found.middle += weight * d;
     found.sum += weight;
@@ -125,7 +125,7 @@ TEST_CASE("a place that is not a number is not free, and a node that is not a nu
   CHECK(free(query, {nodes[0], nodes[1], {none, 1, 0}, {0, none, none}}).sum == usual);
 }
 
-TEST_CASE("holds_about implies that all places within the radius are within the room") {
+TEST_CASE("contains_around implies that all places within the radius are within the room") {
   int sure = 0;
   for (std::uint64_t k = 0; k < 300; ++k) {
     std::array<float, 16> numbers{};
@@ -133,11 +133,11 @@ TEST_CASE("holds_about implies that all places within the radius are within the 
     const Surroundings about = Surroundings::of(numbers).value();
     const glm::vec3 at = between(0, 2, 21, k) * random_direction(7, 22, k);
     const float radius = between(0, 2, 23, k);
-    if (!about.holds_about(at, radius)) continue;
+    if (!about.contains_around(at, radius)) continue;
     ++sure;
     for (std::uint64_t i = 0; i < 30; ++i)
-      CHECK(about.holds(at + radius * random_direction(7, 24, hash_combine(k, i))));
+      CHECK(about.contains(at + radius * random_direction(7, 24, hash_combine(k, i))));
   }
   CHECK(sure > 30);
-  CHECK(Surroundings().holds_about({0, 0, 0}, 1e9f));
+  CHECK(Surroundings().contains_around({0, 0, 0}, 1e9f));
 }

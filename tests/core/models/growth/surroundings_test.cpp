@@ -30,8 +30,8 @@ std::vector<glm::vec3> tips_of(std::string_view text, const Surroundings& about,
   habit.seed = seed;
   const Form form = form_of(population, habit, about);
   std::vector<glm::vec3> tips;
-  for (std::size_t q = 0; q < form.ways.size(); ++q)
-    if (!population.shoots[q].trunk) tips.push_back(form.nodes[form.ways[q].first + form.ways[q].count]);
+  for (std::size_t q = 0; q < form.paths.size(); ++q)
+    if (!population.shoots[q].trunk) tips.push_back(form.nodes[form.paths[q].first + form.paths[q].count]);
   return tips;
 }
 
@@ -118,16 +118,16 @@ TEST_CASE("room ends at the lines between its eight directions") {
   Numbers numbers = nothing;
   for (std::size_t i = 0; i < 8; ++i) numbers[8 + i] = i % 2 == 0 ? 2.0f : 4.0f;
   const Surroundings about = sound(Surroundings::of(numbers));
-  CHECK(about.holds({1.9f, 7, 0}));
-  CHECK_FALSE(about.holds({2.1f, 0, 0}));
-  CHECK(about.holds({-1.9f, 0, 0}));
-  CHECK_FALSE(about.holds({0, 0, -2.1f}));
+  CHECK(about.contains({1.9f, 7, 0}));
+  CHECK_FALSE(about.contains({2.1f, 0, 0}));
+  CHECK(about.contains({-1.9f, 0, 0}));
+  CHECK_FALSE(about.contains({0, 0, -2.1f}));
   for (const float x : {1.0f, -1.0f})
     for (const float z : {1.0f, -1.0f}) {
-      CHECK(about.holds({2.7f * x, 0, 2.7f * z}));
-      CHECK_FALSE(about.holds({2.9f * x, 0, 2.9f * z}));
+      CHECK(about.contains({2.7f * x, 0, 2.7f * z}));
+      CHECK_FALSE(about.contains({2.9f * x, 0, 2.9f * z}));
     }
-  CHECK(Surroundings().holds({1e8f, 0, 0}));
+  CHECK(Surroundings().contains({1e8f, 0, 0}));
 }
 
 TEST_CASE("light comes from the thin side of a crown") {

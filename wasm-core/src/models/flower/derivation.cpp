@@ -153,7 +153,7 @@ class Deriver {
       derived_.map.relabel(volume, becomes);
       has_label_occurred_[becomes] = 1;
     }
-    if (split != invalid && !part(volume, record, program_.productions[split])) return false;
+    if (split != invalid && !split_volume(volume, record, program_.productions[split])) return false;
     if (may_act || becomes != invalid || split != invalid) still_.push_back(volume);
     return true;
   }
@@ -258,19 +258,19 @@ class Deriver {
     return numbers_.enter(derived_.instances, instance_);
   }
 
-  bool part(std::uint32_t volume, std::uint32_t before, const Production& production) {
+  bool split_volume(std::uint32_t volume, std::uint32_t before, const Production& production) {
     // Every corner of the face is visited, also where the split is refused then.
     if (is_spent(derived_.map.volume(volume).order / 4)) return stop_for_work();
-    const auto parted = derived_.map.split(volume, production.face, production.rest, production.part, stamp_);
-    if (parted.refusal == Refusal::full) return stop(parted.refusal, step_, production.place), true;
-    if (parted.refusal != Refusal::nothing) {
-      refusals_[production.number] = parted.refusal;
+    const auto result = derived_.map.split(volume, production.face, production.rest, production.part, stamp_);
+    if (result.refusal == Refusal::full) return stop(result.refusal, step_, production.place), true;
+    if (result.refusal != Refusal::nothing) {
+      refusals_[production.number] = result.refusal;
       return true;
     }
     for (const bool rest : {true, false}) {
       Record record;
       record.kind = rest ? Record::Kind::rest : Record::Kind::part;
-      record.volume = rest ? volume : parted.part;
+      record.volume = rest ? volume : result.part;
       record.before = before;
       record.source = production.number;
       record.label = rest ? production.rest : production.part;
@@ -283,7 +283,7 @@ class Deriver {
                              static_cast<float>(derived_.map.volume(record.volume).order), values))
         return false;
       store(record, values);
-      if (!rest) made_.push_back(parted.part);
+      if (!rest) made_.push_back(result.part);
     }
     return true;
   }

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "foundation/fingerprint.hpp"
-#include "models/flower/upright.hpp"
+#include "models/flower/units.hpp"
 
 namespace panicle::flower {
 
@@ -27,7 +27,7 @@ std::uint64_t fingerprint_of(const Derived& derived, const generalized_map::Embe
     print.add(derived.values[derived.record_of[v]][static_cast<std::size_t>(Field::material)]);
   }
   for (const glm::vec3& each : embedding.positions()) {
-    const glm::vec3 at = metres * upright(each);
+    const glm::vec3 at = metres * y_up(each);
     print.add(at.x);
     print.add(at.y);
     print.add(at.z);

@@ -8,7 +8,7 @@
 
 #include "foundation/bytes.hpp"
 #include "models/flower/skin.hpp"
-#include "models/flower/upright.hpp"
+#include "models/flower/units.hpp"
 
 namespace panicle::flower {
 namespace {
@@ -22,12 +22,12 @@ std::size_t place_of(std::string_view kind) {
 
 }  // namespace
 
-Level::Level(Remains remains, const std::vector<glm::vec3>& places)
+Level::Level(RemainingTriangles remains, const std::vector<glm::vec3>& places)
     : volumes_(std::move(remains.volumes)), wide_(std::move(remains.wide)) {
-  part(remains.vertices, places);
+  split_at_edges(remains.vertices, places);
 }
 
-void Level::part(const std::vector<std::uint32_t>& vertices, const std::vector<glm::vec3>& places) {
+void Level::split_at_edges(const std::vector<std::uint32_t>& vertices, const std::vector<glm::vec3>& places) {
   std::vector<glm::vec3> normals;  // of `smooth_`, sums
   // Linked lists of the smooth vertices at each vertex of the boundary.
   std::vector<std::uint32_t> first(places.size(), invalid), next;
@@ -129,8 +129,8 @@ PlantMesh Level::mesh(const std::vector<glm::vec3>& places) const {
   for (std::size_t v = 0; v < drawn_.size(); ++v) {
     const glm::vec3& normal = normals[drawn_[v]];
     const float length = glm::length(normal);
-    put(metres * upright(places[vertex(v)]), &made.mesh.positions[3 * v]);
-    put(upright(length > 1e-20f ? normal / length : glm::vec3(0, 0, 1)), &made.mesh.normals[3 * v]);
+    put(metres * y_up(places[vertex(v)]), &made.mesh.positions[3 * v]);
+    put(y_up(length > 1e-20f ? normal / length : glm::vec3(0, 0, 1)), &made.mesh.normals[3 * v]);
   }
   return made;
 }

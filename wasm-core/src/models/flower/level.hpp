@@ -20,13 +20,13 @@ class Level {
     float times = 1;
   };
   // The remaining triangles: three vertices of the boundary and the volume of each.
-  struct Remains {
+  struct RemainingTriangles {
     std::vector<std::uint32_t> vertices, volumes;
     std::vector<Wide> wide;
   };
 
   // Vertices are duplicated at sharp edges of the surface. `places`: of the boundary's vertices.
-  Level(Remains remains, const std::vector<glm::vec3>& places);
+  Level(RemainingTriangles remains, const std::vector<glm::vec3>& places);
 
   // Builds a run for each kind of material, and a vertex for each material at a smooth vertex. `numbers`: of materials,
   // by volume.
@@ -47,7 +47,7 @@ class Level {
   std::uint64_t bytes() const;  // memory that it holds, roughly
 
  private:
-  void part(const std::vector<std::uint32_t>& vertices, const std::vector<glm::vec3>& places);
+  void split_at_edges(const std::vector<std::uint32_t>& vertices, const std::vector<glm::vec3>& places);
 
   std::vector<std::uint32_t> corners_;  // of triangles, indices of `smooth_`
   std::vector<std::uint32_t> volumes_;  // of triangles

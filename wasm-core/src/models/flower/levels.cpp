@@ -13,7 +13,7 @@
 #include "light/sky_visibility.hpp"
 #include "models/flower/skin.hpp"
 #include "models/flower/thickness.hpp"
-#include "models/flower/upright.hpp"
+#include "models/flower/units.hpp"
 
 namespace panicle::flower {
 namespace {
@@ -59,10 +59,10 @@ float area_of(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
 
 // Positions in their organs of a boundary's vertices: the mean over the corners of a material at a vertex, as in a
 // skin.
-class InOrgans {
+class OrganCoordinates {
  public:
   // `numbers`: of materials, by volume; `corners`: by half-edge.
-  InOrgans(const generalized_map::Boundary& boundary, const std::vector<std::uint8_t>& numbers,
+  OrganCoordinates(const generalized_map::Boundary& boundary, const std::vector<std::uint8_t>& numbers,
            const std::vector<glm::vec2>& corners)
       : first_(boundary.surface.positions.size(), invalid) {
     const ClosedSurface& surface = boundary.surface;
@@ -182,8 +182,8 @@ FlowerLevels::Choice FlowerLevels::choose(std::size_t most) const {
   return choice;
 }
 
-std::vector<float> FlowerLevels::fuller(float error, const std::vector<glm::vec3>& places) const {
-  std::vector<float> fuller(organs_->forms().size(), 1);
+std::vector<float> FlowerLevels::width_factors(float error, const std::vector<glm::vec3>& places) const {
+  std::vector<float> width_factors(organs_->forms().size(), 1);
   for (const FormedOrgan& organ : organs_->organs()) {
     const OrganForm& form = organs_->form(organ);
     if (organ.number != 0 || !form.rooted) continue;
@@ -201,17 +201,17 @@ std::vector<float> FlowerLevels::fuller(float error, const std::vector<glm::vec3
       behind = 2 * (area_of(at(foot), at(left), at(tip)) + area_of(at(foot), at(tip), at(right)));
     }
     if (behind > 0)
-      fuller[organ.form] = std::clamp(before / behind, is_kite ? narrowest : 1.0f, is_kite ? widest_kite : fullest);
+      width_factors[organ.form] = std::clamp(before / behind, is_kite ? narrowest : 1.0f, is_kite ? widest_kite : fullest);
   }
-  return fuller;
+  return width_factors;
 }
 
-Level::Remains FlowerLevels::remains(const Choice& choice, const std::vector<glm::vec3>& places) const {
+Level::RemainingTriangles FlowerLevels::remains(const Choice& choice, const std::vector<glm::vec3>& places) const {
   const auto& [sparse, there, error] = choice;
   const std::vector<FormedOrgan>& organs = organs_->organs();
   std::vector<std::vector<std::uint32_t>> to;
   for (const OrganForm& form : organs_->forms()) to.push_back(form.targets(error));
-  const std::vector<float> fuller = this->fuller(error, places);
+  const std::vector<float> width_factors = this->width_factors(error, places);
 
   // A vertex of a foot moves as in the organ that its organ is attached to.
   std::vector<std::uint32_t> gone(places.size());
@@ -227,7 +227,7 @@ Level::Remains FlowerLevels::remains(const Choice& choice, const std::vector<glm
     return vertex;
   };
 
-  Level::Remains remains;
+  Level::RemainingTriangles remains;
   const auto add = [&](const std::array<std::uint32_t, 3>& corners, std::uint32_t face) {
     if (is_flat(corners)) return;
     remains.vertices.insert(remains.vertices.end(), corners.begin(), corners.end());
@@ -258,7 +258,7 @@ Level::Remains FlowerLevels::remains(const Choice& choice, const std::vector<glm
     if (!form.rooted) continue;
     const float crowded =
         form.has_attached ? 1 : std::min(widest, static_cast<float>(stride(form, sparse) * stride_of_all(form, sparse)));
-    const float times = fuller[organ.form] * crowded;
+    const float times = width_factors[organ.form] * crowded;
     if (times != 1) remains.wide.push_back({i, times});
   }
   return remains;
@@ -287,7 +287,7 @@ void FlowerLevels::add_to(Plant& plant, const Program& program, const Derived& d
     numbers_ = std::move(own);
     for (Level& level : levels_) level.dress(program, numbers_);
   }
-  const InOrgans in_organs(boundary_, numbers_, corners_.places(derived));
+  const OrganCoordinates coordinates(boundary_, numbers_, corners_.places(derived));
 
   std::array<std::uint8_t, 256> index{};
   std::array<bool, 256> is_known{};
@@ -302,7 +302,7 @@ void FlowerLevels::add_to(Plant& plant, const Program& program, const Derived& d
     if (k == 0)
       for (std::size_t t = 0; t < level.triangles(); ++t) {
         const auto [a, b, c] = level.triangle(t);
-        occluders.push_back({metres * upright((wider[a] + wider[b] + wider[c]) / 3.0f),
+        occluders.push_back({metres * y_up((wider[a] + wider[b] + wider[c]) / 3.0f),
                            metres * metres / 2 * area_of(wider[a], wider[b], wider[c])});
       }
     PlantMesh& out = plant.meshes.emplace_back(level.mesh(wider));
@@ -310,7 +310,7 @@ void FlowerLevels::add_to(Plant& plant, const Program& program, const Derived& d
     out.material = "level";
     std::vector<std::uint8_t> paint;
     for (const std::uint8_t number : level.numbers()) {
-      const glm::vec2 place = in_organs.at(level.vertex(paint.size()), number);
+      const glm::vec2 place = coordinates.at(level.vertex(paint.size()), number);
       out.mesh.uvs.insert(out.mesh.uvs.end(), {place.x, place.y});
       if (!is_known[number]) {
         is_known[number] = true;

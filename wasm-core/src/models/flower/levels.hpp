@@ -54,8 +54,8 @@ class FlowerLevels {
   std::size_t triangles(const std::vector<std::uint8_t>& retained, float error) const;
   Choice choose(std::size_t most) const;
   // By form, the factor of an organ's width after thinning that restores its area.
-  std::vector<float> fuller(float error, const std::vector<glm::vec3>& places) const;
-  Level::Remains remains(const Choice& choice, const std::vector<glm::vec3>& places) const;
+  std::vector<float> width_factors(float error, const std::vector<glm::vec3>& places) const;
+  Level::RemainingTriangles remains(const Choice& choice, const std::vector<glm::vec3>& places) const;
   std::vector<glm::vec3> rounded(const Derived& derived, generalized_map::Embedding& embedding);
 
   generalized_map::Boundary boundary_;

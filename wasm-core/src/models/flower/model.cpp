@@ -18,7 +18,7 @@
 #include "models/flower/measures/measures.generated.hpp"
 #include "models/flower/parameters.generated.hpp"
 #include "models/flower/skin.hpp"
-#include "models/flower/upright.hpp"
+#include "models/flower/units.hpp"
 #include "plant/fingerprint.hpp"
 #include "protocol/cache.hpp"
 #include "protocol/parameter_values.hpp"
@@ -46,7 +46,7 @@ glm::vec3 middle_of(const generalized_map::Map& map, const generalized_map::Embe
   glm::vec3 sum(0);
   for (std::uint32_t i = 0; i < order; ++i)
     sum += embedding.positions()[embedding.vertex_of()[end ? map.end_corner(volume, i) : map.base_corner(volume, i)]];
-  return metres * upright(sum / static_cast<float>(order));
+  return metres * y_up(sum / static_cast<float>(order));
 }
 
 // Volumes, each after its parent: the parent may have a higher number after a split.
@@ -155,7 +155,7 @@ void add_columns(Plant& plant, const Program& program, const Derived& derived, b
                     std::vector<std::uint32_t>(embedding.vertex_of().begin(), embedding.vertex_of().end()));
   plant.columns.add("vertices.position",
                     column_of<float>(embedding.positions(), 3,
-                                     [](const glm::vec3& each, float* at) { put(metres * upright(each), at); }),
+                                     [](const glm::vec3& each, float* at) { put(metres * y_up(each), at); }),
                     3);
 }
 
@@ -182,8 +182,8 @@ void measure(Plant& plant, const generalized_map::Embedding& embedding, std::siz
   const auto set = [&](Measure which, float value) { plant.measures[static_cast<std::size_t>(which)] = value; };
   glm::vec3 low(1e9f), high(-1e9f);
   for (const glm::vec3& each : embedding.positions()) {
-    low = glm::min(low, metres * upright(each));
-    high = glm::max(high, metres * upright(each));
+    low = glm::min(low, metres * y_up(each));
+    high = glm::max(high, metres * y_up(each));
   }
   set(Measure::height, 100 * (high.y - low.y));
   set(Measure::spread, 50 * (high.x - low.x + high.z - low.z));

@@ -34,7 +34,7 @@ std::vector<glm::vec2> OrganCorners::places(const Derived& derived) const {
   struct Corner {
     float along = 0, beside = 1, count = 0;
   };
-  const std::vector<glm::vec2> of_volume = places_in_organs(derived);
+  const std::vector<glm::vec2> of_volume = organ_coordinates(derived);
   std::vector<Corner> corners(corners_);
   for (std::uint32_t h = 0; h < corner_.size(); ++h) {
     Corner& corner = corners[corner_[h]];

@@ -45,9 +45,9 @@ std::vector<std::uint32_t> OrganForm::targets(float error) const {
 }
 
 // Temporary data while forms are found.
-class OrganForms::Finding {
+class OrganForms::FormFinder {
  public:
-  Finding(OrganForms& found, const Derived& derived, const generalized_map::Boundary& boundary,
+  FormFinder(OrganForms& found, const Derived& derived, const generalized_map::Boundary& boundary,
           const std::vector<glm::vec3>& places);
 
   void find_organs();
@@ -72,14 +72,14 @@ class OrganForms::Finding {
 
 OrganForms::OrganForms(const Derived& derived, const generalized_map::Boundary& boundary,
                        const std::vector<glm::vec3>& places) {
-  Finding finding(*this, derived, boundary, places);
-  finding.find_organs();
-  for (std::uint32_t organ = 0; organ < organs_.size(); ++organ) finding.find_form(organ);
+  FormFinder finder(*this, derived, boundary, places);
+  finder.find_organs();
+  for (std::uint32_t organ = 0; organ < organs_.size(); ++organ) finder.find_form(organ);
   for (FormedOrgan& organ : organs_) organ.number = forms_[organ.form].organs++;
   for (std::uint32_t i = 1; i < organs_.size(); ++i) forms_[organs_[organs_[i].maker].form].has_attached = true;
 }
 
-OrganForms::Finding::Finding(OrganForms& found, const Derived& derived, const generalized_map::Boundary& boundary,
+OrganForms::FormFinder::FormFinder(OrganForms& found, const Derived& derived, const generalized_map::Boundary& boundary,
                              const std::vector<glm::vec3>& places)
     : found_(found), derived_(derived), boundary_(boundary), places_(places) {
   const ClosedSurface& surface = boundary.surface;
@@ -95,7 +95,7 @@ OrganForms::Finding::Finding(OrganForms& found, const Derived& derived, const ge
 }
 
 // Sorts faces by organ, in their order.
-void OrganForms::Finding::find_organs() {
+void OrganForms::FormFinder::find_organs() {
   found_.organs_.resize(derived_.instances.size());
   for (const Record& record : derived_.records)
     if (record.instance != record.maker) found_.organs_[record.instance].maker = record.maker;
@@ -115,31 +115,31 @@ void OrganForms::Finding::find_organs() {
 
 // Numbers an organ's vertices in the order of its faces, and returns its topology: the faces' corners, and whether each
 // vertex belongs to the parent organ.
-std::vector<std::uint32_t> OrganForms::Finding::number_vertices(std::uint32_t organ) {
+std::vector<std::uint32_t> OrganForms::FormFinder::number_vertices(std::uint32_t organ) {
   const ClosedSurface& surface = boundary_.surface;
   FormedOrgan& of = found_.organs_[organ];
   of.vertices = static_cast<std::uint32_t>(found_.own_vertices_.size());
   const std::size_t end =
       organ + 1 < found_.organs_.size() ? found_.organs_[organ + 1].faces : found_.own_faces_.size();
-  std::vector<std::uint32_t> sign;
+  std::vector<std::uint32_t> signature;
   for (std::size_t i = of.faces; i < end; ++i) {
     const std::uint32_t face = found_.own_faces_[i];
-    sign.push_back(begin_[face + 1] - begin_[face]);
+    signature.push_back(begin_[face + 1] - begin_[face]);
     for (std::uint32_t h = begin_[face]; h < begin_[face + 1]; ++h) {
       const std::uint32_t vertex = surface.origin[h];
       if (local_[vertex] == invalid) {
         local_[vertex] = static_cast<std::uint32_t>(found_.own_vertices_.size()) - of.vertices;
         found_.own_vertices_.push_back(vertex);
       }
-      sign.push_back(2 * local_[vertex] + (owner_[vertex] != organ));
+      signature.push_back(2 * local_[vertex] + (owner_[vertex] != organ));
     }
   }
   for (std::size_t i = of.vertices; i < found_.own_vertices_.size(); ++i) local_[found_.own_vertices_[i]] = invalid;
-  return sign;
+  return signature;
 }
 
-void OrganForms::Finding::find_form(std::uint32_t organ) {
-  std::vector<std::uint32_t> sign = number_vertices(organ);
+void OrganForms::FormFinder::find_form(std::uint32_t organ) {
+  std::vector<std::uint32_t> signature = number_vertices(organ);
   FormedOrgan& of = found_.organs_[organ];
   const auto own = std::span<const std::uint32_t>(found_.own_vertices_).subspan(of.vertices);
   glm::vec3 low(std::numeric_limits<float>::max()), high(-low);
@@ -150,9 +150,9 @@ void OrganForms::Finding::find_form(std::uint32_t organ) {
   // Organs of twice the size are another form: an error that is right for a leaf is too large for a petal.
   int size = 0;
   if (!own.empty()) std::frexp(glm::length(high - low), &size);
-  const std::size_t corners = sign.size();
-  sign.push_back(static_cast<std::uint32_t>(size + 1024));
-  const auto same = known_.find(sign);
+  const std::size_t corners = signature.size();
+  signature.push_back(static_cast<std::uint32_t>(size + 1024));
+  const auto same = known_.find(signature);
   of.form = same != known_.end() ? same->second : static_cast<std::uint32_t>(found_.forms_.size());
   if (same != known_.end()) return;
 
@@ -162,12 +162,12 @@ void OrganForms::Finding::find_form(std::uint32_t organ) {
   patch.is_fixed.assign(own.size(), 0);
   std::set<std::pair<std::uint32_t, std::uint32_t>> open;  // edges without a face on their other side
   for (std::size_t i = 0, face = 0; i < corners; ++face) {
-    const std::size_t first = i + 1, end = first + sign[i];
+    const std::size_t first = i + 1, end = first + signature[i];
     for (std::size_t c = first; c < end; ++c) {
-      const std::uint32_t a = sign[c] / 2, b = sign[c + 1 < end ? c + 1 : first] / 2;
-      patch.is_fixed[a] = sign[c] % 2;
+      const std::uint32_t a = signature[c] / 2, b = signature[c + 1 < end ? c + 1 : first] / 2;
+      patch.is_fixed[a] = signature[c] % 2;
       if (c >= first + 2) {
-        patch.triangles.push_back({sign[first] / 2, sign[c - 1] / 2, a});
+        patch.triangles.push_back({signature[first] / 2, signature[c - 1] / 2, a});
         form.faces.push_back(static_cast<std::uint32_t>(face));
       }
       const auto other = open.find({b, a});
@@ -201,17 +201,17 @@ void OrganForms::Finding::find_form(std::uint32_t organ) {
   // An attached organ has a base of its own.
   form.is_foot = std::move(patch.is_fixed);
   if (organ > 0 && std::find(form.is_foot.begin(), form.is_foot.end(), 1) == form.is_foot.end())
-    for (std::size_t i = 0, face = of.faces; i < corners; i += 1 + sign[i], ++face)
+    for (std::size_t i = 0, face = of.faces; i < corners; i += 1 + signature[i], ++face)
       if (boundary_.face[found_.own_faces_[face]] == generalized_map::base_face)
-        for (std::size_t c = i + 1; c <= i + sign[i]; ++c) form.is_foot[sign[c] / 2] = OrganForm::free_foot;
+        for (std::size_t c = i + 1; c <= i + signature[i]; ++c) form.is_foot[signature[c] / 2] = OrganForm::free_foot;
   std::vector<std::uint32_t> labels;
-  for (std::size_t i = 0, face = of.faces; i < corners; i += 1 + sign[i], ++face)
+  for (std::size_t i = 0, face = of.faces; i < corners; i += 1 + signature[i], ++face)
     labels.push_back(derived_.map.volume(boundary_.volume[found_.own_faces_[face]]).label);
   find_kite(form, patch.positions, labels);
-  known_.emplace(std::move(sign), of.form);
+  known_.emplace(std::move(signature), of.form);
 }
 
-void OrganForms::Finding::find_kite(OrganForm& form, const std::vector<glm::vec3>& places,
+void OrganForms::FormFinder::find_kite(OrganForm& form, const std::vector<glm::vec3>& places,
                                     const std::vector<std::uint32_t>& labels) {
   glm::vec3 foot(0);
   float feet = 0;

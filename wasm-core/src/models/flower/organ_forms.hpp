@@ -59,7 +59,7 @@ class OrganForms {
   std::uint64_t bytes() const;  // memory that it holds, roughly
 
  private:
-  class Finding;
+  class FormFinder;
 
   std::vector<FormedOrgan> organs_;
   std::vector<std::uint32_t> own_vertices_, own_faces_;  // of organs, one after the other

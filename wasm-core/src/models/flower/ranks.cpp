@@ -5,7 +5,7 @@
 
 namespace panicle::flower {
 
-std::vector<glm::vec2> places_in_organs(const Derived& derived) {
+std::vector<glm::vec2> organ_coordinates(const Derived& derived) {
   std::vector<glm::vec2> places(derived.map.volumes(), glm::vec2(0));
   std::vector<float> longest(derived.instances.size(), 0);
   std::vector<std::uint16_t> widest(derived.instances.size(), 0);

@@ -18,6 +18,6 @@ inline Rank next_rank(Rank before, std::uint16_t side) {
 
 // Ranks as shares of the organ, 0 … 1, by volume: along the axis by length, so that paint is not stretched where
 // volumes are long; beside it by number.
-std::vector<glm::vec2> places_in_organs(const Derived& derived);
+std::vector<glm::vec2> organ_coordinates(const Derived& derived);
 
 }  // namespace panicle::flower

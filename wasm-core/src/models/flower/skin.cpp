@@ -10,7 +10,7 @@
 #include "foundation/bytes.hpp"
 #include "light/sky_visibility.hpp"
 #include "models/flower/thickness.hpp"
-#include "models/flower/upright.hpp"
+#include "models/flower/units.hpp"
 
 namespace panicle::flower {
 namespace {
@@ -50,7 +50,7 @@ bool number_of(float m, std::uint8_t& number) {
 }
 
 // A note on a volume whose m is not a material's number, with the line that gives it.
-std::string strange_material(const Program& program, const Derived& derived, std::uint32_t volume) {
+std::string note_on_material(const Program& program, const Derived& derived, std::uint32_t volume) {
   std::vector<const GrowAction*> growths(program.growths, nullptr);
   std::vector<const Production*> splits(program.productions.size(), nullptr);
   for (const Production& production : program.productions) {
@@ -149,7 +149,7 @@ std::vector<generalized_map::Shape> Skin::shapes(const Derived& derived) const {
   return shapes_to_round(derived, is_tube_, rounds());
 }
 
-void Skin::part(const std::vector<std::uint8_t>& numbers) {
+void Skin::build_parts(const std::vector<std::uint8_t>& numbers) {
   const ClosedSurface& surface = levels_.back();
   std::array<std::vector<std::uint32_t>, 256> faces;
   for (std::uint32_t f = 0; f < surface.faces; ++f) faces[numbers[volume_[f]]].push_back(f);
@@ -205,15 +205,15 @@ void Skin::add_to(Plant& plant, const Program& program, const Derived& derived,
   for (std::size_t i = 1; i < levels_.size(); ++i) places = refined_places(levels_[i - 1], places);
 
   std::vector<std::uint8_t> numbers(derived.map.volumes());
-  std::uint32_t strange = invalid;
+  std::uint32_t invalid_volume = invalid;
   std::vector<std::uint8_t> is_seen(derived.map.volumes(), 0);
   for (const std::uint32_t volume : volume_) is_seen[volume] = 1;
   for (std::uint32_t v = 0; v < numbers.size(); ++v) {
     const float m = derived.values[derived.record_of[v]][static_cast<std::size_t>(Field::material)];
-    if (!number_of(m, numbers[v]) && is_seen[v] != 0 && strange == invalid) strange = v;
+    if (!number_of(m, numbers[v]) && is_seen[v] != 0 && invalid_volume == invalid) invalid_volume = v;
   }
-  if (strange != invalid) plant.notes.push_back(strange_material(program, derived, strange));
-  if (numbers != numbers_ || parts_.empty()) part(numbers);
+  if (invalid_volume != invalid) plant.notes.push_back(note_on_material(program, derived, invalid_volume));
+  if (numbers != numbers_ || parts_.empty()) build_parts(numbers);
   numbers_ = std::move(numbers);
 
   std::vector<Occluder> occluders;
@@ -226,8 +226,8 @@ void Skin::add_to(Plant& plant, const Program& program, const Derived& derived,
     mesh.mesh.positions.resize(3 * vertices);
     mesh.mesh.normals.resize(3 * vertices);
     for (std::size_t i = 0; i < vertices; ++i) {
-      put(metres * upright(surface.positions[part.vertices[i]]), &mesh.mesh.positions[3 * i]);
-      put(upright(normals[part.vertices[i]]), &mesh.mesh.normals[3 * i]);
+      put(metres * y_up(surface.positions[part.vertices[i]]), &mesh.mesh.positions[3 * i]);
+      put(y_up(normals[part.vertices[i]]), &mesh.mesh.normals[3 * i]);
     }
     // Positions of vertices in their organs: the mean over the corners there, which differ between organs.
     std::vector<glm::vec2> sums(vertices, glm::vec2(0));
@@ -249,7 +249,7 @@ void Skin::add_to(Plant& plant, const Program& program, const Derived& derived,
         return surface.positions[part.vertices[part.corners[part.begins[f] + i]]];
       };
       const glm::vec3 &a = corner(0), b = corner(1) - a, c = corner(2) - a;
-      occluders.push_back({metres * upright(a), 0.25f * metres * metres * glm::length(glm::cross(b, c))});
+      occluders.push_back({metres * y_up(a), 0.25f * metres * metres * glm::length(glm::cross(b, c))});
     }
   }
   if (!sky) return;

@@ -59,7 +59,7 @@ class Skin {
     std::shared_ptr<const std::vector<std::uint32_t>> volumes, faces;  // of triangles
   };
 
-  void part(const std::vector<std::uint8_t>& numbers);
+  void build_parts(const std::vector<std::uint8_t>& numbers);
 
   std::vector<ClosedSurface> levels_;        // each the one before refined
   std::optional<OrganCorners> corners_;      // of the first one

@@ -15,9 +15,9 @@ namespace {
 constexpr float farthest = 1e4f;
 constexpr std::size_t place_width = 10;
 
-Diagnostic refused(std::string why) { return {Reason::bad_input, std::move(why), 0, 0}; }
+Diagnostic bad_input(std::string why) { return {Reason::bad_input, std::move(why), 0, 0}; }
 
-bool sound(std::span<const float> values) {
+bool are_finite(std::span<const float> values) {
   for (const float value : values)
     if (!(std::fabs(value) <= farthest)) return false;
   return true;
@@ -30,21 +30,21 @@ std::vector<glm::vec3> triples(std::span<const float> values) {
 }
 
 // Points and triangles of the request that no mesh has taken yet.
-struct Stock {
+struct MeshData {
   std::span<const float> points;
   std::span<const std::uint32_t> triangles;
 };
 
-// Takes the points and triangles of one area from the stock. Errors: bad_input.
-Result<Surface> take(Stock& stock, std::uint32_t points, std::uint32_t triangles) {
-  if (stock.points.size() / 3 < points || stock.triangles.size() / 3 < triangles)
-    return refused("An area has more points or triangles than there are.");
-  Surface surface{triples(stock.points.first(3 * std::size_t{points})), {}};
-  const auto corners = stock.triangles.first(3 * std::size_t{triangles});
+// Takes the points and triangles of one area from the remaining data. Errors: bad_input.
+Result<Surface> take(MeshData& data, std::uint32_t points, std::uint32_t triangles) {
+  if (data.points.size() / 3 < points || data.triangles.size() / 3 < triangles)
+    return bad_input("An area has more points or triangles than there are.");
+  Surface surface{triples(data.points.first(3 * std::size_t{points})), {}};
+  const auto corners = data.triangles.first(3 * std::size_t{triangles});
   for (const std::uint32_t corner : corners)
-    if (corner >= points) return refused("A triangle of an area has a corner that is none of its points.");
+    if (corner >= points) return bad_input("A triangle of an area has a corner that is none of its points.");
   surface.triangles.assign(corners.begin(), corners.end());
-  stock = {stock.points.subspan(3 * std::size_t{points}), stock.triangles.subspan(3 * std::size_t{triangles})};
+  data = {data.points.subspan(3 * std::size_t{points}), data.triangles.subspan(3 * std::size_t{triangles})};
   return surface;
 }
 
@@ -84,23 +84,23 @@ Result<Areas> Areas::read(Request& request, const Limits& limits) {
   const auto kinds = request.words("areas.kinds"), meshes = request.words("areas.meshes");
   const auto places = request.floats("areas.places"), path = request.floats("path");
   const auto from = request.words("path.from");
-  Stock stock{request.floats("areas.points"), request.words("areas.triangles")};
+  MeshData data{request.floats("areas.points"), request.words("areas.triangles")};
   Areas areas;
-  if (kinds.size() > most_areas || path.size() > 3 * most_places) return refused("There are too many areas or places.");
+  if (kinds.size() > most_areas || path.size() > 3 * most_places) return bad_input("There are too many areas or places.");
   if (places.size() != place_width * kinds.size() || (!meshes.empty() && meshes.size() != 2 * kinds.size()) ||
       path.size() % 3 != 0)
     return Diagnostic{Reason::bad_request, "Areas and their places are not as many.", 0, 0};
-  if (const auto refusal = too_many_triangles(stock.triangles.size() / 3, limits)) return *refusal;
-  if (!sound(places) || !sound(path) || !sound(stock.points))
-    return refused("A number of an area is not finite or beyond 10 km.");
+  if (const auto refusal = too_many_triangles(data.triangles.size() / 3, limits)) return *refusal;
+  if (!are_finite(places) || !are_finite(path) || !are_finite(data.points))
+    return bad_input("A number of an area is not finite or beyond 10 km.");
   areas.budget_ = std::make_shared<QueryBudget>(limits.looks, kinds.size());
   for (std::size_t i = 0; i < kinds.size(); ++i) {
-    if (kinds[i] > static_cast<std::uint32_t>(Volume::Kind::mesh)) return refused("An area is of an unknown kind.");
+    if (kinds[i] > static_cast<std::uint32_t>(Volume::Kind::mesh)) return bad_input("An area is of an unknown kind.");
     const auto kind = static_cast<Volume::Kind>(kinds[i]);
     const float* at = &places[place_width * i];
     Surface mesh;
     if (!meshes.empty()) {
-      auto taken = take(stock, meshes[2 * i], meshes[2 * i + 1]);
+      auto taken = take(data, meshes[2 * i], meshes[2 * i + 1]);
       if (!taken) return taken.error();
       mesh = std::move(taken.value());
     }
@@ -118,7 +118,7 @@ Result<Areas> Areas::read(Request& request, const Limits& limits) {
     return Diagnostic{Reason::bad_request, "Places and where the main branch comes from are not as many.", 0, 0};
   for (std::size_t i = 0; i < from.size(); ++i)
     if (from[i] > i || (from[i] == 0 && i > 0))
-      return refused("Place " + std::to_string(i + 1) + " of the main branch must come from an earlier place.");
+      return bad_input("Place " + std::to_string(i + 1) + " of the main branch must come from an earlier place.");
   for (std::size_t i = 0; i < areas.path_.size(); ++i)
     areas.from_.push_back(from.empty() ? static_cast<std::uint32_t>(i) : from[i]);
   return areas;

@@ -9,7 +9,7 @@
 #include "lsystem_plant/derivation_trace_columns.hpp"
 #include "lsystem_plant/requested_program.hpp"
 #include "models/grammar/areas.hpp"
-#include "models/grammar/belonging.hpp"
+#include "models/grammar/area_membership.hpp"
 #include "models/grammar/dressing.hpp"
 #include "models/grammar/girth.hpp"
 #include "models/grammar/measures/measures.hpp"
@@ -72,7 +72,7 @@ Result<GrowOptions> read(Request& request) {
 }
 
 // The turtle at the origin, heading up, with its left side at −X.
-lsystem::Turtle standing() {
+lsystem::Turtle initial_turtle() {
   lsystem::Turtle turtle;
   turtle.heading = {0, 1, 0};
   turtle.left = {-1, 0, 0};
@@ -83,17 +83,17 @@ lsystem::Turtle standing() {
 
 // Limits for a plant that consists of drawn lines and organs alone: as many lines as particle trails, and as many balls
 // as copies in trees.
-Limits roomy(Limits limits) {
+Limits drawing_limits(Limits limits) {
   limits.segments = limits.pieces;
   limits.spheres = limits.copies;
   return limits;
 }
 
 // Adds the notes on areas and, for each line, the columns of its area and of whether it belongs to the main branch.
-void add_belongings(Plant& plant, const Sketch& sketch, const std::vector<Belonging>& all, const Areas& areas) {
+void add_area_columns(Plant& plant, const Sketch& sketch, const std::vector<AreaMembership>& all, const Areas& areas) {
   plant.notes.insert(plant.notes.end(), areas.notes().begin(), areas.notes().end());
   if (all.empty()) return;
-  const auto of = [&](const Mark& mark) { return mark.module < all.size() ? all[mark.module] : Belonging{}; };
+  const auto of = [&](const Mark& mark) { return mark.module < all.size() ? all[mark.module] : AreaMembership{}; };
   plant.columns.add("segments.area", column_of<std::uint8_t>(sketch.lines, 1, [&](const Mark& mark, std::uint8_t* at) {
                       *at = of(mark).area;
                     }));
@@ -132,7 +132,7 @@ constexpr ProgramOptions program_options{lsystem::Notation::cpfg, lsystem::Linea
 
 Result<Plant> grow(Request& request, const Limits& given) {
   WorkBudget own(given.work, given.bytes);
-  const Limits limits = roomy(given).counted_by(own);
+  const Limits limits = drawing_limits(given).counted_by(own);
   const Result<GrowOptions> options = read(request);
   Result<Areas> areas = Areas::read(request, limits);
   const auto program = requested_program(request, program_options, limits);
@@ -151,7 +151,7 @@ Result<Plant> grow(Request& request, const Limits& given) {
   if (!bound) return bound.error();
   Neighbours neighbours(*limits.budget);
   const bool has_queries = lsystem::has_queries(*program.value());
-  const lsystem::DerivationOptions around{standing(), &areas.value(), has_queries ? &neighbours : nullptr};
+  const lsystem::DerivationOptions around{initial_turtle(), &areas.value(), has_queries ? &neighbours : nullptr};
   const auto derived = [&] {
     const WorkBudget::Share share(*limits.budget, limits.work_of_derivation());
     return lsystem::develop_so_far(*bound.value(), options->seed, options->steps, limits, around);
@@ -160,11 +160,11 @@ Result<Plant> grow(Request& request, const Limits& given) {
   const lsystem::String& string = *derived->string;
   Sketch sketch(limits);
   sketch.begin();
-  const auto drawn = lsystem::interpret_without_queries(*bound.value(), string, standing(), sketch, options->seed, limits, around.space);
+  const auto drawn = lsystem::interpret_without_queries(*bound.value(), string, initial_turtle(), sketch, options->seed, limits, around.space);
   if (areas->is_exhausted()) return QueryBudget::error();
-  const Diagnostic undrawn = drawn ? Diagnostic{} : drawn.error();
-  if (undrawn.reason != Reason::none && undrawn.reason != Reason::limit) return undrawn;
-  for (const Diagnostic& stopped : {derived->stopped, undrawn, sketch.trouble()}) {
+  const Diagnostic drawing_error = drawn ? Diagnostic{} : drawn.error();
+  if (drawing_error.reason != Reason::none && drawing_error.reason != Reason::limit) return drawing_error;
+  for (const Diagnostic& stopped : {derived->stopped, drawing_error, sketch.trouble()}) {
     if (stopped.reason == Reason::none) continue;
     plant.notes.push_back("What grew so far is shown. " + stopped.message);
     plant.cut_short = cut_short_by(*limits.budget);
@@ -191,7 +191,7 @@ Result<Plant> grow(Request& request, const Limits& given) {
                   {"organs", count(plant.organs.size())},
                   {"polygons", count(sketch.polygons.all.size())}};
   if (options->measures) measure(plant, {sketch, string, areas.value(), metres, limits.budget});
-  add_belongings(plant, sketch, belongings(*program.value(), string), areas.value());
+  add_area_columns(plant, sketch, area_memberships(*program.value(), string), areas.value());
   if (!whole) plant.notes.push_back(cut_short(*chronicle));
   if (chronicle) add_trace_columns(plant, *chronicle);
   if (options->string) {

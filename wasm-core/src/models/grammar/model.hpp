@@ -13,7 +13,7 @@
 //   segments.module, organs.module   uint32 each: index in the last string of the module that drew it, from 0;
 //                                    0xffffffff for all where the derivation's trace is cut short
 //   segments.colour, organs.colour   uint8 each: 1 … 8 of the document's palette
-//   segments.area, segments.main     uint8 each, where the grammar declares the role (belonging.hpp): the growth
+//   segments.area, segments.main     uint8 each, where the grammar declares the role (area_membership.hpp): the growth
 //                                    area, from 1, and whether it belongs to the main branch
 //   areas.volume, areas.clothed      float32 each, with the measures, one a growth area: m³; share of its surface
 //                                    within a leaf's length of a leaf's base

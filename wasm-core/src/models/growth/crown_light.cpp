@@ -54,7 +54,7 @@ CrownLight::CrownLight(const Population& population, const Surroundings& about)
     for (const LightDirection& direction : directions) sum += direction.share * direction.towards;
     return sum;
   };
-  if (about.alone()) return;
+  if (about.is_open()) return;
   // The directions of `overcast` are a spiral whose mean is not exactly vertical.
   const glm::vec3 whole = middle(overcast(sky_directions)), open = middle(about.dimmed(overcast(sky_directions)));
   const glm::vec3 level = open - glm::vec3(whole.x, 0, whole.z);

@@ -44,13 +44,13 @@ glm::vec4 turned(const glm::vec3& out, const glm::vec3& face) {
 }
 
 void lie_down(Organ& leaf, std::uint32_t tag, std::uint64_t seed, std::uint64_t address) {
-  const SinCos way = sincos_degrees(360 * random_unit(seed, stream_lie, address));
+  const SinCos direction = sincos_degrees(360 * random_unit(seed, stream_lie, address));
   const float noise = random_unit(seed, stream_lie, hash_combine(address, 1));
   const float far = drift * leaf.position.y * noise / (1 + blown - noise);
-  leaf.position += glm::vec3(far * way.cosine, 0, far * way.sine);
+  leaf.position += glm::vec3(far * direction.cosine, 0, far * direction.sine);
   leaf.position.y = above;
   const glm::vec3 face = glm::normalize(glm::vec3(0, 1, 0) + 0.25f * random_direction(seed, stream_lie, address));
-  leaf.rotation = turned({way.sine, 0, way.cosine}, face);
+  leaf.rotation = turned({direction.sine, 0, direction.cosine}, face);
   leaf.tag = tag;
 }
 
@@ -122,11 +122,11 @@ class Crown {
   // Adds bunches on the wood of each branch of a trunk, hanging, at the heights of a vine's nodes: one internode here
   // stands for several of a vine's.
   void bunches_of(std::uint32_t q) {
-    const Way& way = form_.ways[q];
+    const ShootPath& path = form_.paths[q];
     float begins = 0;
     std::uint32_t k = 0;
-    for (std::uint32_t node = 1; node <= way.count && k < habit_.bunches; ++node) {
-      const std::int32_t segment = moment_.of_node[way.first + node];
+    for (std::uint32_t node = 1; node <= path.count && k < habit_.bunches; ++node) {
+      const std::int32_t segment = moment_.of_node[path.first + node];
       if (segment < 0) return;
       const Segment& wood = moment_.segments[static_cast<std::size_t>(segment)];
       const float length = glm::distance(wood.start, wood.end);
@@ -162,7 +162,7 @@ class Crown {
 
   bool place_of(std::size_t l, TwigPlace& place) const {
     const Leaf& counted = population_.leaves[l];
-    const Way& way = form_.ways[counted.shoot];
+    const ShootPath& path = form_.paths[counted.shoot];
     const bool marked = counted.falls != Leaf::never && time_ >= static_cast<float>(counted.falls);
     place.falls = marked && sheds_now();
     place.share = grown_share(counted.born, time_);
@@ -172,12 +172,12 @@ class Crown {
       place.share *= 1 - grown_share(counted.gone, time_);
     else if (marked)
       place.share *= 1 - std::clamp(time_ - static_cast<float>(counted.falls), 0.0f, 1.0f);
-    if (!(place.share > 0) || way.count == 0) return false;
+    if (!(place.share > 0) || path.count == 0) return false;
     const std::uint32_t node =
-        std::min<std::uint32_t>(counted.born > way.from ? counted.born - way.from : 0u, way.count - 1) + 1;
-    place.segment = moment_.of_node[way.first + node];
+        std::min<std::uint32_t>(counted.born > path.from ? counted.born - path.from : 0u, path.count - 1) + 1;
+    place.segment = moment_.of_node[path.first + node];
     if (place.segment < 0) return false;
-    const glm::vec3 whole = form_.nodes[way.first + node] - form_.nodes[way.first + node - 1];
+    const glm::vec3 whole = form_.nodes[path.first + node] - form_.nodes[path.first + node - 1];
     const Segment& twig = moment_.segments[static_cast<std::size_t>(place.segment)];
     const float length = glm::length(whole);
     // A shoot without room to grow has no leaves.
@@ -234,8 +234,8 @@ class Crown {
                         (1 - smooth_step((habit_.season - withering - late) / withered));
     if (!(share > 0)) return;
     const glm::vec3 noise = blooms_.direction(hash_combine(address, 1));
-    const glm::vec3 way = noise - 0.7f * glm::dot(noise, place.along) * place.along + glm::vec3(0, 0.3f, 0);
-    const glm::vec3 out = glm::length(way) > 1e-3f ? glm::normalize(way) : place.one;
+    const glm::vec3 direction = noise - 0.7f * glm::dot(noise, place.along) * place.along + glm::vec3(0, 0.3f, 0);
+    const glm::vec3 out = glm::length(direction) > 1e-3f ? glm::normalize(direction) : place.one;
     Organ blossom = on(place, blooms_.unit(hash_combine(address, 2)));
     blossom.tag = blossom_tag;
     blossom.rotation = turn_to(out, any_perpendicular(out));
@@ -274,7 +274,7 @@ Diagnostic add_leaves(Plant& plant, const Population& population, const Form& fo
     crown.blossoms_of(l);
     if (too_many()) return trouble;
   }
-  for (std::uint32_t q = 0; habit.bunches > 0 && q < form.ways.size(); ++q)
+  for (std::uint32_t q = 0; habit.bunches > 0 && q < form.paths.size(); ++q)
     if (population.shoots[q].order == 1) crown.bunches_of(q);
   return {};
 }

@@ -34,7 +34,7 @@ constexpr float beyond = 0.5f;    // growth of a shoot that would end outside it
 constexpr int most_halvings = 6;  // of a shoot that would leave its room
 // Number of samples along the way to a volume's edge, the longest way in volume heights, and the share of it that is
 // grown.
-constexpr int feels = 24;
+constexpr int edge_samples = 24;
 constexpr float farthest = 1.2f, to_edge = 0.9f;
 // The greatest slope of canes, and their slope to both sides of the row by turns, so that bunches hang free of the
 // wood; the strength that bends canes back between the wires for a metre off the row, and an arm to its own wire.
@@ -74,30 +74,30 @@ class FormBuilder {
     std::uint32_t nodes = 0;
     std::vector<std::uint32_t> attached_count(population_.shoots.size(), 0);
     for (const Shoot& shoot : population_.shoots) {
-      Way way;
-      way.first = nodes;
-      way.from = static_cast<std::uint16_t>(shoot.born + (shoot.trunk ? 1 : 0));
-      way.count = population_.steps >= way.from ? population_.steps - way.from + 1u : 0;
+      ShootPath path;
+      path.first = nodes;
+      path.from = static_cast<std::uint16_t>(shoot.born + (shoot.trunk ? 1 : 0));
+      path.count = population_.steps >= path.from ? population_.steps - path.from + 1u : 0;
       if (shoot.parent >= 0 && !shoot.trunk) {
         const auto parent = static_cast<std::size_t>(shoot.parent);
-        way.internode = internode_at(population_.shoots[parent], shoot.node);
+        path.internode = internode_at(population_.shoots[parent], shoot.node);
         const std::uint32_t place = attached_count[parent]++;
         ordinals_.push_back(place);
         const float turns = golden * static_cast<float>(place + 1);
-        const bool low = population_.shoots[parent].trunk && way.internode == 0;
+        const bool low = population_.shoots[parent].trunk && path.internode == 0;
         const float least = low ? bole_along : first_along;
-        way.along = glm::mix(least + (1 - least) * (turns - std::floor(turns)), 1 - 0.08f * (turns - std::floor(turns)),
+        path.along = glm::mix(least + (1 - least) * (turns - std::floor(turns)), 1 - 0.08f * (turns - std::floor(turns)),
                              population_.shoots[parent].trunk ? habit_.whorl : 0);
       } else {
         ordinals_.push_back(0);
       }
-      nodes += way.count + 1;
-      form_.ways.push_back(way);
+      nodes += path.count + 1;
+      form_.paths.push_back(path);
     }
     form_.nodes.resize(nodes);
     placed_nodes_.reserve(nodes);
     deformed_.resize(population_.shoots.size());
-    firsts_.assign(form_.ways.size(), 0);
+    firsts_.assign(form_.paths.size(), 0);
     for (const GrowthVolume& volume : population_.volumes) shapes_.emplace_back(volume);
     for (std::uint32_t k = 0; k <= population_.steps; ++k)
       by_age_.push_back(power(habit_.age_ratio, static_cast<float>(k)));
@@ -113,9 +113,9 @@ class FormBuilder {
     for (; next_ < population_.deformations.size() && population_.deformations[next_].step <= step; ++next_)
       deformed_[population_.deformations[next_].shoot] = population_.deformations[next_];
     for (std::uint32_t q = 0; q < population_.shoots.size(); ++q) {
-      const Way& way = form_.ways[q];
-      if (step < way.from || way.count == 0) continue;
-      extend(q, step - way.from);
+      const ShootPath& path = form_.paths[q];
+      if (step < path.from || path.count == 0) continue;
+      extend(q, step - path.from);
     }
   }
 
@@ -129,9 +129,9 @@ class FormBuilder {
       light_.put(placed_nodes_[shaded_], node_shade * side(placed_shoots_[shaded_]) * side(placed_shoots_[shaded_]));
     for (; leaf_ < population_.leaves.size() && population_.leaves[leaf_].born < step; ++leaf_) {
       const std::uint32_t shoot = population_.leaves[leaf_].shoot;
-      const Way& way = form_.ways[shoot];
-      if (way.count > 0 && way.from < step)
-        light_.put(form_.nodes[way.first + 1], leaf_shade * side(shoot) * side(shoot));
+      const ShootPath& path = form_.paths[shoot];
+      if (path.count > 0 && path.from < step)
+        light_.put(form_.nodes[path.first + 1], leaf_shade * side(shoot) * side(shoot));
     }
     light_.update();
   }
@@ -139,7 +139,7 @@ class FormBuilder {
   glm::vec3 begin(std::uint32_t q, glm::vec3& ahead_of) {
     const Shoot& shoot = population_.shoots[q];
     const GrowthVolume& volume = population_.volumes[shoot.volume];
-    const Way& way = form_.ways[q];
+    const ShootPath& path = form_.paths[q];
     if (shoot.trunk) {
       ahead_of = shapes_[shoot.volume].axis();
       if (shoot.parent >= 0) {
@@ -149,9 +149,9 @@ class FormBuilder {
       }
       return volume.at;
     }
-    const Way& parent = form_.ways[static_cast<std::size_t>(shoot.parent)];
-    const glm::vec3 from = form_.nodes[parent.first + way.internode],
-                    to = form_.nodes[parent.first + way.internode + 1];
+    const ShootPath& parent = form_.paths[static_cast<std::size_t>(shoot.parent)];
+    const glm::vec3 from = form_.nodes[parent.first + path.internode],
+                    to = form_.nodes[parent.first + path.internode + 1];
     const glm::vec3 along = unit(to - from, glm::vec3(0, 1, 0)), one = any_perpendicular(along), other = glm::cross(along, one);
     const float angle =
         (population_.shoots[static_cast<std::size_t>(shoot.parent)].trunk ? habit_.trunk_angle : habit_.branch_angle) *
@@ -165,21 +165,21 @@ class FormBuilder {
       ahead_of = unit(glm::vec3(0, 1, 0) + (ordinals_[q] % 2 == 0 ? of_row : -of_row) * across(volume) +
                           of_wire * trunks_.direction(q),
                       along);
-    return glm::mix(from, to, way.along);
+    return glm::mix(from, to, path.along);
   }
 
   // The unit vector that is level and orthogonal to a trained trunk's wire.
   static glm::vec3 across(const GrowthVolume& volume) { return {-sine(volume.towards), 0, cosine(volume.towards)}; }
 
   // The distance from a place to the edge of its volume.
-  float to_end(const Shoot& shoot, const glm::vec3& tip, const glm::vec3& forward) const {
+  float edge_distance(const Shoot& shoot, const glm::vec3& tip, const glm::vec3& forward) const {
     const GrowthVolume& volume = population_.volumes[shoot.volume];
     const float whole = farthest * std::max({volume.height, volume.base, volume.middle, volume.top});
-    for (int i = 1; i <= feels; ++i) {
-      const float out = whole * static_cast<float>(i) / static_cast<float>(feels);
+    for (int i = 1; i <= edge_samples; ++i) {
+      const float out = whole * static_cast<float>(i) / static_cast<float>(edge_samples);
       const glm::vec3 place = tip + out * forward;
-      if (!shapes_[shoot.volume].holds(place) || !about_.holds(place))
-        return out - 0.5f * whole / static_cast<float>(feels);
+      if (!shapes_[shoot.volume].contains(place) || !about_.contains(place))
+        return out - 0.5f * whole / static_cast<float>(edge_samples);
     }
     return whole;
   }
@@ -191,10 +191,10 @@ class FormBuilder {
     if (shoot.trunk) {
       if (habit_.cordon > 0)
         return internode == 0 ? habit_.cordon
-                              : 0.5f * volume.base / std::max(1.0f, static_cast<float>(form_.ways[q].count) - 1);
+                              : 0.5f * volume.base / std::max(1.0f, static_cast<float>(form_.paths[q].count) - 1);
       const float whole = habit_.leader * volume.height;
-      if (internode == 0) return habit_.bole * whole + (form_.ways[q].count == 1 ? (1 - habit_.bole) * whole : 0);
-      return (1 - habit_.bole) * whole / static_cast<float>(form_.ways[q].count - 1);
+      if (internode == 0) return habit_.bole * whole + (form_.paths[q].count == 1 ? (1 - habit_.bole) * whole : 0);
+      return (1 - habit_.bole) * whole / static_cast<float>(form_.paths[q].count - 1);
     }
     const float own = habit_.shoot * high * by_order_[shoot.order] * by_age_[internode];
     if (shoot.order > 1) return own;
@@ -206,15 +206,15 @@ class FormBuilder {
     const float ratio = habit_.age_ratio, steps = std::max(left, 1.0f);
     const float sum = ratio < 0.999f ? (1 - power(ratio, steps)) / (1 - ratio) : steps;
     if (habit_.reach > 0)
-      firsts_[q] = std::max(least_first * habit_.shoot * high, to_edge * to_end(shoot, tip, forward) / sum);
+      firsts_[q] = std::max(least_first * habit_.shoot * high, to_edge * edge_distance(shoot, tip, forward) / sum);
     return glm::mix(std::max(least_first * habit_.shoot * high, filled * wide / std::clamp(left, 1.0f, most_left)),
                     firsts_[q], habit_.reach);
   }
 
   void extend(std::uint32_t q, std::uint32_t internode) {
     const Shoot& shoot = population_.shoots[q];
-    const Way& way = form_.ways[q];
-    glm::vec3* const nodes = &form_.nodes[way.first];
+    const ShootPath& path = form_.paths[q];
+    glm::vec3* const nodes = &form_.nodes[path.first];
     glm::vec3 forward(0, 1, 0);
     if (internode == 0) {
       nodes[0] = begin(q, forward);
@@ -258,9 +258,9 @@ class FormBuilder {
       }
       // Shoots never die: their number is the grammar's alone.
       if (free.sum < crowded && habit_.cordon <= 0) length *= short_shoot;
-      for (int i = 0; i < most_halvings && regard > 0 && !about_.holds(tip + length * forward); ++i) length *= 0.5f;
+      for (int i = 0; i < most_halvings && regard > 0 && !about_.contains(tip + length * forward); ++i) length *= 0.5f;
       // A shoot beyond its volume grows half as far, unless the grammar lengthens it.
-      if (deformed.length <= 1 && !shapes_[shoot.volume].holds(tip + length * forward)) length *= beyond;
+      if (deformed.length <= 1 && !shapes_[shoot.volume].contains(tip + length * forward)) length *= beyond;
       const float floor = floor_share * population_.volumes[shoot.volume].height;
       if (tip.y + length * forward.y < floor) length = std::min(length, 0.02f * length + std::max(0.0f, tip.y - floor));
     }

@@ -28,7 +28,7 @@ struct FormHabit {
 };
 
 // The nodes of a shoot, the first of which is its base.
-struct Way {
+struct ShootPath {
   std::uint32_t first = 0;  // index of its first node in Form::nodes
   std::uint32_t count = 0;  // number of internodes; there is one more node
   std::uint16_t from = 0;   // the step of its first internode
@@ -39,7 +39,7 @@ struct Way {
 
 // The form after all steps. An earlier age is a part of it, since internodes never move.
 struct Form {
-  std::vector<Way> ways;  // one a shoot
+  std::vector<ShootPath> paths;  // one a shoot
   std::vector<glm::vec3> nodes;
 };
 

@@ -109,7 +109,7 @@ void FreeRoom::find_near(const Query& query) {
 FreeRoom::Found FreeRoom::find(const Query& query, const VolumeShape& volume, const Surroundings& about) {
   find_near(query);
   const float reach = query.radius, square = apart * apart * reach * reach;
-  const bool walled = !about.holds_about(query.tip, reach);
+  const bool walled = !about.contains_around(query.tip, reach);
   Four x(all_of(0)), y(x), z(x), sum(x);
   for (const Group& group : directions()) {
     const Four way_x = load(group.x.data()), way_y = load(group.y.data()), way_z = load(group.z.data());
@@ -127,10 +127,10 @@ FreeRoom::Found FreeRoom::find(const Query& query, const VolumeShape& volume, co
       taken |= to_x * to_x + to_y * to_y + to_z * to_z < square;
     }
     for (std::size_t lane = 0; walled && lane < lanes; ++lane)
-      if (!about.holds({place_x[lane], place_y[lane], place_z[lane]})) taken[lane] = -1;
+      if (!about.contains({place_x[lane], place_y[lane], place_z[lane]})) taken[lane] = -1;
     const Four lit = way_x * query.light.x + way_y * query.light.y + way_z * query.light.z;
     const Four worth = (taken ? all_of(1 - query.regard) : all_of(1)) *
-                       (volume.holds(place_x, place_y, place_z) ? all_of(1) : all_of(outside)) *
+                       (volume.contains(place_x, place_y, place_z) ? all_of(1) : all_of(outside)) *
                        (1.0f + lightwards * (lit > 0.0f ? lit : all_of(0)));
     const Four weight = seen ? worth : all_of(0);
     x += weight * way_x;

@@ -55,11 +55,11 @@ Box box_of(std::span<const float> vertices) {
       return fours[i / 4][static_cast<int>(i % 4)];
     };
     for (std::size_t i = 0; i < once; i += 3) {
-      box.hold({of(low, i), of(low, i + 1), of(low, i + 2)});
-      box.hold({of(high, i), of(high, i + 1), of(high, i + 2)});
+      box.include({of(low, i), of(low, i + 1), of(low, i + 2)});
+      box.include({of(high, i), of(high, i + 1), of(high, i + 2)});
     }
   }
-  for (std::size_t i = whole; i < vertices.size(); i += 3) box.hold({vertices[i], vertices[i + 1], vertices[i + 2]});
+  for (std::size_t i = whole; i < vertices.size(); i += 3) box.include({vertices[i], vertices[i + 1], vertices[i + 2]});
   return box;
 }
 
@@ -85,7 +85,7 @@ class LevelBuilder {
     for (std::uint32_t n = 3; n <= most_sides; ++n)
       for (std::uint32_t k = 0; k < n; ++k)
         turns_[n][k] = sincos_degrees(360 * static_cast<float>(k) / static_cast<float>(n));
-    find_shoots();
+    collect_shoots();
     for (const SheetGroup& group : groups_) leafy_ |= covers_outline(group.sheets);
   }
 
@@ -112,13 +112,13 @@ class LevelBuilder {
   }
 
   // Sorts shoots, thickest first: parents come before their children.
-  void find_shoots() {
+  void collect_shoots() {
     const auto count = static_cast<std::uint32_t>(moment_.segments.size());
     for (std::uint32_t i = 0; i < count; ++i) {
       if (i == 0 || moment_.axes[i] != moment_.axes[i - 1]) shoots_.push_back({i, 0});
       ++shoots_.back().count;
-      tree_.hold(moment_.segments[i].start);
-      tree_.hold(moment_.segments[i].end);
+      tree_.include(moment_.segments[i].start);
+      tree_.include(moment_.segments[i].end);
     }
     std::sort(shoots_.begin(), shoots_.end(), [&](const Run& a, const Run& b) {
       const float one = moment_.segments[a.first].radius, other = moment_.segments[b.first].radius;
@@ -145,7 +145,7 @@ class LevelBuilder {
     if (level == 0) {
       first_wood_ = triangles();
       for (SheetGroup& group : groups_) {
-        open_room(4 * group.sheets.all().size(), 2 * group.sheets.all().size());
+        append_room(4 * group.sheets.all().size(), 2 * group.sheets.all().size());
         const std::span<const Sheet> all = group.sheets.all();
         const std::vector<std::uint8_t> sky = sky_of(all);
         for (std::size_t i = 0; i < all.size(); ++i) add_folded(all[i], sky[i]);
@@ -273,7 +273,7 @@ class LevelBuilder {
   }
 
   // Makes room for more vertices and triangles, which are written next.
-  void open_room(std::size_t vertices, std::size_t more) {
+  void append_room(std::size_t vertices, std::size_t more) {
     mesh_->positions.resize(mesh_->positions.size() + 3 * vertices);
     mesh_->normals.resize(mesh_->normals.size() + 3 * vertices);
     mesh_->indices.resize(mesh_->indices.size() + 3 * more);
@@ -286,7 +286,7 @@ class LevelBuilder {
 
   // Adds a tube along `line_` that ends in a point.
   void add_tube(std::uint32_t n) {
-    open_room(n * (line_.size() - 1) + 1, n * (2 * line_.size() - 3));
+    append_room(n * (line_.size() - 1) + 1, n * (2 * line_.size() - 3));
     glm::vec3 right(0);
     for (std::size_t i = 0; i < line_.size(); ++i) {
       const bool last = i + 1 == line_.size();
@@ -374,7 +374,7 @@ class LevelBuilder {
     Box target = group.reach;
     if (covers_outline(group.sheets)) target = {{whole_.low.x, group.reach.low.y, whole_.low.z}, whole_.high};
     const std::vector<Sheet> merged = group.sheets.merged(count, target);
-    open_room(4 * merged.size(), 2 * merged.size());
+    append_room(4 * merged.size(), 2 * merged.size());
     const std::vector<std::uint8_t> sky = sky_of(merged);
     for (std::size_t i = 0; i < merged.size(); ++i) {
       if (!merged[i].one) made_.tolerance[level] = std::max(made_.tolerance[level], merged[i].length);

@@ -23,12 +23,12 @@ struct MomentBuilder {
   std::vector<std::uint32_t> first;     // of each shoot, the index of its first child in `children`; and the end
 
   bool exists(std::uint32_t shoot) const {
-    const Way& way = form.ways[shoot];
-    return way.count > 0 && grown_share(way.from, time) > 0;
+    const ShootPath& path = form.paths[shoot];
+    return path.count > 0 && grown_share(path.from, time) > 0;
   }
 
   void sort_children() {
-    const std::size_t count = form.ways.size();
+    const std::size_t count = form.paths.size();
     first.assign(count + 1, 0);
     for (std::uint32_t q = 0; q < count; ++q)
       if (is_attached(q)) ++first[static_cast<std::size_t>(population.shoots[q].parent) + 1];
@@ -39,7 +39,7 @@ struct MomentBuilder {
       if (is_attached(q)) children[next[static_cast<std::size_t>(population.shoots[q].parent)]++] = q;
     for (std::size_t q = 0; q < count; ++q)
       std::sort(children.begin() + first[q], children.begin() + first[q + 1], [&](std::uint32_t a, std::uint32_t b) {
-        const Way &one = form.ways[a], &other = form.ways[b];
+        const ShootPath &one = form.paths[a], &other = form.paths[b];
         if (one.internode != other.internode) return one.internode < other.internode;
         return one.along != other.along ? one.along < other.along : a < b;
       });
@@ -54,25 +54,25 @@ struct MomentBuilder {
 
   void add_shoot(std::uint32_t q) {
     const Shoot& shoot = population.shoots[q];
-    const Way& way = form.ways[q];
+    const ShootPath& path = form.paths[q];
     const bool standing = shoot.trunk;
     std::int32_t last = standing ? -1 : parent_segments[q];
-    const glm::vec3* const nodes = &form.nodes[way.first];
+    const glm::vec3* const nodes = &form.nodes[path.first];
     glm::vec3 at = last >= 0 ? moment.segments[static_cast<std::size_t>(last)].end : nodes[0];
     if (standing) moment.feet.push_back(at);
     if (!standing) ++moment.branches;
     std::uint32_t child = first[q];
-    for (std::uint32_t i = 0; i < way.count; ++i) {
-      const float share = grown_share(static_cast<std::uint16_t>(way.from + i), time);
+    for (std::uint32_t i = 0; i < path.count; ++i) {
+      const float share = grown_share(static_cast<std::uint16_t>(path.from + i), time);
       if (!(share > 0)) break;
       const glm::vec3 from = at, whole = share * (nodes[i + 1] - nodes[i]);
-      for (; child < first[q + 1] && form.ways[children[child]].internode == i; ++child) {
-        const glm::vec3 place = from + form.ways[children[child]].along * whole;
+      for (; child < first[q + 1] && form.paths[children[child]].internode == i; ++child) {
+        const glm::vec3 place = from + form.paths[children[child]].along * whole;
         if (glm::distance(place, at) > 0) add(q, last, at, place);
         parent_segments[children[child]] = last;
       }
       add(q, last, at, from + whole);
-      moment.of_node[way.first + i + 1] = last;
+      moment.of_node[path.first + i + 1] = last;
     }
   }
 
@@ -93,7 +93,7 @@ struct MomentBuilder {
     std::vector<float> sums(moment.segments.size(), 0);
     for (std::size_t i = moment.segments.size(); i-- > 0;) {
       const auto q = static_cast<std::uint32_t>(moment.axes[i]);
-      if (!has_next(i)) sums[i] += grown_share(form.ways[q].from, time);
+      if (!has_next(i)) sums[i] += grown_share(form.paths[q].from, time);
       if (moment.segments[i].parent >= 0) sums[static_cast<std::size_t>(moment.segments[i].parent)] += sums[i];
     }
     for (std::size_t i = 0; i < moment.segments.size(); ++i) {
@@ -131,12 +131,12 @@ Result<Moment> moment_of(const Population& population, const Form& form, float t
                          const Limits& limits) {
   MomentBuilder builder{population, form, time, habit, {}, {}, {}, {}};
   builder.moment.of_node.assign(form.nodes.size(), -1);
-  builder.parent_segments.assign(form.ways.size(), -1);
+  builder.parent_segments.assign(form.paths.size(), -1);
   builder.sort_children();
   // Each shoot's internodes, and their parts where children are attached.
   builder.moment.segments.reserve(form.nodes.size());
   builder.moment.axes.reserve(form.nodes.size());
-  for (std::uint32_t q = 0; q < form.ways.size(); ++q) {
+  for (std::uint32_t q = 0; q < form.paths.size(); ++q) {
     if (!builder.exists(q)) continue;
     builder.add_shoot(q);
     if (builder.moment.segments.size() > limits.segments)

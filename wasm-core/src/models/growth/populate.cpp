@@ -31,7 +31,7 @@ struct LeafRange {
 };
 
 // The state of a shoot between steps.
-struct Memory {
+struct ShootState {
   std::uint64_t address = 0;
   std::uint32_t buds_used = 0;
   // The latest leaves: counted leaves on the shoot, and those on the branches that it made.
@@ -81,9 +81,9 @@ class PopulationBuilder {
   bool add_shoot(const Shoot& shoot, std::uint64_t address) {
     if (plant_.shoots.size() >= limits_.segments) return too_many("shoots", limits_.segments);
     plant_.shoots.push_back(shoot);
-    Memory memory;
-    memory.address = address;
-    memories_.push_back(memory);
+    ShootState state;
+    state.address = address;
+    shoot_states_.push_back(state);
     plant_.branches += shoot.trunk ? 0 : 1;
     return true;
   }
@@ -113,7 +113,7 @@ class PopulationBuilder {
     const Shoot& shoot = plant_.shoots[number];
     const float age = static_cast<float>(step - shoot.born);
     enter_volume(plant_.volumes[shoot.volume], plant_.environments[shoot.volume], evaluation_);
-    evaluation_.at(hash_combine(memories_[number].address, step));
+    evaluation_.at(hash_combine(shoot_states_[number].address, step));
     evaluation_.set(Word::k, age);
     evaluation_.set(Word::n, static_cast<float>(step - trunk_born_[shoot.volume] + 1));
     evaluation_.set(Word::gs, step);
@@ -143,7 +143,7 @@ class PopulationBuilder {
       if (plant_.shoots[number].trunk) outcome.child_trunks.emplace_back(&rule, chance);
       return true;
     }
-    if (chance < 1 && random_unit(seed_, rule.stream, hash_combine(memories_[number].address, step)) >= chance)
+    if (chance < 1 && random_unit(seed_, rule.stream, hash_combine(shoot_states_[number].address, step)) >= chance)
       return true;
     return std::all_of(rule.consequences.begin(), rule.consequences.end(),
                        [&](const Consequence& each) { return apply_consequence(rule, each, number, outcome); });
@@ -194,10 +194,10 @@ class PopulationBuilder {
   }
 
   bool deform(std::uint32_t number, std::uint16_t step, const Outcome& outcome) {
-    Memory& memory = memories_[number];
-    if (memory.gravitropism == outcome.gravitropism && memory.length == outcome.length) return true;
-    memory.gravitropism = outcome.gravitropism;
-    memory.length = outcome.length;
+    ShootState& state = shoot_states_[number];
+    if (state.gravitropism == outcome.gravitropism && state.length == outcome.length) return true;
+    state.gravitropism = outcome.gravitropism;
+    state.length = outcome.length;
     if (plant_.deformations.size() >= limits_.pieces) return too_many("deformations", limits_.pieces);
     plant_.deformations.push_back({number, step, outcome.gravitropism, outcome.length});
     return true;
@@ -208,8 +208,8 @@ class PopulationBuilder {
   // branches. Under the paper's rule N − k is constant while a shoot ages: a shoot with a negative count has never
   // given leaves to branches, and sheds those that it got when it came.
   bool shed(std::uint32_t number, std::uint16_t step, std::uint32_t falling) {
-    const Memory& memory = memories_[number];
-    for (const LeafRange& range : {memory.counted, memory.of_branches}) {
+    const ShootState& state = shoot_states_[number];
+    for (const LeafRange& range : {state.counted, state.of_branches}) {
       if (range.step + 1 != step) continue;
       for (std::uint32_t i = range.first; i < range.first + range.count && falling > 0; ++i) {
         if (plant_.leaves[i].falls != Leaf::never) continue;
@@ -227,7 +227,7 @@ class PopulationBuilder {
     if (outcome.buds != nullptr && !open_buds(number, step, outcome, grown)) return false;
     if (!add_foliage(number, step, outcome)) return false;
     if (grown == 0) return true;
-    const std::uint32_t first = memories_[number].buds_used;
+    const std::uint32_t first = shoot_states_[number].buds_used;
     std::uint16_t node = age;
     std::uint32_t bud_count = 0;
     if (outcome.buds != nullptr) bud_count = buds_until(node = 1);
@@ -236,16 +236,16 @@ class PopulationBuilder {
     for (std::uint32_t i = 0; i < grown; ++i) {
       // Buds open in the order of their internodes.
       while (outcome.buds != nullptr && bud_count <= first + i && node < age) bud_count = buds_until(++node);
-      const std::uint64_t address = hash_combine(memories_[number].address, (std::uint64_t{step} << 32) + i);
+      const std::uint64_t address = hash_combine(shoot_states_[number].address, (std::uint64_t{step} << 32) + i);
       const auto order = static_cast<std::uint8_t>(std::min(shoot.order + 1, 255));
       if (!add_shoot({static_cast<std::int32_t>(number), shoot.volume, step, node, order, false}, address))
         return false;
       if (!add_leaves(step, outcome.leaves)) return false;
-      memories_.back().counted = {static_cast<std::uint32_t>(plant_.leaves.size()) - outcome.leaves, outcome.leaves,
+      shoot_states_.back().counted = {static_cast<std::uint32_t>(plant_.leaves.size()) - outcome.leaves, outcome.leaves,
                                   step};
     }
-    if (outcome.buds != nullptr) memories_[number].buds_used += grown;
-    memories_[number].of_branches = {first_leaf, static_cast<std::uint32_t>(plant_.leaves.size()) - first_leaf, step};
+    if (outcome.buds != nullptr) shoot_states_[number].buds_used += grown;
+    shoot_states_[number].of_branches = {first_leaf, static_cast<std::uint32_t>(plant_.leaves.size()) - first_leaf, step};
     for (std::uint32_t each = first_branch; each < plant_.shoots.size(); ++each)
       if (!add_foliage(each, step, outcome)) return false;
     return true;
@@ -265,13 +265,13 @@ class PopulationBuilder {
 
   // Draws for each remaining bud whether it opens: there are as many branches as open buds, but no more than requested.
   bool open_buds(std::uint32_t number, std::uint16_t step, const Outcome& outcome, std::uint32_t& grown) {
-    const Memory& memory = memories_[number];
+    const ShootState& state = shoot_states_[number];
     const auto age = static_cast<std::uint16_t>(step - plant_.shoots[number].born);
     if (!count_buds(*outcome.buds, age)) return false;
     const std::uint32_t bud_count = buds_until(age), requested = grown;
-    const std::uint64_t address = hash_combine(memory.address, step);
+    const std::uint64_t address = hash_combine(state.address, step);
     grown = 0;
-    for (std::uint32_t bud = memory.buds_used; bud < bud_count && grown < requested; ++bud) {
+    for (std::uint32_t bud = state.buds_used; bud < bud_count && grown < requested; ++bud) {
       if (!spend(1)) return false;
       if (outcome.bud_chance >= 1 ||
           random_unit(seed_, hash_combine(outcome.buds->stream, bud), address) < outcome.bud_chance)
@@ -309,7 +309,7 @@ class PopulationBuilder {
   bool trunks(std::uint32_t number, std::uint16_t step, const Outcome& outcome) {
     for (std::size_t i = 0; i < outcome.child_trunks.size(); ++i) {
       const auto& [rule, chance] = outcome.child_trunks[i];
-      const std::uint64_t address = hash_combine(memories_[number].address, step);
+      const std::uint64_t address = hash_combine(shoot_states_[number].address, step);
       if (chance < 1 && random_unit(seed_, rule->stream, address) >= chance) continue;
       const GrowthVolume parent = plant_.volumes[plant_.shoots[number].volume];
       const float share = random_unit(seed_, hash_combine(rule->stream, 1), address);
@@ -361,7 +361,7 @@ class PopulationBuilder {
   const Limits& limits_;
   GrowthEvaluation evaluation_;
   Population plant_;
-  std::vector<Memory> memories_;           // one a shoot
+  std::vector<ShootState> shoot_states_;           // one a shoot
   std::vector<std::uint16_t> trunk_born_;  // one a volume
   std::vector<Outcome> outcomes_;          // of this step, by volume and age, where shoots do the same
   std::vector<std::uint32_t> buds_until_;  // by age

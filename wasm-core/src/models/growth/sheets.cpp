@@ -36,8 +36,8 @@ std::uint32_t code_of(const glm::vec3& p, const Box& box, float scale) {
 void reach(std::vector<Sheet>& sheets, const Box& target) {
   Box middles, corners;
   for (const Sheet& sheet : sheets) {
-    middles.hold(sheet.middle);
-    for (const glm::vec3& corner : sheet.corners()) corners.hold(sheet.middle + corner);
+    middles.include(sheet.middle);
+    for (const glm::vec3& corner : sheet.corners()) corners.include(sheet.middle + corner);
   }
   const glm::vec3 wide = middles.size(), over = corners.size() - wide, wanted = target.size();
   for (int k = 0; k < 3; ++k) {
@@ -65,7 +65,7 @@ Sheets::Sheets(std::span<const Organ> organs, std::uint32_t first, std::uint32_t
     sheet.length = organ.scale;
     sheet.area = area * organ.scale * organ.scale;
     sheet.middle = organ.position + 0.5f * organ.scale * y;
-    middles_.hold(sheet.middle);
+    middles_.include(sheet.middle);
     sheets_.push_back(sheet);
   }
 }

@@ -16,7 +16,7 @@ namespace panicle::growth {
 struct Box {
   glm::vec3 low{std::numeric_limits<float>::max()}, high{-std::numeric_limits<float>::max()};
 
-  void hold(const glm::vec3& p) {
+  void include(const glm::vec3& p) {
     low = glm::min(low, p);
     high = glm::max(high, p);
   }

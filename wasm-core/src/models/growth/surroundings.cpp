@@ -28,7 +28,7 @@ Result<Surroundings> Surroundings::of(std::span<const float> numbers) {
       !std::all_of(numbers.begin(), numbers.end(), [](float each) { return std::isfinite(each); }))
     return Diagnostic{Reason::bad_request, "The surroundings are not sixteen numbers.", 0, 0};
   Surroundings about;
-  about.alone_ = false;
+  about.is_open_ = false;
   for (std::size_t i = 0; i < sides; ++i) {
     about.horizon_[i] = std::clamp(numbers[i], 0.0f, 90.0f);
     about.room_[i] = std::clamp(numbers[sides + i], least_room, most_room);
@@ -45,12 +45,12 @@ Result<Surroundings> Surroundings::of(std::span<const float> numbers) {
   return about;
 }
 
-bool Surroundings::holds_about(const glm::vec3& p, float radius) const {
-  return alone_ || std::sqrt(p.x * p.x + p.z * p.z) + radius < least_;
+bool Surroundings::contains_around(const glm::vec3& p, float radius) const {
+  return is_open_ || std::sqrt(p.x * p.x + p.z * p.z) + radius < least_;
 }
 
-bool Surroundings::holds(const glm::vec3& p) const {
-  if (alone_) return true;
+bool Surroundings::contains(const glm::vec3& p) const {
+  if (is_open_) return true;
   const std::size_t i = eighth(p.x, p.z), next = (i + 1) % sides;
   const float x = room_[i] * east[i], z = room_[i] * south[i];
   const float way_x = room_[next] * east[next] - x, way_z = room_[next] * south[next] - z;
@@ -58,7 +58,7 @@ bool Surroundings::holds(const glm::vec3& p) const {
 }
 
 std::vector<LightDirection> Surroundings::dimmed(std::vector<LightDirection> directions) const {
-  if (alone_) return directions;
+  if (is_open_) return directions;
   for (LightDirection& direction : directions) {
     const glm::vec3& way = direction.towards;
     float turns = arc_tangent(way.z, way.x) * (static_cast<float>(sides) / (2 * pi));

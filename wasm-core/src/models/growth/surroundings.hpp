@@ -23,16 +23,16 @@ class Surroundings {
   // bad_request, where these are not sixteen finite numbers.
   static Result<Surroundings> of(std::span<const float> numbers);
 
-  bool alone() const { return alone_; }
+  bool is_open() const { return is_open_; }
   // Whether a place is within the room, which is the octagon through the ends of its eight directions.
-  bool holds(const glm::vec3& p) const;
+  bool contains(const glm::vec3& p) const;
   // Whether all places within a radius are certainly within the room; false does not exclude it.
-  bool holds_about(const glm::vec3& p, float radius) const;
+  bool contains_around(const glm::vec3& p, float radius) const;
   // The directions with a share of 0 for those behind the horizon.
   std::vector<LightDirection> dimmed(std::vector<LightDirection> directions) const;
 
  private:
-  bool alone_ = true;
+  bool is_open_ = true;
   std::array<float, sides> horizon_{}, room_{};
   float least_ = 0;  // distance to the nearest edge of the room, metres
 };

@@ -32,14 +32,14 @@ class VolumeShape {
 
   // Whether the solid contains a place, or a mask for four places in lanes.
   template <class Number>
-  auto holds(const Number& x, const Number& y, const Number& z) const {
+  auto contains(const Number& x, const Number& y, const Number& z) const {
     const Number from_x = x - at_.x, from_y = y - at_.y, from_z = z - at_.z;
     const Number along = from_x * axis_.x + from_y * axis_.y + from_z * axis_.z;
     const Number out_x = from_x - along * axis_.x, out_y = from_y - along * axis_.y, out_z = from_z - along * axis_.z;
     return (along >= 0.0f) & (along <= height_) &
            (out_x * out_x + out_y * out_y + out_z * out_z <= square(along / height_));
   }
-  bool holds(const glm::vec3& p) const { return holds(p.x, p.y, p.z); }
+  bool contains(const glm::vec3& p) const { return contains(p.x, p.y, p.z); }
 
  private:
   // Half the width, squared; below 0 where there is none.

@@ -17,7 +17,7 @@ struct Strip {
   glm::vec2 low, size;
 
   glm::vec2 at(float u, float v) const { return low + size * glm::vec2(u, v); }
-  bool holds(const glm::vec2& p) const {
+  bool contains(const glm::vec2& p) const {
     const glm::vec2 in = p - low;
     return in.x >= 0 && in.y >= 0 && in.x <= size.x && in.y <= size.y;
   }
@@ -43,7 +43,7 @@ class RandomDraws {
   std::uint64_t seed_, stream_;
 };
 
-std::vector<glm::vec2> by_chance(const Strip& strip, std::uint32_t count, const RandomDraws& draws) {
+std::vector<glm::vec2> random_spots(const Strip& strip, std::uint32_t count, const RandomDraws& draws) {
   std::vector<glm::vec2> spots;
   for (std::uint32_t i = 0; i < count; ++i) spots.push_back(strip.at(draws.unit(2 * i), draws.unit(2 * i + 1)));
   return spots;
@@ -51,7 +51,7 @@ std::vector<glm::vec2> by_chance(const Strip& strip, std::uint32_t count, const 
 
 // Stratified placement: cells as square as possible, with one plant at a random place in each; a draw decides which
 // cells stay empty.
-std::vector<glm::vec2> stratified(const Strip& strip, std::uint32_t count, const RandomDraws& draws) {
+std::vector<glm::vec2> stratified_spots(const Strip& strip, std::uint32_t count, const RandomDraws& draws) {
   const float square = std::sqrt(static_cast<float>(count) * strip.size.x / strip.size.y);
   const std::uint32_t across = std::max(whole(square + 0.5f, static_cast<float>(count)), 1u);
   const std::uint32_t deep = (count + across - 1) / across;
@@ -78,7 +78,7 @@ std::vector<glm::vec2> stratified(const Strip& strip, std::uint32_t count, const
 constexpr std::uint32_t throws = 60;
 constexpr float most_cells = 1e6f;  // along an edge: the last of them is wider in a strip that needs more
 
-std::vector<glm::vec2> blue(const Strip& strip, std::uint32_t count, float apart, const RandomDraws& draws) {
+std::vector<glm::vec2> blue_noise_spots(const Strip& strip, std::uint32_t count, float apart, const RandomDraws& draws) {
   const float room = std::sqrt(strip.size.x * strip.size.y / static_cast<float>(count));
   const float edge = std::max(apart, 0.7f * room);
   const std::uint32_t across = whole(strip.size.x / edge, most_cells) + 1;
@@ -146,7 +146,7 @@ void keep_middle(std::vector<InRow>& spots, std::uint32_t count) {
 
 // Places parallel rows over the whole strip, symmetrically about its middle. `count` 0: as many as have room. The count
 // of the plan fills rows from the back; a smaller count stays in the middle.
-void in_rows(const Strip& strip, const Layer& layer, std::uint32_t count, const RandomDraws& draws, Spots& spots) {
+void place_in_rows(const Strip& strip, const Layer& layer, std::uint32_t count, const RandomDraws& draws, Spots& spots) {
   const SinCos turn = sincos_degrees(layer.towards);
   const glm::vec2 along(turn.cosine, turn.sine), across(-turn.sine, turn.cosine);
   const glm::vec2 middle = strip.at(0.5f, 0.5f);
@@ -166,7 +166,7 @@ void in_rows(const Strip& strip, const Layer& layer, std::uint32_t count, const 
     for (auto place = static_cast<std::int32_t>(steps.first); place <= last && (fewer || found.size() < most);
          ++place) {
       const glm::vec2 spot = of_row + layer.along * static_cast<float>(place) * along;
-      if (strip.holds(spot)) found.push_back({row, place, spot});
+      if (strip.contains(spot)) found.push_back({row, place, spot});
     }
   }
   if (fewer) keep_middle(found, count);
@@ -227,18 +227,18 @@ Spots spots_of(const Layer& layer, std::uint32_t count, const Ground& ground, st
   Spots spots;
   switch (layer.spacing) {
     case Spacing::chance:
-      spots.at = by_chance(strip, count, draws);
+      spots.at = random_spots(strip, count, draws);
       break;
     case Spacing::strata:
-      spots.at = stratified(strip, count, draws);
+      spots.at = stratified_spots(strip, count, draws);
       break;
     case Spacing::blue: {
       const float suits = 0.7f * std::sqrt(strip.size.x * strip.size.y / static_cast<float>(count));
-      spots.at = blue(strip, count, layer.apart > 0 ? layer.apart : suits, draws);
+      spots.at = blue_noise_spots(strip, count, layer.apart > 0 ? layer.apart : suits, draws);
       break;
     }
     case Spacing::rows:
-      in_rows(strip, layer, count, draws, spots);
+      place_in_rows(strip, layer, count, draws, spots);
       break;
   }
   spots.missing = count - std::min(count, static_cast<std::uint32_t>(spots.at.size()));
@@ -294,11 +294,11 @@ Result<std::vector<Placement>> place(const Plan& plan, const Relief& relief, std
     if (all > most_plants) return too_many();
   }
   std::vector<Placement> plants;
-  struct Rooted {
+  struct GroundPlant {
     std::uint32_t layer, first_kind;
     std::uint64_t address;
   };
-  std::vector<Rooted> rooted;
+  std::vector<GroundPlant> ground_plants;
   std::uint32_t first_kind = 0;
   // Counts are differences of a rounded running sum, so that they add up to the requested number.
   std::uint64_t before = 0;
@@ -332,13 +332,13 @@ Result<std::vector<Placement>> place(const Plan& plan, const Relief& relief, std
       const float unit = draws.unit(2 * k + 1);
       plant.turn = layer.spacing != Spacing::rows ? 360 * unit : layer.towards + (tied(layer, unit) ? 0 : 180);
       plants.push_back(std::move(plant));
-      rooted.push_back({i, first_kind, address});
+      ground_plants.push_back({i, first_kind, address});
     }
     first_kind += static_cast<std::uint32_t>(layer.kinds.size());
   }
-  for (std::size_t i = 0; i < rooted.size(); ++i) {
-    const Layer& layer = plan.layers[rooted[i].layer];
-    attach(plants, layer.kinds, rooted[i].first_kind, i, layer.spacing == Spacing::rows, seed, rooted[i].address);
+  for (std::size_t i = 0; i < ground_plants.size(); ++i) {
+    const Layer& layer = plan.layers[ground_plants[i].layer];
+    attach(plants, layer.kinds, ground_plants[i].first_kind, i, layer.spacing == Spacing::rows, seed, ground_plants[i].address);
     if (plants.size() > most_plants) return too_many();
   }
   return plants;

@@ -41,7 +41,7 @@ FlowerReader::FlowerReader(std::span<const Token> tokens, Program& program, expr
 bool FlowerReader::run() {
   program_.grammars.push_back({});
   grammars_.add("");
-  if (!part()) return false;
+  if (!split_statements()) return false;
   for (const Statement& each : statements_)
     if (!declare(each)) return false;
   find_forms_of_modules();
@@ -77,7 +77,7 @@ void FlowerReader::find_forms_of_modules() {
   }
 }
 
-bool FlowerReader::part() {
+bool FlowerReader::split_statements() {
   end_ = tokens_.size();
   std::uint32_t grammar = 0;
   for (std::size_t at = 0; at < tokens_.size();) {
@@ -315,7 +315,7 @@ bool FlowerReader::description(Form form, Scope scope, Description& description)
 bool FlowerReader::number(std::size_t end, Scope scope, bool of_map, Number& number, Uses* used) {
   for (std::size_t at = at_; at < end; ++at)
     if (figures_[at] == Figure::unread) figures_[at] = Figure::free;
-  if (of_map) pin(at_, end);
+  if (of_map) pin_figures(at_, end);
   if (!knows_functions(end)) return false;
   Expression tree;
   const std::size_t whole = end_;
@@ -332,7 +332,7 @@ bool FlowerReader::number(std::size_t end, Scope scope, bool of_map, Number& num
     return false;
   }
   number.value = {true, {begin, lowering_.here()}, source.value(), tree.place};
-  if (of_map) rebuilds(uses);
+  if (of_map) mark_rebuilding(uses);
   if (used != nullptr) *used = uses;
   return true;
 }
@@ -405,7 +405,7 @@ bool FlowerReader::unknown(const Node& node, Scope scope) {
               {node.name, node.name});
 }
 
-void FlowerReader::rebuilds(const Uses& uses) {
+void FlowerReader::mark_rebuilding(const Uses& uses) {
   rebuilding_ |= uses.variables;
   program_.age_rebuilds |= uses.age;
   program_.values_rebuild |= uses.values;
@@ -413,12 +413,12 @@ void FlowerReader::rebuilds(const Uses& uses) {
   if (uses.locals) {
     Uses of_blocks = of_blocks_;
     of_blocks.locals = false;
-    rebuilds(of_blocks);
-    pin(read_.begin, read_.end);
+    mark_rebuilding(of_blocks);
+    pin_figures(read_.begin, read_.end);
   }
 }
 
-void FlowerReader::pin(std::size_t begin, std::size_t end) {
+void FlowerReader::pin_figures(std::size_t begin, std::size_t end) {
   std::fill(figures_.begin() + static_cast<std::ptrdiff_t>(begin), figures_.begin() + static_cast<std::ptrdiff_t>(end),
             Figure::pinned);
 }
@@ -426,9 +426,9 @@ void FlowerReader::pin(std::size_t begin, std::size_t end) {
 // Lines are part of the key, since notes name them.
 void FlowerReader::append_structure_key() {
   for (std::size_t i = 0; i < definitions_.size(); ++i)
-    if (program_.variables[i].rebuilds) pin(definitions_[i].begin, definitions_[i].end);
+    if (program_.variables[i].rebuilds) pin_figures(definitions_[i].begin, definitions_[i].end);
   for (const auto& [variable, statement] : calls_)
-    if (program_.variables[variable].rebuilds) pin(statement.begin, statement.end);
+    if (program_.variables[variable].rebuilds) pin_figures(statement.begin, statement.end);
   program_.structure_key.reserve(5 * tokens_.size());
   std::uint32_t grammar = 0;
   for (const Statement& each : statements_) {
@@ -487,7 +487,7 @@ void FlowerReader::finish() {
       Uses uses = uses_of_variables_[i];
       // `variables()` has the values of the text's variables, also where they are drawn.
       uses.draws &= program_.variables[i].grammar != 0;
-      rebuilds(uses);
+      mark_rebuilding(uses);
     }
   }
   for (std::size_t i = 0; i < program_.variables.size(); ++i) program_.variables[i].rebuilds = rebuilding_[i];

@@ -46,7 +46,7 @@ class FlowerReader : expression::TokenReader {
   };
 
   // First pass: statements, names of modules, volumes and variables.
-  bool part();
+  bool split_statements();
   bool begin_module(std::size_t end);
   bool declare(const Statement& statement);
   void find_forms_of_modules();
@@ -93,9 +93,9 @@ class FlowerReader : expression::TokenReader {
   bool knows_functions(std::size_t end);
   bool rewritten(expression::Expression& tree, Scope scope, Uses& uses, bool& draws);
   bool unknown(const expression::Node& node, Scope scope);
-  void rebuilds(const Uses& uses);
+  void mark_rebuilding(const Uses& uses);
   // Marks figures that the map depends on.
-  void pin(std::size_t begin, std::size_t end);
+  void pin_figures(std::size_t begin, std::size_t end);
   void append_structure_key();
   bool opens(std::size_t at) const { return at < end_ && tokens_[at].is('('); }
   std::uint32_t find_label(std::string_view name) const;

@@ -11,7 +11,7 @@
 
 #include "mesh/polygon.hpp"
 #include "models/grammar/measures/axes.hpp"
-#include "models/grammar/measures/clothing.hpp"
+#include "models/grammar/measures/leaf_coverage.hpp"
 #include "models/grammar/measures/measures.generated.hpp"
 #include "models/grammar/surfaces.hpp"
 #include "plant/branching.hpp"
@@ -95,13 +95,13 @@ void measure_areas(Plant& plant, const Areas& areas, Values& values) {
   std::vector<Leaf> leaves;
   for (const Organ& organ : plant.organs)
     if (is_leaf(organ.tag)) leaves.push_back({organ.position, std::fabs(organ.scale)});
-  const Clothing clothing(std::move(leaves));
+  const LeafCoverage coverage(std::move(leaves));
   std::vector<float> volumes, clothed;
   double whole = 0;
   for (std::size_t i = 0; i < areas.size(); ++i) {
     volumes.push_back(static_cast<float>(areas.volume(i)));
     whole += areas.volume(i);
-    clothed.push_back(clothing.share_of(areas.surface(i)));
+    clothed.push_back(coverage.share_of(areas.surface(i)));
   }
   values.set(Measure::areas, static_cast<double>(areas.size()));
   values.set(Measure::area_volume, whole);

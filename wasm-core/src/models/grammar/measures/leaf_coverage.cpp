@@ -1,4 +1,4 @@
-#include "models/grammar/measures/clothing.hpp"
+#include "models/grammar/measures/leaf_coverage.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ double share(double x) { return x - std::floor(x); }
 
 }  // namespace
 
-Clothing::Clothing(std::vector<Leaf> leaves) : leaves_(std::move(leaves)) {
+LeafCoverage::LeafCoverage(std::vector<Leaf> leaves) : leaves_(std::move(leaves)) {
   std::vector<glm::vec3> bases;
   float longest = 0;
   for (const Leaf& leaf : leaves_) {
@@ -28,7 +28,7 @@ Clothing::Clothing(std::vector<Leaf> leaves) : leaves_(std::move(leaves)) {
   if (longest > 0) grid_.build(bases, longest);
 }
 
-bool Clothing::reaches(const glm::vec3& place) const {
+bool LeafCoverage::reaches(const glm::vec3& place) const {
   bool found = false;
   grid_.visit(place, [&](std::uint32_t i) {
     const glm::vec3 way = leaves_[i].base - place;
@@ -37,7 +37,7 @@ bool Clothing::reaches(const glm::vec3& place) const {
   return found;
 }
 
-float Clothing::share_of(const Surface& surface) const {
+float LeafCoverage::share_of(const Surface& surface) const {
   const std::vector<std::uint32_t>& corners = surface.triangles;
   const auto corner = [&](std::size_t i) -> const glm::vec3& { return surface.points[corners[i]]; };
   const auto area = [&](std::size_t i) {

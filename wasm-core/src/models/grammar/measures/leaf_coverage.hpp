@@ -15,9 +15,9 @@ struct Leaf {
   float length = 0;
 };
 
-class Clothing {
+class LeafCoverage {
  public:
-  explicit Clothing(std::vector<Leaf> leaves);
+  explicit LeafCoverage(std::vector<Leaf> leaves);
 
   // The share of a surface that has the base of a leaf within that leaf's length: of about a thousand samples, evenly
   // dense. 0 for a surface without area.

@@ -1,4 +1,4 @@
-#include "models/grammar/belonging.hpp"
+#include "models/grammar/area_membership.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -18,7 +18,7 @@ float parameter_of(const std::uint32_t* module, std::uint32_t place) {
   return value;
 }
 
-Belonging read_belonging(const std::uint32_t* module) {
+AreaMembership read_membership(const std::uint32_t* module) {
   const float number = parameter_of(module, 0);
   return {number >= 1 && number <= 255 ? static_cast<std::uint8_t>(number) : std::uint8_t{0},
           parameter_of(module, 1) == 1};
@@ -26,15 +26,15 @@ Belonging read_belonging(const std::uint32_t* module) {
 
 }  // namespace
 
-std::vector<Belonging> belongings(const lsystem::Program& program, const lsystem::String& string) {
+std::vector<AreaMembership> area_memberships(const lsystem::Program& program, const lsystem::String& string) {
   const lsystem::Roles& roles = lsystem::roles(program);
   const auto found = std::find(roles.names.begin(), roles.names.end(), area_role);
   if (found == roles.names.end()) return {};
   const auto role = static_cast<std::uint32_t>(found - roles.names.begin());
-  std::vector<Belonging> made;
+  std::vector<AreaMembership> made;
   made.reserve(static_cast<std::size_t>(string.modules));
-  std::vector<Belonging> around;  // of the open branches
-  Belonging now;
+  std::vector<AreaMembership> around;  // of the open branches
+  AreaMembership now;
   for (const std::uint32_t* module = string.begin(); module < string.end(); module += lsystem::words_of(*module)) {
     const std::uint32_t symbol = lsystem::symbol_of(*module);
     if (symbol == lsystem::push_symbol) around.push_back(now);
@@ -42,7 +42,7 @@ std::vector<Belonging> belongings(const lsystem::Program& program, const lsystem
       now = around.back();
       around.pop_back();
     }
-    if (roles.of(symbol) == role) now = read_belonging(module);
+    if (roles.of(symbol) == role) now = read_membership(module);
     made.push_back(now);
   }
   return made;

@@ -12,12 +12,12 @@
 
 namespace panicle::grammar {
 
-struct Belonging {
+struct AreaMembership {
   std::uint8_t area = 0;  // 0: none
   bool main = false;
 };
 
 // The area of each module, by its index in the string; empty where the grammar declares no such role.
-std::vector<Belonging> belongings(const lsystem::Program& program, const lsystem::String& string);
+std::vector<AreaMembership> area_memberships(const lsystem::Program& program, const lsystem::String& string);
 
 }  // namespace panicle::grammar
