@@ -9,7 +9,7 @@ import { algae } from "./traced_derivation";
 
 const STEPS = 5;
 
-/** An editor context with a plant of the algae on it; plants of single steps come when they are let. */
+/** Editor context with a plant of the algae; plants of single steps resolve when the test lets them. */
 function setUp() {
 	const specimen = { model: "grammar" } as Specimen;
 	const plants: { readonly options: OffscreenOptions; let(): void; refuse(error: Error): void }[] = [];
@@ -28,7 +28,7 @@ function setUp() {
 		toolState: () => state,
 		setToolState: (_tool: unknown, next: DerivationState) => {
 			state = next;
-			// As the stepper does, once it has drawn.
+			// The stepper does the same after drawing.
 			queueMicrotask(() => {
 				for (const each of followers) each.follow();
 			});
@@ -198,7 +198,7 @@ describe("a derivation that is looked at", () => {
 		derivation.choose(0);
 		await settle();
 		expect(tool().lit).toEqual({ first: 0, count: 8 });
-		// It is not tried again and again.
+		// The failed step is not requested again.
 		expect(plants).toHaveLength(1);
 		await to(2);
 		plants[1].refuse(new Superseded());

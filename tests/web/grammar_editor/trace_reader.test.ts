@@ -64,7 +64,7 @@ describe("a derivation read window by window", () => {
 			reader.want({ step, about: 0 });
 			expect(reader.page).toBeUndefined();
 		}
-		// One is under way, of the others the newest waits.
+		// One request runs; of the later ones, only the newest waits.
 		expect(requests.map(({ request }) => request.step).slice(1)).toEqual([11]);
 		requests[1].answer();
 		await settle();
@@ -103,7 +103,7 @@ describe("a derivation read window by window", () => {
 		expect(requests[1].signal.aborted).toBe(false);
 		await settle();
 		expect(requests[1].signal.aborted).toBe(true);
-		// The same of another document is another question.
+		// The same window of another document is another request.
 		const next = byHand();
 		for (const step of [5, 6]) reader.want({ step, about: 0 });
 		reader.begin(next.requestTrace);

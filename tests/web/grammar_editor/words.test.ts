@@ -48,7 +48,7 @@ describe("one key", () => {
 		expect(readOutline(`${TEXT}\nB --> ${"an"}`, language)).toBe(outline);
 		optionsFor(text, text.length, "an", [], language);
 		expect(scans).toHaveBeenCalledTimes(1);
-		// The text before it and the built-in one are read still.
+		// Outlines of the text before it and of the built-in text are still cached.
 		readOutline("axiom: F", language);
 		readOutline("axiom: A", language);
 		expect(readOutline(text, language)).toBe(outline);

@@ -7,7 +7,7 @@ const camera = new PerspectiveCamera(50, 1.5);
 const backdrop = new Backdrop(new Texture());
 const { uniforms } = backdrop.mesh.material as ShaderMaterial;
 
-/** How high a place of the view is over the horizon, as the shader has it: 0 level, 1 overhead. */
+/** Height of a position in the view over the horizon, as in the shader: 0 level, 1 overhead. */
 function high(x: number, y: number): number {
 	const { sight, rise } = uniforms;
 	return rise.value.dot(new Vector3(x, y, 1)) / Math.hypot(sight.value.x * x, sight.value.y * y, 1);

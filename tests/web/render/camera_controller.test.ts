@@ -206,7 +206,7 @@ describe("CameraController", () => {
 		expect(table.distance).toBeCloseTo(distance, 6);
 	});
 
-	/** Where a point of the plant's near side is in the view: right, up. */
+	/** Position in the view of a point on the plant's near side: right, up. */
 	const seen = () => {
 		table.camera.updateMatrixWorld();
 		return near.clone().project(table.camera);
@@ -228,7 +228,7 @@ describe("CameraController", () => {
 		const centre = new Vector3(...profile(90, 0.16).centre);
 		for (let i = 0; i < 50; i++) table.pan(1, 1);
 		const away = table.controls.target.distanceTo(centre);
-		// As far as the plant reaches from its middle, and no farther.
+		// Exactly as far as the plant extends from its middle.
 		expect(away).toBeGreaterThan(0.05);
 		expect(away).toBeLessThan(0.12);
 	});

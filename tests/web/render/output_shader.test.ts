@@ -16,7 +16,7 @@ function neutral(light: number[]): number[] {
 	return toned.map((value) => value * (rolled / peak) * (1 - share) + rolled * share);
 }
 
-/** The chunk's arithmetic, its numbers read from its text. */
+/** The chunk's arithmetic, with its numbers read from its text. */
 function branchless(light: number[]): number[] {
 	const [start, squared, shift] = ["max\\(([\\d.]+), max", "1.0 - ([\\d.]+) / \\(peak", "peak - ([\\d.]+)\\)"].map(
 		(at) => Number(new RegExp(at).exec(OUTPUT_CHUNK)?.[1]),

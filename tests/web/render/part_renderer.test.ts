@@ -216,7 +216,7 @@ describe("the figure of any plant", () => {
 		expect([aimed(), aimed()]).toEqual([true, false]);
 		figure.restored?.();
 		expect(key.shadow.needsUpdate).toBe(true);
-		// All of the plant is before the shadow's camera.
+		// The whole plant is in front of the shadow's camera.
 		const { left, right, near, far } = key.shadow.camera;
 		expect(right - left).toBeGreaterThan(0.18);
 		expect(far - near).toBeCloseTo(right - left, 9);

@@ -3,7 +3,7 @@ import { describe, expect, it, vi } from "vitest";
 import type { ModelRenderer, RendererStage } from "../../../web/src/render/model_renderer";
 import { Stage } from "../../../web/src/render/stage";
 
-/** A figure that keeps a diary. */
+/** A renderer that logs its calls. */
 function figure() {
 	const calls: string[] = [];
 	let stage: RendererStage | undefined;

@@ -31,7 +31,7 @@ const rich: Material = {
 
 const light = lightUniforms();
 
-/** The program that three would be given. */
+/** The program that three.js would receive. */
 function programOf(material: Material, options: Omit<StandardOptions, "light">) {
 	const { vertexShader, fragmentShader } = ShaderLib.physical;
 	const shader = { vertexShader, fragmentShader, uniforms: {} } as unknown as WebGLProgramParametersWithUniforms;

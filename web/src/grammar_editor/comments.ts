@@ -1,12 +1,15 @@
-/** Comments of grammars: from `/*` to the next `*` and `/`; one that is never closed goes on to the end, where the core reports it. */
+/**
+ * Comments of grammars: from `/*` to the next `*` and `/`. An unclosed comment extends to the end of the text, where
+ * the core reports it.
+ */
 
-/** The text with blanks for its comments: places and lines stay. */
+/** Replaces comments in a text by blanks; positions and lines stay the same. */
 export const blankComments = (text: string): string => text.replace(/\/\*[\s\S]*?(?:\*\/|$)/g, blanked);
 
-/** A piece of a text as blanks; its lines stay. */
+/** Replaces a string by blanks; line breaks stay. */
 export const blanked = (piece: string): string => piece.replace(/[^\n]/g, " ");
 
-/** The words of a comment, without its delimiters. */
+/** Returns the text of a comment without its delimiters. */
 export function insideComment(comment: string): string {
 	let from = 2;
 	let to = comment.endsWith("*/") ? comment.length - 2 : comment.length;

@@ -9,9 +9,9 @@ import { type GrammarOutline, outlineOf } from "./outline";
 import { readOutline } from "./read_outline";
 import type { Word } from "./words.generated";
 
-/** The tokens of a line: words, and characters outside words. */
+/** Tokens of a line: words, and single characters outside words. */
 const WORD = /[#?@]\p{L}*|[\p{L}_][\p{L}\p{N}_]*|[\s\S]/gu;
-/** Longer words are not completed; characters. */
+/** Longest word that is completed, in characters. */
 const LONGEST_WORD = 250;
 
 /** Completes words of a grammar. @param roles the names that `#role` takes */
@@ -55,7 +55,7 @@ export function optionsFor(
 		: withName(text, from, place, language);
 	const kind = outline.pieces.find((piece) => piece.from === from)?.kind;
 	if (kind === undefined || kind === "comment") return [];
-	// A name that stands nowhere else is the one that is being typed.
+	// A name that occurs only once is the one being typed.
 	const typed = outline.pieces.filter((piece) => piece.text === name).length < 2 ? name : undefined;
 	const statements = /^\s*$/.test(before) ? ofKind(words, "statement") : [];
 	if (kind === "name" || kind === "function") return [...statements, ...values(outline, from, typed, words)];
@@ -64,7 +64,10 @@ export function optionsFor(
 
 const isName = (word: string): boolean => /^[\p{L}_]/u.test(word);
 
-/** The outline with a name in place of a stretch of the text: it shows whether modules are meant there, or values. */
+/**
+ * Returns the outline with a name inserted in place of a range, which shows whether modules or values are expected
+ * there.
+ */
 function withName(
 	text: string,
 	from: number,
@@ -99,7 +102,7 @@ function modules({ symbols }: GrammarOutline, typed: string | undefined, words: 
 	];
 }
 
-/** Words of the table that begin as names do: signs are typed sooner than chosen. */
+/** Completions of a kind whose names begin with a letter, `#`, `?` or `@`: signs are faster to type than to choose. */
 function ofKind(words: readonly Word[], kind: Word["kind"]): Completion[] {
 	return words
 		.filter((word) => word.kind === kind && /^[\p{L}#?@]/u.test(word.name))

@@ -12,7 +12,7 @@ import { written } from "./scrub";
 import { type GrammarContext, type GrammarSource, isOwn, textOf, withText, withValues } from "./source";
 import "./curve_editor";
 
-/** A longer list has a search, and only the rows in sight are in the page. */
+/** Above this number of rows, the list has a search field, and only the visible rows are in the page. */
 const MOST_LISTED = 60;
 const NOT_FETCHED = "The list of constants could not be fetched";
 
@@ -53,7 +53,10 @@ export class ConstantsPanel extends ControlElement<GrammarContext> {
 		)}`;
 	}
 
-	/** Many constants, with a search: in a list of its own height, because all of them would fill the panel and take seconds to draw. */
+	/**
+	 * Draws a long list with a search field, in a box of its own height: all rows would fill the panel and take
+	 * seconds to draw.
+	 */
 	#longList(all: readonly (Constant | Curve)[]): unknown {
 		void fetchLongList(this.context);
 		const words = this.#query.toLowerCase().split(/\s+/).filter(Boolean);
@@ -119,7 +122,7 @@ export class ConstantsPanel extends ControlElement<GrammarContext> {
 		return html`<p class="clamped" role="status">${message.text}</p>`;
 	}
 
-	/** A slider moves: the number takes as many digits as its steps need. */
+	/** Changes a constant by its slider; the number gets as many digits as the step needs. */
 	#edit({ name, min, max, step, number }: Constant, value: number): void {
 		const places = Math.max(decimals(String(step)), decimals(number.text));
 		const text = written(Math.min(Math.max(value, min), max), places);
@@ -135,7 +138,7 @@ export class ConstantsPanel extends ControlElement<GrammarContext> {
 	#changed(name: string, value: string) {
 		const { specimen } = this.context.state;
 		if (!isOwn(specimen)) return withValues(this.source, specimen, { [name]: Number(value) });
-		// In a text of one's own the number keeps the digits that it is written with.
+		// In the document's own text, the number is written as typed.
 		const constant = this.#outline.constants.find((each) => each.name === name);
 		return constant && this.#withStretch(constant.number, value);
 	}
@@ -145,7 +148,7 @@ export class ConstantsPanel extends ControlElement<GrammarContext> {
 		if (curve) this.context.edit(this.#withStretch(curve, points), `curve ${name}`);
 	};
 
-	/** The change that writes something in the place of a stretch of the text. */
+	/** Returns the change that replaces a range of the text. */
 	#withStretch({ from, to }: { readonly from: number; readonly to: number }, insert: string) {
 		const text = this.#text() ?? "";
 		return withText(this.source, this.context.state.specimen, text.slice(0, from) + insert + text.slice(to));

@@ -11,9 +11,9 @@ export interface CurveFrame {
 	readonly high: number;
 }
 
-/** A curve needs a beginning and an end. */
+/** Least number of points. */
 const FEWEST = 2;
-/** Neighbours stay this far apart, as a share of the frame's width. */
+/** Least distance of neighbours, as a share of the frame's width. */
 const APART = 0.01;
 
 /** Returns the frame of a curve, at least 0 … 1 in both directions. */
@@ -23,7 +23,7 @@ export function frameOf(points: readonly CurvePoint[]): CurveFrame {
 	return { left: Math.min(0, ...xs), right: Math.max(1, ...xs), low, high };
 }
 
-/** A point somewhere else, between its neighbours and in the frame. */
+/** Moves a point, between its neighbours and within the frame. */
 export function moved(
 	points: readonly CurvePoint[],
 	at: number,
@@ -37,7 +37,7 @@ export function moved(
 	return points.map((point, index) => (index === at ? place : point));
 }
 
-/** A point more, in its place; the same list where one stands there already. */
+/** Adds a point in order; returns the same list if there is already a point at that place. */
 export function added(points: readonly CurvePoint[], [x, y]: CurvePoint, frame: CurveFrame): readonly CurvePoint[] {
 	const gap = (frame.right - frame.left) * APART;
 	if (x < frame.left || x > frame.right || points.some(([other]) => Math.abs(other - x) < gap)) return points;
@@ -45,12 +45,12 @@ export function added(points: readonly CurvePoint[], [x, y]: CurvePoint, frame: 
 	return points.toSpliced(at < 0 ? points.length : at, 0, [x, clamp(y, frame.low, frame.high)]);
 }
 
-/** A point less; the same list where no curve would be left. */
+/** Removes a point; returns the same list if too few points would remain. */
 export function removed(points: readonly CurvePoint[], at: number): readonly CurvePoint[] {
 	return points.length > FEWEST ? points.toSpliced(at, 1) : points;
 }
 
-/** As a text has them: `(0, 0) (0.3, 1)`, to a hundredth, or a thousandth of a narrow frame. */
+/** Formats points as in a text: `(0, 0) (0.3, 1)`, rounded to 0.01, or to 0.001 in a narrow frame. */
 export function inText(points: readonly CurvePoint[], { left, right, low, high }: CurveFrame): string {
 	const places = (width: number) => Math.max(0, 2 - Math.floor(Math.log10(width)));
 	const number = (value: number, width: number) => String(Number(written(value, places(width))));
@@ -58,8 +58,8 @@ export function inText(points: readonly CurvePoint[], { left, right, low, high }
 }
 
 /**
- * The monotone cubic through the points (Fritsch and Carlson 1980), constant beyond its ends: between two points it never goes beyond
- * them, as the core's.
+ * Monotone cubic interpolation of the points (Fritsch and Carlson 1980), constant beyond the ends, without overshoot;
+ * the same as the core's.
  */
 export function valueAt(points: readonly CurvePoint[], x: number): number {
 	const last = points.length - 1;
@@ -75,7 +75,10 @@ export function valueAt(points: readonly CurvePoint[], x: number): number {
 	return (2 * t3 - 3 * t2 + 1) * y0 + (t3 - 2 * t2 + t) * width * m0 + (3 * t2 - 2 * t3) * y1 + (t3 - t2) * width * m1;
 }
 
-/** The harmonic mean of the slopes beside a point, weighted by widths; level where they turn, and their own at the ends. */
+/**
+ * Tangent at a point: the harmonic mean of the adjacent slopes, weighted by widths; 0 where the slopes change sign;
+ * the adjacent slope at the ends.
+ */
 function tangent(points: readonly CurvePoint[], at: number): number {
 	const slope = (from: number) => (points[from + 1][1] - points[from][1]) / (points[from + 1][0] - points[from][0]);
 	if (at === 0) return slope(0);

@@ -3,12 +3,12 @@ import { formatCount } from "../ui/thousands";
 import { added, type CurveFrame, type CurvePoint, frameOf, inText, moved, removed, valueAt } from "./curve";
 import type { Curve } from "./outline";
 
-/** The picture's own units: its width and height, and room about it for the points. */
+/** Size of the drawing in its own units, and margin for the points. */
 const WIDTH = 260;
 const HEIGHT = 110;
 const EDGE = 12;
 const SAMPLES = 64;
-/** A curve of more points is drawn without them: its text is the place to edit it. */
+/** Above this number of points, the curve is drawn without handles, and only its text can be edited. */
 const MOST_POINTS = 100;
 const KEYS: Readonly<Record<string, CurvePoint>> = {
 	ArrowLeft: [-1, 0],
@@ -16,10 +16,10 @@ const KEYS: Readonly<Record<string, CurvePoint>> = {
 	ArrowUp: [0, 1],
 	ArrowDown: [0, -1],
 };
-/** A press of an arrow key goes this share of the frame; with Shift ten of them. */
+/** Step of an arrow key, as a share of the frame; ten steps with Shift. */
 const STEP = 0.01;
 
-/** A curve of the text, drawn: its points are dragged, added by a double click and removed by Delete. */
+/** Editor of a curve: points are dragged, added by a double click and removed by Delete. */
 export class CurveEditor extends LitElement {
 	static override properties = {
 		curve: { attribute: false },
@@ -31,7 +31,7 @@ export class CurveEditor extends LitElement {
 	declare write: (name: string, points: string) => void;
 	/** Ends the edit, so that the written points become one undo step. */
 	declare settle: () => void;
-	/** The frame stands still while a point is dragged. */
+	/** Frame during a drag, which stays constant. */
 	#frame: CurveFrame | undefined;
 
 	protected override createRenderRoot(): this {
@@ -125,7 +125,7 @@ export class CurveEditor extends LitElement {
 		this.settle();
 	}
 
-	/** A point in the middle of the widest gap: the way without a pointer. */
+	/** Adds a point in the middle of the widest gap, for use without a pointer. */
 	#halve(): void {
 		const { points } = this.curve;
 		const gaps = points.slice(1).map(([x], at) => x - points[at][0]);
@@ -135,7 +135,7 @@ export class CurveEditor extends LitElement {
 		this.settle();
 	}
 
-	/** Where a pointer is, in the curve's own numbers. */
+	/** Returns a pointer's position in the curve's coordinates. */
 	#pointAt({ clientX, clientY }: MouseEvent): CurvePoint {
 		const { left, top, width, height } = (this.querySelector("svg") as SVGElement).getBoundingClientRect();
 		const frame = this.#framed;

@@ -20,13 +20,13 @@ export class Derivation {
 	#chosen: number | undefined;
 	#pointed: number | undefined;
 	#met: MetModule | undefined;
-	/** Whose plant after which step is being grown. */
+	/** Specimen and step of the plant that is growing. */
 	#growing: { readonly from: Specimen; readonly step: number; readonly ending: AbortController } | undefined;
-	/** Whose plant after which step cannot be grown. */
+	/** Specimen and step of the last plant that could not be grown. */
 	#ungrown: { readonly from: Specimen; readonly step: number } | undefined;
 	#closed = false;
 
-	/** @param changed called when there is something else to show */
+	/** @param changed called when the displayed state has changed */
 	constructor(context: EditorContext, changed: () => void) {
 		this.#context = context;
 		this.#changed = changed;
@@ -37,7 +37,7 @@ export class Derivation {
 		return this.#reader.page;
 	}
 
-	/** Whether `page` is of a plant before the one that is shown. */
+	/** Whether `page` belongs to an earlier plant. */
 	get stale(): boolean {
 		return this.#reader.stale;
 	}
@@ -79,7 +79,7 @@ export class Derivation {
 		return index === undefined || !this.page ? undefined : this.page.modules[index - this.page.first];
 	}
 
-	/** Takes note of the editor's state. */
+	/** Updates from the editor's state. */
 	follow(): void {
 		const { grown, grownFrom } = this.#context.state;
 		if (this.#closed || !grown || !grownFrom) return;
@@ -99,7 +99,7 @@ export class Derivation {
 		this.#stage();
 	}
 
-	/** Goes to a step, and there to a module. */
+	/** Moves to a step, and to a module in it. */
 	go(step: number, chosen?: number): void {
 		const last = this.last ?? step;
 		const to = Math.max(0, Math.min(step, last));
@@ -108,7 +108,7 @@ export class Derivation {
 		this.#reader.want({ step: to === last ? undefined : to, about: chosen ?? 0 });
 	}
 
-	/** Goes a step on or back, with the module that is chosen: to its first child, or its parent. */
+	/** Moves one step forward or back, with the chosen module: to its first child, or to its parent. */
 	stepBy(by: 1 | -1): void {
 		const { step = 0 } = this;
 		const module = this.module(this.#chosen);
@@ -124,7 +124,7 @@ export class Derivation {
 		this.#changed();
 	}
 
-	/** Has the window be about a module. */
+	/** Loads the window around a module. */
 	look(about: number): void {
 		this.#reader.want({ step: this.step === this.last ? undefined : this.step, about });
 	}
@@ -136,7 +136,10 @@ export class Derivation {
 		this.#changed();
 	}
 
-	/** To the module that the chosen one came from; false where there is none. */
+	/**
+	 * Moves to the chosen module's parent.
+	 * @returns false if there is none
+	 */
 	up(): boolean {
 		const { parent } = this.module(this.#chosen) ?? {};
 		if (parent === undefined || !this.step) return false;
@@ -166,7 +169,7 @@ export class Derivation {
 		this.#light();
 	}
 
-	/** Gives the view back. */
+	/** Stops, and shows the document's plant again. */
 	close(): void {
 		this.#closed = true;
 		this.#reader.close();
@@ -195,7 +198,7 @@ export class Derivation {
 		else void this.#grow(from, shown);
 	}
 
-	/** The window comes first: a plant is grown while nothing else is request, one at a time. */
+	/** Grows the plant of a step, after the window has loaded; one request at a time. */
 	async #grow(from: Specimen, step: number): Promise<void> {
 		if (this.#growing?.from === from && this.#growing.step === step) return;
 		this.#growing?.ending.abort();
@@ -221,7 +224,7 @@ export class Derivation {
 		}
 	}
 
-	/** The document's own plant. */
+	/** Shows the document's own plant. */
 	#showWhole({ counts, segments, organs }: DerivationTrace, grown: Plant, from: Specimen): void {
 		this.#show({ step: counts.length - 1, grown, from, instead: false, segments, organs });
 	}
@@ -270,7 +273,7 @@ export class Derivation {
 			const found = trace?.trail?.[step];
 			if (found !== undefined && this.#from === from && this.step === step) this.choose(found);
 		} catch {
-			// A newer question has taken its place.
+			// A newer request replaced this one.
 		}
 	}
 

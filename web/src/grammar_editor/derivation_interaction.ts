@@ -10,7 +10,7 @@ import type { ToolInteraction, ToolView } from "../ui/tool";
 import { DERIVATION, type DerivationSource, type DerivedScene, type LitDrawing } from "./derivation_tool";
 import { drawnBy, drawnIn } from "./lit_parts";
 
-/** A thread may be missed by so many CSS pixels, and shines at least so wide. */
+/** Tolerance for pointing at a thin segment, and least radius of its highlight, in CSS pixels. */
 const MISSED = 6;
 const THIN = 1.2;
 /** CSS custom property of the highlight colour. */
@@ -50,7 +50,7 @@ export class DerivationInteraction<S extends Specimen, G extends Plant> implemen
 
 	update({ grownFrom, dark }: EditorState<S, G>): void {
 		const { open, scene, lit } = this.#context.toolState(DERIVATION);
-		// That of a text just changed stays until the next has grown.
+		// The substitute of an edited text stays until the next plant has grown.
 		this.#view.showSubstitute(scene?.instead ? scene : undefined);
 		const current = scene?.from === grownFrom ? scene : undefined;
 		this.#pointer.enabled = open && current !== undefined && !this.#source.taken?.(this.#context);
@@ -104,7 +104,7 @@ export class DerivationInteraction<S extends Specimen, G extends Plant> implemen
 		return this.#drawn.drawn;
 	}
 
-	/** The least radius that is seen where the plant stands. */
+	/** Returns the least visible radius at the plant's distance. */
 	#thinnest({ ends }: Drawn): number {
 		const { clientWidth, clientHeight } = this.#view.canvas;
 		const [x, y] = [clientWidth / 2, clientHeight / 2];
@@ -114,7 +114,7 @@ export class DerivationInteraction<S extends Specimen, G extends Plant> implemen
 	}
 }
 
-/** The angle between two lines of sight, radians. */
+/** Returns the angle between two rays, radians. */
 function apart(a: Ray, b: Ray): number {
 	const [first, second] = [a, b].map(({ direction }) => {
 		const length = Math.hypot(...direction);

@@ -21,28 +21,28 @@ export interface DerivationSource<S extends Specimen = Specimen, G extends Plant
 	drawn(grown: G): Drawn;
 	/** Loads the renderer of the highlight. */
 	renderer(): Promise<LitDrawing>;
-	/** Whether the pointer is another tool's now. */
+	/** Returns whether another tool uses the pointer. */
 	taken?(context: EditorContext<S, G>): boolean;
 }
 
-/** A plant that a step's string has drawn: the document's own after the last. */
+/** The plant of a step's string; after the last step, the document's own plant. */
 export interface DerivedScene {
 	readonly step: number;
 	readonly grown: Plant;
 	readonly from: Specimen;
-	/** Whether it is another than the document's. */
+	/** Whether the plant differs from the document's. */
 	readonly instead: boolean;
-	/** Of each segment the module of the step's string that drew it, and of each organ. */
+	/** Indices of the modules in the step's string that drew each segment, and each organ. */
 	readonly segments: Uint32Array;
 	readonly organs: Uint32Array;
 }
 
-/** A module that a pointer is at in the view. */
+/** The module under the pointer in the view. */
 export interface MetModule {
-	/** Of the scene's string. */
+	/** Index in the scene's string. */
 	readonly module: number;
 	readonly step: number;
-	/** Whether it has been clicked. */
+	/** Whether the module was clicked. */
 	readonly chosen: boolean;
 }
 
@@ -53,7 +53,7 @@ export interface DerivationState {
 	readonly follows: boolean;
 	/** Plant that the view shows; undefined until the trace has the module that drew each part. */
 	readonly scene?: DerivedScene | undefined;
-	/** Modules of the scene's string that shine. */
+	/** Highlighted modules of the scene's string. */
 	readonly lit?: ModuleSpan | undefined;
 	readonly met?: MetModule | undefined;
 }
@@ -61,7 +61,7 @@ export interface DerivationState {
 /** Derivation state, shared by all models. */
 export const DERIVATION: Stateful<DerivationState> = { name: "derivation", initial: { open: false, follows: true } };
 
-/** The plant of a step, where the view shows one in place of the document's; for the words below it. */
+/** Returns the scene if the view shows a step's plant in place of the document's; for the caption. */
 export function steppedScene<S extends Specimen, G extends Plant>(
 	context: EditorContext<S, G>,
 ): DerivedScene | undefined {
@@ -69,7 +69,7 @@ export function steppedScene<S extends Specimen, G extends Plant>(
 	return scene?.instead ? scene : undefined;
 }
 
-/** The tool that has the derivation's state and its hands in the view; the grammar's pane draws the rest. */
+/** Tool with the derivation's state and its interaction in the view; the grammar pane draws the rest. */
 export function derivationTool<S extends Specimen & WithGrammar, G extends Plant>(
 	source: DerivationSource<S, G>,
 ): Tool<S, G, DerivationState> {

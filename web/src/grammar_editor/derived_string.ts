@@ -2,7 +2,7 @@ import { html, LitElement, nothing, type PropertyValues } from "lit";
 import type { DerivationTrace, TraceEntry } from "../plant/derivation_trace";
 import { partsOfModule } from "./trace_words";
 
-/** Modules that a page key goes on. */
+/** Modules per page key. */
 const PAGE = 40;
 /** Distance from an end of the window at which scrolling loads the next window, in CSS pixels. */
 const NEAR = 120;
@@ -11,18 +11,18 @@ const NEAR = 120;
 export interface StringEvents {
 	choose(index: number): void;
 	point(index: number | undefined): void;
-	/** Another part of the string comes into sight. */
+	/** Another part of the string becomes visible. */
 	look(about: number): void;
 	/** Move to the parent, or to the first child. */
 	up(): void;
 	down(): void;
-	/** To the production that the chosen one is rewritten by, or was written by. */
+	/** Moves to the production that rewrites the chosen module, or that wrote it. */
 	open(): void;
 }
 
 /**
- * The string of a step as one reads it: a list of modules, one stop of the Tab key, of which a window is there. The focus stays on the list
- * while its modules come and go; the active one is named to assistive technology.
+ * Shows the string of a step as a list of modules, of which one window is loaded. The list is one stop of the Tab key:
+ * the focus stays on the list while modules are replaced, and aria-activedescendant names the chosen one.
  */
 export class DerivedString extends LitElement {
 	static override properties = {
@@ -35,18 +35,18 @@ export class DerivedString extends LitElement {
 		events: { attribute: false },
 	};
 	declare page: DerivationTrace | undefined;
-	/** Whether another is on its way. */
+	/** Whether another window is loading. */
 	declare busy: boolean;
 	declare chosen: number | undefined;
 	declare pointed: number | undefined;
-	/** The line of the production whose modules are marked. */
+	/** Line of the production whose modules are marked. */
 	declare line: number | undefined;
 	declare label: string;
 	declare events: StringEvents;
 
-	/** The chosen module that was last brought into sight, and in which window. */
+	/** Step and chosen module that were last scrolled into view. */
 	#seen: readonly unknown[] = [];
-	/** A module that is to stay where it is while the window changes. */
+	/** Module that keeps its place on the screen while the window is replaced. */
 	#anchor: { readonly index: number; readonly top: number } | undefined;
 
 	protected override createRenderRoot(): this {
@@ -103,7 +103,7 @@ export class DerivedString extends LitElement {
 		return this.querySelector(`[data-index="${index}"]`);
 	}
 
-	/** Puts a module back to where it was before the window changed. */
+	/** Scrolls so that a module is where it was before the window was replaced. */
 	#keep({ index, top }: { readonly index: number; readonly top: number }): void {
 		const [list, option] = [this.#list, this.#option(index)];
 		if (list && option) list.scrollTop += option.offsetTop - list.scrollTop - top;

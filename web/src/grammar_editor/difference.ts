@@ -5,7 +5,7 @@ export interface Difference {
 	readonly insert: string;
 }
 
-/** Undefined where the texts are the same. */
+/** Returns the difference; undefined if the texts are equal. */
 export function difference(before: string, after: string): Difference | undefined {
 	if (before === after) return undefined;
 	const shorter = Math.min(before.length, after.length);

@@ -1,6 +1,6 @@
 /**
- * The text of a grammar to be edited: CodeMirror in a shadow tree of its own, where its styles are sheets that the page's policy
- * allows. It keeps no history: its steps are the document's.
+ * Text editor for a grammar: CodeMirror in a shadow tree of its own, where its style sheets satisfy the page's content
+ * security policy. The editor has no undo history, because its steps are the document's.
  */
 import {
 	autocompletion,
@@ -38,14 +38,14 @@ export interface EditorEvents {
 	settle(): void;
 	undo(): void;
 	redo(): void;
-	/** Escape: the focus is to go elsewhere. */
+	/** Escape: moves the focus out of the editor. */
 	leave(): void;
 	/**
 	 * The cursor moved, or the text at it changed.
 	 * @param production line of the production at the cursor
 	 */
 	at(number: NumberAt | undefined, explained: Explanation | undefined, production: number | undefined): void;
-	/** The focus has gone. */
+	/** The editor lost the focus. */
 	blurred(): void;
 }
 
@@ -58,11 +58,11 @@ export interface EditorOptions {
 	readonly roles: readonly string[];
 	/** Whether Tab indents; else Tab moves the focus to the next element. */
 	readonly indents: boolean;
-	/** The language of the text; that of L-systems where absent. */
+	/** Language of the text; defaults to L-systems. */
 	readonly dialect?: Dialect | undefined;
 }
 
-/** A change that came from the document, not from the hand. */
+/** Marks a change that came from the document and not from the user. */
 const fromDocument = Annotation.define<boolean>();
 
 export class Editor {
@@ -140,7 +140,7 @@ export class Editor {
 		return this.#view.state.doc.toString();
 	}
 
-	/** Takes another text in place of this one, as little of it as differs. */
+	/** Replaces the text, changing only the part that differs. */
 	set text(next: string) {
 		const change = difference(this.text, next);
 		if (!change) return;
@@ -157,12 +157,12 @@ export class Editor {
 		if (this.#shownProblems && sameProblems(this.#shownProblems, problems)) return;
 		this.#shownProblems = problems;
 		setProblems(this.#view, problems);
-		// Their list below has taken room from the line that is typed in.
+		// The list of problems below the text may cover the current line.
 		if (problems.length > 0) requestAnimationFrame(() => this.showCursor());
 		this.#view.contentDOM.ariaInvalid = String(problems.some(({ severity }) => severity === "error"));
 	}
 
-	/** Marks productions, in sight. */
+	/** Marks productions and scrolls to them. */
 	set productions(productions: MarkedProductions) {
 		markProductions(this.#view, productions);
 	}
@@ -177,7 +177,7 @@ export class Editor {
 		this.#view.focus();
 	}
 
-	/** Scrolls as little as it takes for the line that is typed in to be seen. */
+	/** Scrolls the current line into view, as little as possible. */
 	showCursor(): void {
 		const { head } = this.#view.state.selection.main;
 		if (this.#view.hasFocus) this.#view.dispatch({ effects: EditorView.scrollIntoView(head, { yMargin: 24 }) });
@@ -188,29 +188,32 @@ export class Editor {
 		openFind(this.#view);
 	}
 
-	/** Takes the cursor to a place, such as that of a problem. */
+	/** Moves the cursor to a position, such as that of a problem. */
 	goTo(place: Pick<Problem, "line" | "column">): void {
 		this.select(placeOf(this.#view, place));
 	}
 
-	/** Takes the cursor to the beginning of a line, counted from 1. */
+	/** Moves the cursor to the beginning of a line, counted from 1. */
 	goToLine(line: number): void {
 		const { doc } = this.#view.state;
 		this.select(doc.line(Math.min(Math.max(line, 1), doc.lines)));
 	}
 
-	/** Selects a part of the text, in view. */
+	/** Selects a part of the text and scrolls to it. */
 	select({ from, to }: { readonly from: number; readonly to: number }): void {
 		this.#view.dispatch({ selection: { anchor: from, head: to }, scrollIntoView: true });
 		this.#view.focus();
 	}
 
-	/** Takes the number at the cursor so many steps on. */
+	/** Changes the number at the cursor by a number of steps. */
 	step(steps: number): void {
 		stepHere(this.#view, steps);
 	}
 
-	/** A drag of the number at the cursor begins, wherever the hand is; undefined where there is none. */
+	/**
+	 * Begins a drag of the number at the cursor, by any pointer.
+	 * @returns function that moves the number by pixels; undefined if there is no number
+	 */
 	grip(): ((pixels: number, keys: Pick<MouseEvent, "shiftKey" | "ctrlKey" | "metaKey">) => void) | undefined {
 		const number = numberHere(this.#view);
 		if (!number) return undefined;
@@ -234,7 +237,7 @@ export class Editor {
 			{ key: "Mod-Shift-z", run: done(redo), preventDefault: true },
 			{
 				key: "Escape",
-				// The first closes the list of completions, the next the search.
+				// The first press closes the list of completions, the second the search.
 				run: (view) => {
 					if (completionStatus(view.state) !== null) return false;
 					if (!closeFind(view)) leave();

@@ -1,4 +1,4 @@
-/** The editor as the page looks: its colours and faces are the page's own (app/style/tokens.css). */
+/** Style of the editor, with the page's colours and fonts (app/style/tokens.css). */
 import { EditorView } from "@codemirror/view";
 
 const mono = { fontFamily: "var(--mono)", fontSize: "var(--code-size, 13px)", lineHeight: "1.55" };

@@ -3,9 +3,9 @@ import type { GrammarOutline } from "./outline";
 import type { Token } from "./scan";
 import type { Word } from "./words.generated";
 
-/** A word explained. */
+/** Explanation of a word. */
 export interface Explanation {
-	/** Where it stands. */
+	/** Range in the text. */
 	readonly from: number;
 	readonly to: number;
 	/** As it is written: `F(s)`. */
@@ -41,7 +41,7 @@ function explained(
 	return own ? { written: own, help: "A symbol of this grammar." } : undefined;
 }
 
-/** Names that the production at a place gives to parameters: those of its predecessor and of its contexts. */
+/** Returns the parameter names of the production at a position: those of its predecessor and contexts. */
 export function formalsAt(pieces: readonly Token[], place: number): string[] {
 	const arrow = arrowBefore(pieces, place);
 	if (arrow === undefined) return [];
@@ -58,14 +58,17 @@ export function formalsAt(pieces: readonly Token[], place: number): string[] {
 	return [...found];
 }
 
-/** The line of the production that a place is in; undefined where it is in none, or in a comment by itself. */
+/** Returns the line of the production at a position; undefined if there is none, or only a comment. */
 export function productionAt(pieces: readonly Token[], place: number, line: number): number | undefined {
 	if (!pieces.some((piece) => piece.line === line && piece.kind !== "comment")) return undefined;
 	const arrow = arrowBefore(pieces, place);
 	return arrow === undefined ? undefined : pieces[arrow].line;
 }
 
-/** The arrow of the production that a place is in: a statement ends it, a line without an arrow goes on with it. */
+/**
+ * Returns the index of the arrow of the production at a position. A statement ends a production; a line without an
+ * arrow continues it.
+ */
 function arrowBefore(pieces: readonly Token[], place: number): number | undefined {
 	let [arrow, first]: (number | undefined)[] = [undefined, undefined];
 	for (const [at, { kind, line, from }] of pieces.entries()) {
@@ -82,7 +85,7 @@ function wordFor({ kind, text }: Token, words: readonly Word[]): Word | undefine
 		words.find((word) => word.kind === wanted && word.name === name);
 	if (kind === "arrow") return known("statement", "-->");
 	if (kind === "branch") return known("symbol", text);
-	// A function may be named before it is called.
+	// A function's name may occur without a call.
 	if (kind === "name") return known("function", text);
 	return known(kind as Word["kind"], text.replace(/\s+/g, " ").replace(/ :$/, ":"));
 }

@@ -1,4 +1,4 @@
-/** Finding in the text: CodeMirror's panel above it, in the page's words. */
+/** Search in the text: CodeMirror's panel, with the page's wording. */
 import { closeSearchPanel, findNext, findPrevious, openSearchPanel, search, searchPanelOpen } from "@codemirror/search";
 import { EditorState, type Extension } from "@codemirror/state";
 import { type EditorView, keymap } from "@codemirror/view";
@@ -15,7 +15,7 @@ const PHRASES = {
 	close: "Close the search",
 };
 
-/** Opens the panel, or goes to its field. */
+/** Opens the panel, or focuses its field. */
 export function openFind(view: EditorView): boolean {
 	openSearchPanel(view);
 	const panel = view.dom.querySelector<HTMLElement>(".cm-search");

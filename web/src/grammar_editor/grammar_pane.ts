@@ -49,7 +49,7 @@ export class GrammarPane extends ControlElement<GrammarContext> {
 	/** Number at the cursor. */
 	declare number: NumberAt | undefined;
 	declare explained: Explanation | undefined;
-	/** The line of the production that it is in. */
+	/** Line of the production at the cursor. */
 	declare production: number | undefined;
 
 	#editor: Editor | undefined;
@@ -73,7 +73,7 @@ export class GrammarPane extends ControlElement<GrammarContext> {
 		this.#editor?.destroy();
 		this.#editor = undefined;
 		this.context.setToolState(DERIVATION, { ...this.context.toolState(DERIVATION), open: false });
-		// The focus goes back, unless it is elsewhere already.
+		// Returns the focus, unless it has already moved elsewhere.
 		if (document.activeElement !== document.body) return;
 		const opener = this.#opener === document.body ? document.querySelector(OPENS) : this.#opener;
 		if (opener instanceof HTMLElement) opener.focus();

@@ -10,7 +10,7 @@ import { type GrammarSource, isOwn, withText } from "./source";
 /** State of the editor that the page stores. */
 export interface GrammarState {
 	readonly open: boolean;
-	/** Whether Tab indents in it. */
+	/** Whether Tab indents in the editor. */
 	readonly indents: boolean;
 }
 
@@ -18,7 +18,7 @@ const GRAMMAR = svg`<path d="M7.5 4 3.5 10l4 6M12.5 4l4 6-4 6"/>`;
 
 const EDIT = "Edit the grammar";
 
-/** The group of the panel with a slider for each constant of the text. */
+/** Panel group with a slider for each constant of the text. */
 const CONSTANTS = {
 	key: "constants",
 	title: "Constants",
@@ -26,7 +26,9 @@ const CONSTANTS = {
 	everyday: true,
 } as const;
 
-/** Where handles and gestures write the text, nothing above is to move when they do. */
+/**
+ * Group for the notice at the panel's end: if handles and gestures write the text, the controls above must not move.
+ */
 const OWN = {
 	key: "own-grammar",
 	title: "Grammar",

@@ -34,7 +34,7 @@ const MARKS = new Map<TokenKind, Decoration>(
  */
 export const LONGEST_COLOURED = 10_000;
 
-/** The pieces to be coloured: those in the ranges, but for long lines. */
+/** Returns the tokens to colour: those in the ranges, except in long lines. */
 export function colouredPieces(
 	pieces: readonly Token[],
 	doc: Text,
@@ -93,5 +93,5 @@ const help = hoverTooltip(
 	{ hideOnChange: true },
 );
 
-/** Colours, and help under the pointer. */
+/** Colours of tokens, and tooltips. */
 export const highlight: Extension = [outlined, colours, help];

@@ -1,4 +1,4 @@
-/** Which things of a plant which modules have drawn, and which modules of one string are those of another. */
+/** Maps modules of a string to the parts of a plant that they drew, and to modules of other strings. */
 import type { DerivationTrace, ModuleSpan, TraceEntry } from "../plant/derivation_trace";
 import { NOT_DRAWN } from "../plant/derivation_trace";
 import type { Sighted } from "../plant/sighting";
@@ -6,7 +6,7 @@ import type { DerivedScene } from "./derivation_tool";
 
 type Marks = Pick<DerivedScene, "segments" | "organs">;
 
-/** The segments and organs that modules have drawn, by their indices. */
+/** Returns the indices of segments and organs that modules drew. */
 export function drawnBy(
 	{ first, count }: ModuleSpan,
 	scene: Marks | undefined,
@@ -22,7 +22,7 @@ export function drawnBy(
 	return scene ? { segments: within(scene.segments), organs: within(scene.organs) } : { segments: [], organs: [] };
 }
 
-/** The module that drew something; undefined where the text did not. */
+/** Returns the module that drew a part; undefined if the text did not draw it. */
 export function drawnIn({ segments, organs }: Marks, { segment, organ }: Sighted): number | undefined {
 	const module = segment === undefined ? organs[organ ?? -1] : segments[segment];
 	return module === NOT_DRAWN ? undefined : module;

@@ -14,7 +14,7 @@ const STEPS: Readonly<Record<string, number>> = {
 	PageDown: -10,
 };
 
-/** The number at the cursor, to be moved without a mouse: dragged by a finger, stepped by its buttons or by keys. */
+/** Control of the number at the cursor without a mouse: drag by a finger, buttons, or keys. */
 export class NumberPad extends LitElement {
 	static override properties = {
 		number: { attribute: false },
@@ -26,7 +26,7 @@ export class NumberPad extends LitElement {
 	/** Begins a drag and returns the function that moves the number by pixels. */
 	declare grip: () => ((pixels: number, keys: Keys) => void) | undefined;
 	declare step: (steps: number) => void;
-	/** The end of a drag. */
+	/** Ends a drag. */
 	declare done: () => void;
 
 	protected override createRenderRoot(): this {
@@ -78,7 +78,7 @@ export class NumberPad extends LitElement {
 	}
 }
 
-/** The cursor stays in the text, and a phone's keyboard where it is. */
+/** The cursor stays in the text, and a phone's keyboard stays open. */
 function keepFocus(event: Event): void {
 	event.preventDefault();
 }

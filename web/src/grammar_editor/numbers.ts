@@ -1,22 +1,22 @@
-/** Numbers in the text as handles: dragged across they change, and by Alt with the arrow keys. */
+/** Draggable numbers in the text; Alt with the arrow keys changes them, too. */
 import { type Extension, Prec } from "@codemirror/state";
 import { type Command, EditorView, keymap } from "@codemirror/view";
 import { outlined } from "./highlight";
 import { type NumberAt, numberAt } from "./outline";
 import { PIXELS_A_STEP, reach, stepped } from "./scrub";
 
-/** The document's part of it. */
+/** Events for the document's history. */
 export interface Scrubbing {
 	/** A drag begins: ends the undo step of earlier typing. */
 	begin(): void;
-	/** It has ended: one step. */
+	/** The drag has ended: makes one undo step. */
 	end(): void;
 }
 
-/** How far a pointer goes before it drags; pixels. */
+/** Distance after which a press becomes a drag; pixels. */
 const SLACK = 3;
 
-/** The number that the cursor is at. */
+/** Returns the number at the cursor. */
 export function numberHere({ state }: EditorView): NumberAt | undefined {
 	return numberAt(state.field(outlined).pieces, state.selection.main.head);
 }
@@ -31,7 +31,7 @@ export function stepHere(view: EditorView, steps: number): boolean {
 	return number !== undefined;
 }
 
-/** Writes a number in the place of another; the cursor stays at it. */
+/** Replaces a number; the cursor stays behind it. */
 export function write(
 	view: EditorView,
 	{ from, text }: Pick<NumberAt, "from" | "text">,
@@ -45,7 +45,7 @@ export function write(
 	});
 }
 
-/** A drag across a number, from where it begins. */
+/** A drag of a number. */
 export class NumberDrag {
 	readonly #start: NumberAt;
 	#text: string;
@@ -58,7 +58,7 @@ export class NumberDrag {
 		this.#text = start.text;
 	}
 
-	/** Goes on by so many pixels to the right. */
+	/** Moves the drag by pixels to the right. */
 	move(view: EditorView, pixels: number, keys: Pick<MouseEvent, "shiftKey" | "ctrlKey" | "metaKey">): void {
 		const times = reach(keys);
 		this.#quantum = Math.min(this.#quantum, times);
@@ -134,7 +134,7 @@ function pressed(event: MouseEvent, view: EditorView, scrub: Scrubbing): boolean
 	return true;
 }
 
-/** Whether a pointer is on the number itself, not behind the end of its line. */
+/** Whether a pointer is on the number itself, and not behind the end of its line. */
 function within(view: EditorView, { from, to }: NumberAt, { clientX, clientY }: MouseEvent): boolean {
 	const [left, right] = [view.coordsAtPos(from, 1), view.coordsAtPos(to, -1)];
 	if (!left || !right) return false;

@@ -3,7 +3,7 @@ import { insideComment } from "./comments";
 import { findRange, type RangeWords, trimSeparators } from "./range_words";
 import { scan, type Token } from "./scan";
 
-/** A number as it stands in a text, with the sign that is its own. */
+/** A number in a text, including its sign. */
 export interface NumberAt {
 	readonly from: number;
 	readonly to: number;
@@ -12,19 +12,19 @@ export interface NumberAt {
 	readonly value: number;
 }
 
-/** Where a number may go. */
+/** Range of a slider. */
 export interface NumberRange {
 	readonly min: number;
 	readonly max: number;
 	readonly step: number;
 }
 
-/** A `#define` with a number of its own. */
+/** A `#define` whose value is a number. */
 export interface Constant extends NumberRange {
 	readonly name: string;
 	readonly line: number;
 	readonly number: NumberAt;
-	/** The words of the comment behind it that are no range; empty where there are none. */
+	/** Text of the comment behind the number, without the range; may be empty. */
 	readonly words: string;
 }
 
@@ -39,7 +39,7 @@ export interface Definition {
 export interface Curve {
 	readonly name: string;
 	readonly line: number;
-	/** Where its points stand in the text. */
+	/** Range of the points in the text. */
 	readonly from: number;
 	readonly to: number;
 	readonly points: readonly (readonly [x: number, y: number])[];
@@ -54,7 +54,7 @@ export interface GrammarOutline {
 	readonly curves: readonly Curve[];
 	/** Source lines of constants, inputs and curves, by name. */
 	readonly names: ReadonlyMap<string, string>;
-	/** Symbols that stand in the axiom or in productions, as they are first written with their parameters. */
+	/** Symbols in the axiom or in productions, with the text of their first occurrence with parameters. */
 	readonly symbols: ReadonlyMap<string, string>;
 }
 
@@ -84,11 +84,11 @@ export function outlineOf(text: string, pieces: readonly Token[] = scan(text)): 
 	return { pieces, constants, definitions, curves, names, symbols: symbolsIn(pieces, text) };
 }
 
-/** The number at a place of the text, its ends included. */
+/** Returns the number at a position of the text, its ends included. */
 export function numberAt(pieces: readonly Token[], place: number): NumberAt | undefined {
 	const at = pieces.findIndex(({ kind, from, to }) => kind === "number" && from <= place && place <= to);
 	if (at >= 0) return signed(pieces, at);
-	// On the sign that is a number's own.
+	// The position is on the number's sign.
 	const sign = pieces.findIndex(({ kind, from }) => kind === "number" && from === place + 1);
 	const number = sign > 0 ? signed(pieces, sign) : undefined;
 	return number && number.from <= place ? number : undefined;
@@ -116,7 +116,7 @@ export function withConstants(
 	return parts.join("") + text.slice(done);
 }
 
-/** The pieces from each statement on, up to the end of its line; it goes on in the next one within brackets and behind `<`. */
+/** Yields the tokens of each statement up to the end of its line; the line continues within brackets and after `<`. */
 function* byStatement(pieces: readonly Token[]): Iterable<Token[]> {
 	for (let at = 0; at < pieces.length; at++) {
 		if (pieces[at].kind !== "statement") continue;
@@ -133,14 +133,16 @@ function* byStatement(pieces: readonly Token[]): Iterable<Token[]> {
 	}
 }
 
-/** Lists and volumes have no value that could be another. */
+/** Returns the value's range; lists, volumes and functions have none. */
 function definitionIn([, name, ...rest]: readonly Token[]): Definition[] {
 	const body = rest.filter(({ kind, text }, index) => kind !== "comment" && !(index === 0 && text === "="));
 	if (name.kind !== "name" || body.length === 0 || body[0].text === "[" || isFunction(name, body)) return [];
 	return [{ name: name.text, from: body[0].from, to: body[body.length - 1].to }];
 }
 
-/** `f(x) x*2`, whose parameters touch its name; `f(x)` alone is a value. */
+/**
+ * Whether a definition is a function: `f(x) x*2`, with parentheses directly behind the name; `f(x)` alone is a value.
+ */
 function isFunction(name: Token, [open, first, next, ...rest]: readonly Token[]): boolean {
 	const named = first?.kind === "name" || first?.kind === "function";
 	return (
@@ -157,7 +159,7 @@ function constantIn(line: readonly Token[]): Constant[] {
 	const at = line.findIndex(({ kind }) => kind === "number");
 	if (at < 0) return [];
 	const number = signed(line, at);
-	// One number, and nothing besides it.
+	// Only a single number counts.
 	if (number.from !== values[0].from || number.to !== values.at(-1)?.to) return [];
 	const comment = insideComment(rest.findLast(({ kind }) => kind === "comment")?.text ?? "");
 	const found = findRange(comment);
@@ -189,21 +191,21 @@ function guessed(name: string, { text, value }: NumberAt): NumberRange {
 	return { min: value < 0 ? -max : 0, max, step: stepFor(max, places) };
 }
 
-/** Upwards to 1, 2, 3, 5 or 10 times a power of ten. */
+/** Rounds up to 1, 2, 3, 5 or 10 times a power of ten. */
 function rounded(value: number): number {
 	const unit = 10 ** Math.floor(Math.log10(value));
 	const times = [1, 2, 3, 5, 10].find((each) => each * unit >= value * (1 - 1e-9)) ?? 10;
 	return Number((times * unit).toPrecision(6));
 }
 
-/** As fine as the number is written, and at least a hundred of them where it is not whole. */
+/** Step of a slider: the last digit of the number as written, and at most a hundredth of the width for non-integers. */
 function stepFor(width: number, places: number): number {
 	const written = 10 ** -places;
 	if (places === 0 || !(width > 0)) return written;
 	return Math.min(written, 10 ** Math.floor(Math.log10(width / 100)));
 }
 
-/** Digits behind the point. */
+/** Number of decimals. */
 export function decimals(text: string): number {
 	const [mantissa, exponent = "0"] = text.toLowerCase().split("e");
 	return Math.max(0, (mantissa.split(".")[1]?.length ?? 0) - Number(exponent));
@@ -230,13 +232,13 @@ function curveIn(line: readonly Token[]): Curve[] {
 	];
 }
 
-/** A number with the sign before it, where that is no operator. */
+/** Returns a number with the sign before it, unless that is an operator. */
 function signed(pieces: readonly Token[], at: number): NumberAt {
 	const { from, to, text } = pieces[at];
 	const [before, sign] = [pieces[at - 2], pieces[at - 1]];
 	const ends =
 		!before || before.kind === "number" || before.kind === "name" || before.text === ")" || before.text === "]";
-	// Behind the name of a constant stands its value.
+	// A sign after a constant's name belongs to its value.
 	const own = sign?.text === "-" && sign.to === from && (!ends || isDefined(pieces, at - 2));
 	const written = own ? `-${text}` : text;
 	return { from: own ? sign.from : from, to, text: written, value: Number(written) };
@@ -249,7 +251,7 @@ function isDefined(pieces: readonly Token[], at: number): boolean {
 function symbolsIn(pieces: readonly Token[], text: string): Map<string, string> {
 	const symbols = new Map<string, string>();
 	pieces.forEach(({ kind, text: name, to }, at) => {
-		// One that stands without parameters first, in a list of symbols, may have some.
+		// A symbol listed first without parameters may have some later.
 		if (kind !== "symbol" || (symbols.get(name) ?? name) !== name || !/^[\p{L}_?]/u.test(name)) return;
 		const close = pieces[at + 1]?.text === "(" ? closing(pieces, at + 1) : undefined;
 		symbols.set(name, close === undefined ? name : `${name}${text.slice(to, close)}`);

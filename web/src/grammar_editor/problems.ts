@@ -60,7 +60,9 @@ export function setProblems(view: EditorView, all: readonly Problem[]): void {
 	view.dispatch({ effects: problemsEffect.of(all.map((each) => ({ ...each, ...placeOf(view, each) }))) });
 }
 
-/** The word that a line and a column are of; the last character of a line where they are behind it. */
+/**
+ * Returns the range of the word at a line and column; the last character of the line if the column is behind its end.
+ */
 export function placeOf(
 	{ state }: EditorView,
 	{ line, column }: Pick<Problem, "line" | "column">,
@@ -76,7 +78,7 @@ export function placeOf(
 
 const WORD = /[\p{L}\p{N}_]+|-->|\S/uy;
 
-/** Where a column is in a line. Columns count characters, not the units of JavaScript's strings. */
+/** Returns the index of a column in a line. Columns count characters, not UTF-16 code units. */
 function placeInLine(text: string, column: number): number {
 	if (!hasPairs(text)) return Math.min(Math.max(0, column - 1), text.length);
 	let place = 0;
@@ -84,7 +86,7 @@ function placeInLine(text: string, column: number): number {
 	return place;
 }
 
-/** The line that was looked through last: most problems are of the same few lines. */
+/** The last line checked, as a cache: most problems are in the same few lines. */
 let looked = { text: "", pairs: false };
 
 /** Whether any character of a line is a surrogate pair. */

@@ -4,7 +4,7 @@
 import { type Extension, StateEffect, StateField } from "@codemirror/state";
 import { Decoration, type DecorationSet, EditorView } from "@codemirror/view";
 
-/** Lines of the text, from 1. */
+/** Lines of the text, counted from 1. */
 export interface MarkedProductions {
 	readonly fires?: number | undefined;
 	readonly wrote?: number | undefined;
@@ -24,10 +24,10 @@ const marks = StateField.define<DecorationSet>({
 const FIRES = Decoration.line({ class: "cm-fires" });
 const WROTE = Decoration.line({ class: "cm-wrote" });
 
-/** Lets an editor mark them. */
+/** Extension that stores and draws the marks. */
 export const productionMarks: Extension = marks;
 
-/** Marks productions, and brings the first of them into sight; the cursor and the focus stay. */
+/** Marks productions and scrolls to the first of them; the cursor and the focus stay. */
 export function markProductions(view: EditorView, { fires, wrote }: MarkedProductions): void {
 	const { doc } = view.state;
 	const at = (line: number | undefined) =>

@@ -1,4 +1,4 @@
-/** A range in a comment's words: `0 … 90`, `0...90`, `0..90 step 5`, `0 to 90`, `−1 – 1`. */
+/** Reads ranges in comments: `0 … 90`, `0...90`, `0..90 step 5`, `0 to 90`, `−1 – 1`. */
 
 export interface RangeWords {
 	/** The numbers as they are written. */
@@ -9,7 +9,7 @@ export interface RangeWords {
 	readonly words: string;
 }
 
-/** The first range in some words; undefined where there is none. Linear in the length of the text. */
+/** Returns the first range in a text; undefined if there is none. Linear in the length of the text. */
 export function findRange(text: string): RangeWords | undefined {
 	for (let at = 0; at < text.length; ) {
 		const low = numberEnd(text, at);
@@ -35,7 +35,7 @@ export function findRange(text: string): RangeWords | undefined {
 	return undefined;
 }
 
-/** Words without the blanks, commas, semicolons and colons at their ends. */
+/** Removes blanks, commas, semicolons and colons from both ends. */
 export function trimSeparators(words: string): string {
 	const isSeparator = (at: number) => /[\s,;:]/.test(words[at]);
 	let [from, to] = [0, words.length];

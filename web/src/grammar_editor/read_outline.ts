@@ -4,7 +4,10 @@ import { scan as scanLSystem } from "./scan";
 
 type Scan = Dialect["scan"];
 
-/** The outlines that were read last, the newest first: of the document's text, of the built-in one, and of the text before a change. */
+/**
+ * Cache of the last outlines, the newest first: of the document's text, of the built-in text, and of the text before a
+ * change.
+ */
 let recent: readonly { readonly text: string; readonly scan: Scan; readonly outline: GrammarOutline }[] = [];
 const MOST_RECENT = 3;
 

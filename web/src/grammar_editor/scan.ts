@@ -6,20 +6,20 @@ export type TokenKind =
 	/** Beginning of a statement: `#define`, `axiom:`, `derivation length:`. */
 	| "statement"
 	| "arrow"
-	/** A name or sign of a module: the turtle's, or the text's own. */
+	/** Symbol of a module, of the turtle or of the text. */
 	| "symbol"
 	/** `[`, `]`. */
 	| "branch"
 	/** A name in an expression. */
 	| "name"
-	/** A name that is called. */
+	/** Name in a call. */
 	| "function"
 	| "number"
 	| "operator"
 	/** `(`, `)`, `,`, `{`, `}` and all other characters. */
 	| "mark";
 
-/** A piece of a text, by places in it; `line` counts from 1. */
+/** A token with its range in the text; `line` counts from 1. */
 export interface Token {
 	readonly kind: TokenKind;
 	readonly from: number;
@@ -37,16 +37,16 @@ const PIECE =
 const HEAD =
 	/^(?:axiom|derivation[ \t]+length|maximum[ \t]+depth|ignore|consider|angle[ \t]+increment|line[ \t]+(?:length|width)(?:[ \t]+increment)?|tropism|Lsystem)[ \t]*:/;
 const ALONE = /^(decomposition|homomorphism|derivation|endlsystem)[ \t]*(?:\n|\/\*|$)/;
-/** Whose line is of values; the others' is of modules. */
+/** Statements whose line contains values; other lines contain modules. */
 const OF_VALUES = /^(?:#define|#input|#curve|derivation|maximum|angle|line|tropism)/;
 const VALUE_SIGNS = /^(?:[<>=!]=|&&|\|\||[-+*/%^!<>=])$/;
 
-/** Takes a text to pieces, blanks left out. */
+/** Splits a text into tokens, without blanks. */
 export function scan(text: string): Token[] {
 	return new Scanner(text).pieces;
 }
 
-/** Index of the first piece that ends behind a place; their number where there is none. */
+/** Returns the index of the first token that ends behind a position; the number of tokens if there is none. */
 export function firstEndingBehind(pieces: readonly Token[], place: number): number {
 	let [low, high] = [0, pieces.length];
 	while (low < high) {
@@ -62,9 +62,9 @@ class Scanner {
 	readonly #text: string;
 	#line = 1;
 	#sort: Sort = "modules";
-	/** Parentheses that are open. */
+	/** Number of open parentheses. */
 	#depth = 0;
-	/** Whether the arrow of this line is yet to come. */
+	/** Whether the arrow of this line is still to come. */
 	#before = false;
 
 	constructor(text: string) {
@@ -126,7 +126,7 @@ class Scanner {
 			this.#add("arrow", at, piece);
 			return;
 		}
-		// Behind a colon are a condition and a weight; a block before the arrow is of values too.
+		// After a colon come a condition and a weight; a block before the arrow contains values, too.
 		if (this.#depth === 0 && (piece === ":" || (this.#before && piece === "{"))) {
 			this.#sort = "values";
 			this.#add("mark", at, piece);
@@ -153,7 +153,7 @@ class Scanner {
 		return named || /^[-+&^/\\|!%$'~{}<>#]$|^[?@]/.test(piece) ? "symbol" : "mark";
 	}
 
-	/** `,`, `.` and `;` between modules are the turtle's; in values they part. */
+	/** `,`, `.` and `;` between modules are the turtle's symbols; between values they are separators. */
 	#loose(): TokenKind {
 		return this.#sort === "modules" ? "symbol" : "mark";
 	}

@@ -1,7 +1,7 @@
 /** Step sizes and text of numbers that are dragged in the editor. */
 import { decimals, type NumberAt } from "./outline";
 
-/** Pixels of a drag to one step. */
+/** Pixels of a drag per step. */
 export const PIXELS_A_STEP = 4;
 
 /** Factor of a step for modifier keys: 10 with Shift, 0.1 with Ctrl or Command. */
@@ -10,15 +10,14 @@ export function reach({ shiftKey, ctrlKey, metaKey }: Pick<MouseEvent, "shiftKey
 	return ctrlKey || metaKey ? 0.1 : 1;
 }
 
-/** One step of a number: one of its last digit. */
+/** Returns the step of a number: one unit of its last digit. */
 export function stepOf({ text }: Pick<NumberAt, "text">): number {
 	return 10 ** -decimals(text);
 }
 
 /**
- * A number some steps on, as it is to be written: with as many digits as before, and more where the steps are finer.
- *
- * @param steps may be a fraction: it is taken to tenths
+ * Adds steps to a number and formats it with as many digits as before, or one more for fractional steps.
+ * @param steps rounded to tenths
  */
 export function stepped({ text, value }: Pick<NumberAt, "text" | "value">, steps: number): string {
 	const places = decimals(text);
@@ -28,7 +27,7 @@ export function stepped({ text, value }: Pick<NumberAt, "text" | "value">, steps
 	return written(moved, places + (finer ? 1 : 0));
 }
 
-/** A number with so many digits behind the point. */
+/** Formats a number with a number of decimals. */
 export function written(value: number, places: number): string {
 	const text = value.toFixed(Math.min(places, 12));
 	// −0 is 0.

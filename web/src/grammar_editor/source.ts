@@ -22,27 +22,33 @@ export interface GrammarSource<S extends Specimen & WithGrammar = Specimen & Wit
 	 * again.
 	 */
 	builtIn(specimen: S): string | Promise<unknown>;
-	/** The language of its texts; that of L-systems where absent. */
+	/** Language of the texts; defaults to L-systems. */
 	readonly dialect?: Dialect;
 	/** The names that `#role` takes. */
 	readonly roles?: readonly string[];
-	/** Whether its texts have constants; absent: they have. */
+	/** False if the texts have no constants. */
 	readonly constants?: false;
-	/** Whether constants have their sliders before the text is the plant's own. */
+	/** Whether sliders for constants are shown before the document has its own text. */
 	readonly always?: boolean;
-	/** The constant that bends a stem: to the right of a plant seen from in front where it is above the middle of its range. */
+	/**
+	 * Name of the constant that bends a stem: above the middle of its range to the right of a plant seen from in
+	 * front.
+	 */
 	readonly leans?: string;
-	/** Constants that parameters of the table stand for: they have their sliders already. */
+	/** Constants set by parameters of the table, which have sliders already. */
 	readonly governed?: ReadonlySet<string>;
 	/** Returns warnings about missing parts of a plant, one line each; shown below the text. */
 	warnings?(grown: Plant, specimen: S): readonly string[];
-	/** The values of constants that a preset sets, where documents hold such (specimen/constants.ts): sliders then leave the text as it is. */
+	/**
+	 * Returns the constants' values of a preset, for documents that store such values (specimen/constants.ts): sliders
+	 * then leave the text unchanged.
+	 */
 	presetConstants?(preset: string): Constants;
 }
 
 /**
- * The text that a document grows by, with the values of its constants in it; undefined while it is fetched, and then `later` is called
- * once it is there.
+ * Returns a document's text with the values of its constants; undefined while the text loads, in which case `later` is
+ * called afterwards.
  */
 export function textOf(source: GrammarSource, specimen: Specimen & WithGrammar, later: () => void): string | undefined {
 	const text = specimen.grammar ?? source.builtIn(specimen);
@@ -51,7 +57,7 @@ export function textOf(source: GrammarSource, specimen: Specimen & WithGrammar, 
 	return undefined;
 }
 
-/** Whether a document has a text of its own. */
+/** Returns whether a document has its own text. */
 export function isOwn({ grammar }: WithGrammar): boolean {
 	return grammar !== undefined;
 }
@@ -86,8 +92,8 @@ export function withText(source: GrammarSource, specimen: Specimen & WithGrammar
 }
 
 /**
- * The change that gives constants of the text other values: beside a preset's text, which so stays the preset's, or else within the text;
- * undefined while that is fetched.
+ * Returns the change that sets constants: stored beside a preset's text, which stays the preset's, or else written
+ * into the text. Undefined while the text loads.
  */
 export function withValues(
 	source: GrammarSource,
@@ -111,7 +117,7 @@ export function withValues(
 	return withText(source, specimen, withConstants(text, values, readOutline(text, source.dialect).pieces));
 }
 
-/** Whether links hold them; a text holds any. */
+/** Returns whether links can store the values; a text can contain any. */
 const areHeld = (constants: Constants): boolean => {
 	const all = Object.entries(constants);
 	return all.length <= MOST_CONSTANTS && all.every(([name, value]) => isHeld(name, value));

@@ -12,7 +12,7 @@ const ICONS = {
 	last: svg`<path d="M5 4.8v10.4L12 10z" fill="currentcolor"/><path d="M15 4.8v10.4" stroke-width="2"/>`,
 };
 
-/** The steps of a derivation: a slider over how long their strings are, and buttons that go from one to the next. */
+/** Controls of the derivation's steps: a slider over a chart of the strings' lengths, and buttons. */
 export class StepBar extends LitElement {
 	static override properties = {
 		counts: { attribute: false },

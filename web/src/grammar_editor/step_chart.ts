@@ -1,11 +1,11 @@
-/** How many modules each step has, as an outline over a slider: by powers of ten, for strings grow by factors. */
+/** Chart of the number of modules of each step, for a slider: logarithmic, because strings grow by factors. */
 
-/** Height of the field that it is drawn on; its width is 100. */
+/** Height of the chart; its width is 100. */
 export const CHART_HEIGHT = 24;
-/** More steps than these are drawn by the largest among those that share a place. */
+/** With more steps than this, each point of the chart is the maximum of several steps. */
 const MOST_PLACES = 400;
 
-/** The outline of the steps from the first one up to `to`, as an SVG path; empty where there is nothing to draw. */
+/** Returns the chart of the steps from the first one up to `to`, as an SVG path; empty if there is nothing to draw. */
 export function stepChart(counts: ArrayLike<number>, to = counts.length - 1): string {
 	const last = counts.length - 1;
 	if (last < 1 || to < 0) return "";

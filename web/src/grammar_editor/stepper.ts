@@ -19,14 +19,14 @@ import {
 import "./derived_string";
 import "./step_bar";
 
-/** A step stands so long while they are played, in milliseconds; longer where motion is unwelcome. */
+/** Duration of a step during playback, milliseconds; longer with reduced motion. */
 const STAND = 1100;
 const STAND_STILL = 2200;
 
 const KEYS =
 	"Left and right go from module to module, Up to the one it came from in the step before, Down to what it becomes in the next, Home and End to the ends. Enter leads to its production in the grammar.";
 
-/** Productions of the text that have to do with the chosen module. */
+/** Productions of the chosen module in the text. */
 export interface ShownProductions {
 	/** Production that rewrites the module next. */
 	readonly fires?: TextPlace | undefined;
@@ -45,11 +45,11 @@ export class Stepper extends ControlElement<GrammarContext> {
 		shown: { attribute: false },
 		goTo: { attribute: false },
 	};
-	/** The line of the production at the text's cursor. */
+	/** Line of the production at the text's cursor. */
 	declare line: number | undefined;
 	/** Called with the productions to mark in the text. */
 	declare shown: (productions: ShownProductions) => void;
-	/** Takes the cursor to a place of the text. */
+	/** Moves the cursor to a place of the text. */
 	declare goTo: (place: TextPlace) => void;
 
 	#derivation: Derivation | undefined;
@@ -240,7 +240,7 @@ export class Stepper extends ControlElement<GrammarContext> {
 		this.#playOn();
 	};
 
-	/** A step whose string has not come stands until it has. */
+	/** Schedules the next step of the playback; a step whose string is still loading is repeated. */
 	readonly #playOn = (): void => {
 		const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
 		this.#playing = setTimeout(

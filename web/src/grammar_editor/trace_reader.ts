@@ -1,11 +1,11 @@
 /**
- * Reads a derivation window by window, as one requests for it: nothing of another step than the one request for is ever given. One question
- * is under way at a time; of those that come meanwhile the newest waits.
+ * Reads a derivation trace in windows, on demand, and never returns a window of another step than the current one. One
+ * request runs at a time; of the later ones, only the newest waits.
  */
 import { Superseded } from "../core/errors";
 import type { DerivationTrace, TraceRequest } from "../plant/derivation_trace";
 
-/** Modules of a window. */
+/** Modules per window. */
 export const WINDOW = 600;
 /** Windows begin at multiples of this, so that cached windows are found again. */
 const GRID = 200;
@@ -19,20 +19,20 @@ export type RequestTrace = (request: TraceRequest, signal: AbortSignal) => Promi
 
 /** Module that the window must contain. */
 export interface WindowTarget {
-	/** That of the last step where undefined. */
+	/** Step; undefined for the last step. */
 	readonly step: number | undefined;
-	/** Index of the module that is to be in the window. */
+	/** Index of a module inside the window. */
 	readonly about: number;
 }
 
-/** The beginning of the window that has a module in it, with as much before as behind where there is. */
+/** Returns the beginning of the window around a module, centred if possible. */
 export function windowAbout(about: number, length: number): number {
 	const middle = Math.round((about - WINDOW / 2) / GRID) * GRID;
 	const last = Math.max(0, Math.ceil((length - WINDOW) / GRID) * GRID);
 	return Math.max(0, Math.min(middle, last));
 }
 
-/** A question under way. */
+/** A running request. */
 interface Running {
 	readonly request: TraceRequest;
 	readonly requestTrace: RequestTrace;
@@ -55,17 +55,17 @@ export class TraceReader {
 	#fault: string | undefined;
 	#running: Running | undefined;
 
-	/** @param changed called when there is something else to show */
+	/** @param changed called when the displayed state has changed */
 	constructor(changed: () => void) {
 		this.#changed = changed;
 	}
 
-	/** The window that is wanted, as soon as it is there; of the same step another one meanwhile. */
+	/** The requested window once loaded; until then another window of the same step. */
 	get page(): DerivationTrace | undefined {
 		return this.#page;
 	}
 
-	/** Whether `page` is of a document before this one. */
+	/** Whether `page` belongs to an earlier document. */
 	get stale(): boolean {
 		return this.#stale;
 	}
@@ -80,7 +80,7 @@ export class TraceReader {
 		return this.#fault;
 	}
 
-	/** The step that is wanted; undefined until it is known which the last is. */
+	/** The requested step; undefined until the last step is known. */
 	get step(): number | undefined {
 		const last = this.#counts ? this.#counts.length - 1 : undefined;
 		return last === undefined ? this.#wanted.step : Math.min(this.#wanted.step ?? last, last);
@@ -176,10 +176,10 @@ export class TraceReader {
 		}
 		this.#counts = trace.counts;
 		this.#fault = undefined;
-		// The string of another document was longer.
+		// The previous document's string was longer.
 		const beyond = trace.modules.length === 0 && (request.first ?? 0) > 0;
 		if (!beyond) this.#cache(trace);
-		// Of another step than the one that is wanted by now nothing is shown.
+		// Windows of a step that is no longer requested are not shown.
 		if (!beyond && trace.step === this.step) {
 			this.#page = trace;
 			this.#stale = false;
@@ -217,7 +217,7 @@ export class TraceReader {
 	}
 }
 
-/** A step beyond all. */
+/** A step beyond all steps. */
 const MANY = 0xffffffff;
 
 const keyOf = ({ step, first = 0 }: { readonly step: number; readonly first?: number }) => `${step} ${first}`;

@@ -33,7 +33,7 @@ export function answerInWords({ asked, answered }: ModuleAnswer): string {
 	return asked ? `Asked ${list(asked)} → answered ${list(answered)}` : `Was told ${list(answered)}`;
 }
 
-/** An answer's words in pieces: plain ones, and modules of the same string that they name, by index. */
+/** Splits a response into plain text and indices of modules of the same string. */
 export function piecesOf(words: string): readonly (string | number)[] {
 	const sentence = words.charAt(0).toUpperCase() + words.slice(1);
 	return sentence.split(/\bmodule (\d+)/).map((piece, index) => (index % 2 === 1 ? Number(piece) : piece));
@@ -50,7 +50,7 @@ export function fateOf(
 	return count === 1 ? "It becomes one module." : `It becomes ${count.toLocaleString("en-GB")} modules.`;
 }
 
-/** All of it in a few sentences, for screen readers. */
+/** Describes a module in a few sentences, for screen readers. */
 export function moduleInWords(module: TraceEntry, isLast: boolean): string {
 	const { production, fires, answer, chance, refusals = [] } = module;
 	const values = valuesInWords(module);

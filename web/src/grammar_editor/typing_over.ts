@@ -1,6 +1,6 @@
 /**
- * Typing over a selection, done by the editor. The browser would keep the style of the text that is replaced as an inline style, which
- * the page's content security policy refuses with an error in the console.
+ * Replaces a selection when the user types over it. The browser would store the style of the replaced text as an
+ * inline style, which the page's content security policy rejects with an error in the console.
  */
 import { EditorView } from "@codemirror/view";
 

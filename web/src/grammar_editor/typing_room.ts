@@ -12,7 +12,10 @@ export class TypingRoom {
 	readonly #changed: () => void;
 	readonly #ended = new AbortController();
 
-	/** Follows the keyboard from now on. @param changed called when there is another room */
+	/**
+	 * Begins to follow the keyboard.
+	 * @param changed called when the visible part changes
+	 */
 	constructor(changed: () => void) {
 		this.#changed = changed;
 		const { signal } = this.#ended;
@@ -20,7 +23,7 @@ export class TypingRoom {
 		this.#look();
 	}
 
-	/** The page has all its room again. */
+	/** Removes the attribute again. */
 	end(): void {
 		this.#ended.abort();
 		document.documentElement.removeAttribute("data-keyboard");

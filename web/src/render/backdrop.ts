@@ -3,10 +3,13 @@ import { linear } from "../plant/colour";
 import { FullScreen } from "./full_screen";
 import type { LightRig } from "./light";
 
-/** Of the way from horizon to zenith, how soon it is gone. */
+/** Rate at which the horizon's colour fades towards the zenith. */
 const SKY_RISE = 3;
 
-/** Paper: a pool of light that comes from the key's side, the plant's shadow, a breath of grain against banding. Where someone stands within, a sky. */
+/**
+ * Paper: a pool of light on the key light's side, the plant's shadow, and slight grain against banding. For a viewer
+ * within the plant, a sky.
+ */
 const FRAGMENT = /* glsl */ `
 varying vec2 place;
 uniform sampler2D shadowMap;
@@ -41,10 +44,10 @@ void main() {
 }
 `;
 
-/** The paper behind everything; not tone-mapped, so that its edges are exactly the page's colour. */
+/** The background; not tone-mapped, so that its edges have exactly the page's colour. */
 export class Backdrop {
 	readonly #paper: FullScreen;
-	/** Whether it is neither paper nor sky. */
+	/** Whether the background is a flat colour. */
 	#flat = false;
 
 	constructor(shadowMap: Texture) {
@@ -66,7 +69,7 @@ export class Backdrop {
 			},
 			behind: true,
 		});
-		// After the plant: the depth test then spares the pixels that it covers.
+		// Drawn after the plant, so that the depth test skips covered pixels.
 		this.mesh.renderOrder = 2;
 	}
 
@@ -84,7 +87,7 @@ export class Backdrop {
 		this.#flat = false;
 	}
 
-	/** Flat black or white in place of the paper, without shadow or grain. */
+	/** Shows flat black or white in place of the paper, without shadow or grain. */
 	setFlat(grey: 0 | 1): void {
 		const { uniforms } = this.#paper;
 		uniforms.edge.value.setScalar(grey);
@@ -93,14 +96,14 @@ export class Backdrop {
 		this.#flat = true;
 	}
 
-	/** Has a sky in place of the paper, as the camera looks at it; the paper again without one. */
+	/** Shows a sky as seen by the camera; undefined shows the paper again. */
 	setSky(camera: PerspectiveCamera | undefined): void {
 		const { sky, sight, rise } = this.#paper.uniforms;
 		sky.value = camera && !this.#flat ? 1 : 0;
 		if (!camera) return;
 		const up = Math.tan((camera.fov * Math.PI) / 360);
 		sight.value.set(up * camera.aspect, up);
-		// How far each way across the view leads up: the world's y of the camera's axes.
+		// World y of the camera's axes: how much the direction rises across the view.
 		const { elements } = camera.matrixWorld;
 		rise.value.set(up * camera.aspect * elements[1], up * elements[5], -elements[9]);
 	}

@@ -2,16 +2,16 @@ import { MathUtils, PerspectiveCamera, Spherical, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { type BoundingProfile, fitView, hasOutgrown, needsRefit, showsWhole, type ViewFit } from "./camera_fit";
 
-/** A long lens, as for a portrait: round things stay round at the view's edge. */
+/** Field of view of a long lens, degrees: round objects look round at the view's edge. */
 const FOV = 24;
 const MARGIN = 0.07;
-/** Where the camera stands at first, in degrees: a little to the right, a little above. */
+/** Initial direction of the camera, in degrees: slightly from the right and from above. */
 const AZIMUTH = 24;
 const ELEVATION = 7;
 /** Field of view of a walker among plants, degrees, and distance of the near plane, metres. */
 const WALKING_FOV = 58;
 const WALKING_NEAR = 0.05;
-/** How long the view takes to follow a plant that has outgrown it, ms. */
+/** Duration of the movement that follows an outgrown plant, ms. */
 const EASE = 320;
 
 export type ViewName = "three-quarter" | "front" | "side";
@@ -28,31 +28,31 @@ const VIEWS: Record<ViewName, { azimuth: number; elevation: number }> = {
 	side: { azimuth: 90, elevation: 0 },
 };
 
-/** The camera and the hand that turns the plant before it. */
+/** The camera, and the pointer controls that turn the plant in front of it. */
 export class CameraController {
 	readonly camera = new PerspectiveCamera(FOV, 1, 0.01, 10);
 	readonly controls: OrbitControls;
 	#fit: ViewFit | undefined;
-	/** The plant shown, and the one that `#fit` fits. */
+	/** Profile of the plant shown, and the one that `#fit` is for. */
 	#profile: BoundingProfile | undefined;
 	#fitted: BoundingProfile | undefined;
 	/** Elevation for which views are fitted: that of the last named view, so that turning the plant changes no fit. */
 	#fitElevation = MathUtils.degToRad(ELEVATION);
-	/** Of the view that a plant is first seen in, degrees. */
+	/** Elevation of the first view, degrees. */
 	#firstElevation = ELEVATION;
 	/**
 	 * Whether the view follows a plant only to keep all of it in the picture: it moves away or sideways if the plant
 	 * would leave the picture, even while pointers do not turn the plant, and never comes nearer.
 	 */
 	keepsWhole = false;
-	/** Whether the eye stands where it was put, and not before the table. */
+	/** Whether the eye is placed by `look`, instead of orbiting the plant. */
 	#walking = false;
 	#glide: { from: Vector3; to: Vector3; fromDistance: number; toDistance: number; start: number } | undefined;
 
-	/** @param changed called when the view moves and must be drawn again */
+	/** @param changed called when the view has moved and must be drawn again */
 	constructor(
 		canvas: HTMLElement,
-		/** No gliding, no damping; may change at any time. */
+		/** Disables gliding and damping; may change at any time. */
 		public reducedMotion: boolean,
 		readonly changed: () => void,
 	) {
@@ -76,14 +76,14 @@ export class CameraController {
 		return this.camera.position.distanceTo(this.controls.target);
 	}
 
-	/** Distance from the eye to a paper that stands behind the plant, clear of it however it is tilted. */
+	/** Distance from the eye to the paper behind the plant, which does not touch the plant at any tilt. */
 	get paper(): number {
 		const { breadth, radius } = this.#fit ?? { breadth: 0.05, radius: 0.1 };
 		const elevation = this.#elevation;
 		return this.distance + 1.2 * (breadth * Math.cos(elevation) + radius * Math.abs(Math.sin(elevation)));
 	}
 
-	/** Angle of the camera over the target's horizon, radians. */
+	/** Elevation of the camera over the target's horizon, radians. */
 	get #elevation(): number {
 		const arm = this.camera.position.clone().sub(this.controls.target);
 		return Math.PI / 2 - new Spherical().setFromVector3(arm).phi;
@@ -93,7 +93,7 @@ export class CameraController {
 		const before = this.#fit;
 		this.camera.aspect = aspect;
 		this.camera.updateProjectionMatrix();
-		// A window that changes shape keeps the plant as large in it as it was.
+		// After a change of aspect, the plant keeps its size relative to the view.
 		if (this.#fitted && before && !this.#walking) {
 			const zoom = this.distance / before.distance;
 			this.#fit = this.#fitOf(this.#fitted);
@@ -103,8 +103,8 @@ export class CameraController {
 	}
 
 	/**
-	 * Takes note of the plant shown. The view follows only when it must, gliding; while a control is `held` it only goes back
-	 * from a plant that has outgrown it, and while a handle in the scene itself is (orbiting is off), not at all.
+	 * Sets the plant shown. The view follows only if necessary, and glides. While a control is `held`, it only moves
+	 * away from an outgrown plant; while a handle in the scene is dragged (orbiting is off), it does not move.
 	 */
 	follow(profile: BoundingProfile, held: boolean): void {
 		this.#profile = profile;
@@ -119,7 +119,7 @@ export class CameraController {
 			this.#glideTo(now);
 	}
 
-	/** The next plant is of another kind: it is fitted as the first was, and not glided to. */
+	/** The next plant is of another model: the view fits it at once, as the first one, without gliding. */
 	forget(elevation = ELEVATION): void {
 		this.look(undefined);
 		this.#firstElevation = elevation;
@@ -152,7 +152,7 @@ export class CameraController {
 		this.changed();
 	}
 
-	/** Has the eye stand somewhere, where nothing else moves it; undefined brings back the whole plant. */
+	/** Places the eye at a position, where nothing else moves it; undefined shows the whole plant again. */
 	look(from: Gaze | undefined): void {
 		if (!from && !this.#walking) return;
 		this.#walking = from !== undefined;
@@ -173,7 +173,7 @@ export class CameraController {
 		this.changed();
 	}
 
-	/** Turns the plant by angles in radians: to the right, and its top towards the eye. */
+	/** Turns the plant by angles in radians: to the right, and with its top towards the eye. */
 	orbit(right: number, down: number): void {
 		if (this.#walking) return;
 		const arm = this.camera.position.clone().sub(this.controls.target);
@@ -184,7 +184,7 @@ export class CameraController {
 		this.#moved();
 	}
 
-	/** Makes the plant look `factor` times as large. */
+	/** Scales the plant's apparent size by `factor`. */
 	zoom(factor: number): void {
 		if (this.#walking) return;
 		const { minDistance, maxDistance } = this.controls;
@@ -192,7 +192,7 @@ export class CameraController {
 		this.#moved();
 	}
 
-	/** Shifts the plant by shares of the view's height: to the right, down. */
+	/** Shifts the plant by shares of the view's height: to the right and down. */
 	pan(right: number, down: number): void {
 		if (this.#walking) return;
 		const span = 2 * this.distance * Math.tan(MathUtils.degToRad(FOV) / 2);
@@ -203,7 +203,10 @@ export class CameraController {
 		this.#moved();
 	}
 
-	/** Moves the view on by one frame; true while it is still moving. */
+	/**
+	 * Advances the view by one frame.
+	 * @returns whether it is still moving
+	 */
 	advance(now: number): boolean {
 		const glide = this.#glide;
 		if (glide) {
@@ -240,14 +243,14 @@ export class CameraController {
 	}
 
 	#glideTo(fit: ViewFit): void {
-		// Of a view on its way it counts where it is going.
+		// During a glide, the zoom of its destination counts.
 		const aimed = this.#glide?.toDistance ?? this.distance;
 		const zoom = this.#fit ? aimed / this.#fit.distance : 1;
 		this.#fit = fit;
 		this.#fitted = this.#profile;
 		this.controls.minDistance = 0;
 		this.controls.maxDistance = Infinity;
-		// On the way all of both is seen, be one a hundred times as large.
+		// During the glide both plants are within the depth range, even if one is a hundred times as large.
 		this.#setDepth(Math.min(this.distance, fit.distance * zoom), Math.max(this.distance, fit.distance * zoom));
 		this.#glide = {
 			from: this.controls.target.clone(),
@@ -285,14 +288,17 @@ export class CameraController {
 		this.camera.updateProjectionMatrix();
 	}
 
-	/** The whole plant is in sight from wherever in it the eye stands, however it has grown meanwhile. */
+	/**
+	 * Sets the depth range for a walking eye: the whole plant is visible from any position in it, however much it has
+	 * grown.
+	 */
 	#setWalkingDepth(): void {
 		this.camera.near = WALKING_NEAR;
 		this.camera.far = Math.max(10, this.#profile ? 6 * this.#fitOf(this.#profile).radius : 0);
 		this.camera.updateProjectionMatrix();
 	}
 
-	/** The plant can be shifted, but not out of sight. */
+	/** Limits panning, so that the plant stays in sight. */
 	#keepInReach(): void {
 		const fit = this.#fit;
 		if (!fit || this.#glide || this.#walking) return;

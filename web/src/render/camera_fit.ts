@@ -2,9 +2,9 @@
 export interface ViewFit {
 	target: [x: number, y: number, z: number];
 	distance: number;
-	/** Radius of a ball about the target that holds the plant. */
+	/** Radius of a sphere about the target that contains the plant. */
 	radius: number;
-	/** Radius of an upright cylinder about the target that does. */
+	/** Radius of an upright cylinder about the target that contains the plant. */
 	breadth: number;
 }
 
@@ -16,7 +16,7 @@ export interface Bodies {
 	points: Float32Array;
 }
 
-/** A plant as it looks when spun about its upright axis: a stack of rings. */
+/** Surface of revolution about the plant's upright axis, as a stack of rings. */
 export interface BoundingProfile {
 	/** The upright axis midway between the plant's sides, and the height midway between its ends. */
 	centre: [x: number, y: number, z: number];
@@ -24,7 +24,7 @@ export interface BoundingProfile {
 	rings: Float32Array;
 }
 
-/** Ways round the axis at which a ring is tried. */
+/** Angles about the axis at which a ring is tested. */
 const TURNS = 24;
 const AROUND = Array.from({ length: TURNS }, (_, turn) => {
 	const angle = (2 * Math.PI * turn) / TURNS;
@@ -35,7 +35,7 @@ const AROUND = Array.from({ length: TURNS }, (_, turn) => {
 const MOST_RINGS = 2000;
 const LEVELS = 400;
 
-/** Spins a plant. */
+/** Returns the bounding profile of a plant. */
 export function boundingProfileOf({ spheres, points }: Bodies): BoundingProfile {
 	const low: BoundingProfile["centre"] = [Infinity, Infinity, Infinity];
 	const high: BoundingProfile["centre"] = [-Infinity, -Infinity, -Infinity];
@@ -53,7 +53,7 @@ export function boundingProfileOf({ spheres, points }: Bodies): BoundingProfile 
 	return { centre, rings: outermost(rings, high[1] - low[1]) };
 }
 
-/** Makes a box hold points, or balls of four numbers. */
+/** Extends a box to contain points, or spheres of four numbers. */
 function stretch(
 	low: BoundingProfile["centre"],
 	high: BoundingProfile["centre"],
@@ -75,7 +75,10 @@ function stretch(
 	high.splice(0, 3, highX, highY, highZ);
 }
 
-/** Writes the rings of points, or of balls of four numbers; returns the room that is left. */
+/**
+ * Writes the rings of points, or of spheres of four numbers.
+ * @returns the rest of `rings`
+ */
 function spin(
 	[x, y, z]: BoundingProfile["centre"],
 	bodies: Float32Array,
@@ -117,7 +120,10 @@ function outermost(rings: Float32Array, height: number): Float32Array {
 	return few;
 }
 
-/** How a camera sees: vertical angle of view in radians, width over height, elevation over the target's horizon in radians. */
+/**
+ * Projection of a camera: vertical angle of view in radians, width over height, elevation over the target's horizon in
+ * radians.
+ */
 export interface Lens {
 	readonly fov: number;
 	readonly aspect: number;
@@ -150,12 +156,15 @@ export function fitView(
 	return { target: centre, distance, radius, breadth };
 }
 
-/** Whether a view that was fitted to another plant shows all of this one, whichever way both are turned about the view's target. */
+/** Returns whether a view fitted to another plant shows all of this one, from all sides. */
 export function showsWhole(view: ViewFit, profile: BoundingProfile, lens: Lens): boolean {
 	return wholeFrom(profile, view.target, lens, 0) <= view.distance;
 }
 
-/** The nearest distance to a target from which a plant that is turned about it is seen whole; `margin` as in `fitView`. */
+/**
+ * Returns the nearest distance to a target from which a plant is completely visible from all sides; `margin` as in
+ * `fitView`.
+ */
 function wholeFrom({ centre, rings }: BoundingProfile, target: ViewFit["target"], lens: Lens, margin: number): number {
 	const { fov, aspect, elevation } = lens;
 	const tall = Math.tan(fov / 2) * (1 - 2 * margin);
@@ -178,13 +187,13 @@ function wholeFrom({ centre, rings }: BoundingProfile, target: ViewFit["target"]
 	return distance;
 }
 
-/** Whether a plant has outgrown, shrunk from or left the view that once fitted it, so that the view should follow. */
+/** Returns whether a plant has outgrown, shrunk from or left its view, so that the view should follow. */
 export function needsRefit(shown: ViewFit, now: ViewFit): boolean {
 	const moved = Math.hypot(...now.target.map((value, k) => value - shown.target[k]));
 	return hasOutgrown(shown, now) || now.distance < 0.75 * shown.distance || moved > 0.25 * shown.radius;
 }
 
-/** Whether a plant reaches out of the view that once fitted it. */
+/** Returns whether a plant extends beyond its view. */
 export function hasOutgrown(shown: ViewFit, now: ViewFit): boolean {
 	return now.distance > 1.12 * shown.distance;
 }

@@ -11,12 +11,12 @@ import type { PaperShadow } from "./paper_shadow";
 import { fillInstances } from "./streams";
 import { WIND_CHUNK, type WindUniforms } from "./wind";
 
-/** Bodies as cylinders with round ends; balls begin where they end. Metres. */
+/** Capsules: cylinders with round ends. Metres. */
 export interface Capsules {
 	count: number;
-	/** 4 × count: where the axis begins, radius. */
+	/** 4 × count: beginning of the axis, radius. */
 	begins: Float32Array;
-	/** 3 × count: where the axis ends. */
+	/** 3 × count: end of the axis. */
 	ends: Float32Array;
 }
 
@@ -62,7 +62,7 @@ void main() {
 }
 `;
 
-/** The shadow of a plant whose bodies are nearly capsules: soft by a formula, a quad for each. */
+/** Shadow of a plant whose bodies are nearly capsules: soft by a formula, one quad per body. */
 export class CapsuleShadow {
 	readonly #mesh: Mesh<InstancedBufferGeometry, ShaderMaterial>;
 

@@ -1,6 +1,6 @@
 /** Separates a plant from its background by two pictures, over black and over white (Porter & Duff 1984, "matting"). */
 
-/** 4 × pixels each, opaque; the same, with as much of it as covers the ground, 0 … 255. */
+/** Computes the cut-out from two opaque pictures, 4 × pixels each; alpha is the coverage of the background, 0 … 255. */
 export function cutOut(onBlack: Uint8ClampedArray, onWhite: Uint8ClampedArray): Uint8ClampedArray<ArrayBuffer> {
 	const cut = new Uint8ClampedArray(onBlack.length);
 	for (let at = 0; at < cut.length; at += 4) {

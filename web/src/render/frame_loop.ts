@@ -1,6 +1,6 @@
 import { PixelRatio } from "./pixel_ratio";
 
-/** How long after the last movement the picture is drawn at its full resolution. */
+/** Delay after the last movement until the picture is drawn at full resolution, ms. */
 const SETTLE = 140;
 
 export interface Frame {
@@ -36,7 +36,7 @@ export class FrameLoop {
 		this.#ratio = new PixelRatio(device, slow);
 	}
 
-	/** For a screen of another density. */
+	/** Sets the pixel ratio of another screen. */
 	setDevice(device: number): void {
 		this.#ratio = new PixelRatio(device, this.slow);
 	}
@@ -55,7 +55,7 @@ export class FrameLoop {
 		if (this.#scheduled === 0) this.#scheduled = requestAnimationFrame((now) => this.#frame(now));
 	}
 
-	/** Settles when nothing is left to draw. */
+	/** Resolves when nothing is left to draw. */
 	whenIdle(): Promise<void> {
 		if (this.#scheduled === 0 && this.#settling === undefined) return Promise.resolve();
 		return new Promise((resolve) => this.#waiting.push(resolve));

@@ -19,7 +19,7 @@ void main() {
 
 export interface FullScreenOptions {
 	name: string;
-	/** Finds itself in `varying vec2 place`, from −1, −1 at the lower left to 1, 1. */
+	/** GLSL; `varying vec2 place` is the position, from (−1, −1) at the lower left to (1, 1). */
 	fragmentShader: string;
 	uniforms: Record<string, IUniform>;
 	/** Whether the triangle is drawn behind earlier drawings, else over them. */

@@ -1,4 +1,4 @@
-/** Numbers as shaders write them. */
+/** Formats numbers for shaders. */
 
 /** A float: `2` is `2.0`. */
 export function float(value: number): string {
@@ -9,7 +9,7 @@ export function vec3(values: readonly number[]): string {
 	return `vec3(${values.map(float).join(", ")})`;
 }
 
-/** smoothstep between the two edges. */
+/** GLSL's smoothstep between two edges. */
 export function step(edges: readonly [number, number], value: string): string {
 	return `smoothstep(${float(edges[0])}, ${float(edges[1])}, ${value})`;
 }

@@ -4,9 +4,9 @@ import type { Colour } from "../plant/colour";
 export type Theme = "light" | "dark";
 
 /**
- * One broad patch of the surroundings: a spherical Gaussian, colour · exp(sharpness · (cos γ − 1)) (Wang et al. 2009,
- * "All-frequency rendering of dynamic, spatially-varying reflectance", section 3). A handful of these *is* the
- * environment: blurring one for a rough surface or for diffuse light is arithmetic, so nothing is filtered or loaded.
+ * A lobe of the surroundings' light: a spherical Gaussian, colour · exp(sharpness · (cos γ − 1)) (Wang et al. 2009,
+ * "All-frequency rendering of dynamic, spatially-varying reflectance", section 3). The environment is a sum of a few
+ * lobes: their blur for a rough surface or for diffuse light has a closed form, so nothing is filtered or loaded.
  */
 export interface Lobe {
 	axis: Vector3;
@@ -24,14 +24,17 @@ export interface WindowLight {
 	bars: number;
 }
 
-/** All light there is. Directions are the viewer's: +X right, +Y up, +Z towards the eye. */
+/** All light of the scene. Directions are in view space: +X right, +Y up, +Z towards the eye. */
 export interface LightRig {
 	key: WindowLight;
 	rim: WindowLight;
 	surroundings: Lobe[];
-	/** How dark the plant's shadow on the paper is at most, and where the light that casts it stands: lower than the key, which would throw it out of the picture. */
+	/**
+	 * Greatest darkness of the plant's shadow on the paper, and direction of its light: lower than the key light,
+	 * whose shadow would be outside the picture.
+	 */
 	shadow: { depth: number; direction: Vector3 };
-	/** The paper: at its edges (the page's own colour) and where the light falls, as sRGB hexadecimal. */
+	/** Colours of the paper: at its edges (the page's own colour) and where the light falls, sRGB hexadecimal. */
 	paper: { edge: string; pool: string };
 	/** Sky for a viewer within the plant, sRGB hexadecimal: the paper would look black over lit ground. */
 	sky: { horizon: string; zenith: string };
@@ -72,7 +75,7 @@ export function rigOf(theme: Theme): LightRig {
 	return RIGS[theme];
 }
 
-/** Sharpness of the Gaussian nearest to a clamped cosine (Tsai & Shih 2006 fit it so). */
+/** Sharpness of the Gaussian that fits a clamped cosine best (Tsai & Shih 2006). */
 export const COSINE_SHARPNESS = 2.133;
 /** Sharpness of the mirror lobe of a taut skin: GGX roughness of about 0.25 (Wang et al. 2009, equation 21: 2/α²). */
 export const GLOSS_SHARPNESS = 32;
@@ -98,7 +101,7 @@ export function spreadOf(window: WindowLight): number {
 	return 2 * Math.sqrt((window.half[0] * window.half[1]) / Math.PI) * 0.5;
 }
 
-/** Turns a direction into a window's frame: across, along (as upright as can be), towards it. */
+/** Returns the rotation into a window's frame: across, along (as upright as possible), towards it. */
 export function frameOf(window: WindowLight): Matrix3 {
 	const across = new Vector3(0, 1, 0).cross(window.direction).normalize();
 	const along = window.direction.clone().cross(across);

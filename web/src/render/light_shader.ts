@@ -34,7 +34,10 @@ function windowUniforms(): {
 	};
 }
 
-/** The uniforms every lit surface shares: one object, so that a change of light reaches all materials at once. */
+/**
+ * Returns the uniforms shared by all lit surfaces: one object, so that a change of light reaches all materials at
+ * once.
+ */
 export function lightUniforms() {
 	const lobes = () => Array.from({ length: LOBES }, () => new Vector4());
 	const colours = () => Array.from({ length: LOBES }, () => new Vector3());
@@ -56,7 +59,7 @@ function setWindow(to: ReturnType<typeof windowUniforms>, window: WindowLight): 
 	to.toFrame.copy(frameOf(window));
 	to.extent.set(window.half[0], window.half[1], window.bars);
 	to.irradiance.fromArray(window.irradiance);
-	// Brighter than its irradiance alone would make it, for the highlight that film rolls off and a screen clips.
+	// Brighter than by its irradiance alone: highlights that film compresses are clipped by a screen.
 	to.radiance.copy(to.irradiance).multiplyScalar(1.6 / (4 * window.half[0] * window.half[1]));
 	to.spread = spreadOf(window);
 }
@@ -68,7 +71,7 @@ function setLobe(lobe: Vector4, colour: Vector3, { axis, sharpness, colour: rgb 
 	colour.fromArray(rgb);
 }
 
-/** Loads a rig into the uniforms. */
+/** Copies a rig into the uniforms. */
 export function setRig(uniforms: LightUniforms, rig: LightRig): void {
 	rig.surroundings.forEach((lobe, i) => {
 		setLobe(uniforms.diffuseLobes.value[i], uniforms.diffuseColours.value[i], blurred(lobe, COSINE_SHARPNESS));
@@ -78,13 +81,13 @@ export function setRig(uniforms: LightUniforms, rig: LightRig): void {
 	setWindow(uniforms.rim.value, rig.rim);
 }
 
-/** Turns the lamps with the viewer: the plant is turned in the light, the light is not walked around. */
+/** Turns the lamps with the viewer, so that the plant turns in the light. */
 export function aimLamps(uniforms: LightUniforms, rig: LightRig, cameraWorld: Matrix4): void {
 	uniforms.keyDirection.value.copy(rig.key.direction).transformDirection(cameraWorld);
 	uniforms.rimDirection.value.copy(rig.rim.direction).transformDirection(cameraWorld);
 }
 
-/** Light arriving at a point; directions are the viewer's, reached through viewMatrix, but for the lamps'. */
+/** Light at a point. Directions are in view space, reached through viewMatrix, except those of the lamps. */
 export const LIGHT_CHUNK = /* glsl */ `
 struct WindowLight { mat3 toFrame; vec3 extent; vec3 irradiance; vec3 radiance; float spread; };
 uniform vec4 diffuseLobes[${LOBES}];

@@ -19,7 +19,7 @@ import { type Drawn, trianglesOf } from "../plant/drawn";
 
 /** Drawn after the plant. */
 const ORDER = 8;
-/** More than these are thinned out evenly. */
+/** Above these numbers, highlights are thinned out evenly. */
 const MOST_SEGMENTS = 20_000;
 const MOST_ORGANS = 4_000;
 /** Radius of a highlight, relative to the part that it covers. */
@@ -37,9 +37,9 @@ export class LitRenderer {
 	}
 
 	/**
-	 * @param segments indices of those that shine
-	 * @param organs likewise
-	 * @param thin the least radius at which a segment is seen, metres
+	 * @param segments indices of highlighted segments
+	 * @param organs indices of highlighted organs
+	 * @param thin least visible radius of a segment, metres
 	 * @param colour any CSS colour
 	 */
 	show(drawn: Drawn, segments: readonly number[], organs: readonly number[], thin: number, colour: string): void {

@@ -10,7 +10,10 @@ const TEXTURE_SLOTS = { colour: "map", normal: "normalMap" } as const;
 export type TextureKind = keyof typeof TEXTURE_SLOTS;
 const KINDS = Object.keys(TEXTURE_SLOTS) as TextureKind[];
 
-/** A life runs from plants with leaves to some without, from some with particles on their way to some without: and back. */
+/**
+ * Unused materials that stay cached: during a life, plants alternate between having leaves or particles and having
+ * none.
+ */
 const MOST_UNUSED = 24;
 
 interface CachedMaterial {
@@ -29,7 +32,9 @@ export class MaterialCache {
 	readonly #wind: WindUniforms | undefined;
 	/** Materials by a key of all properties that distinguish them. */
 	readonly #cached = new Map<string, CachedMaterial>();
-	/** The textured materials of the plant that is being dressed, in order: pictures may change, their place stays. */
+	/**
+	 * Textured materials of the current plant, in order; their index is part of the key, because pictures may change.
+	 */
 	readonly #textured = new Map<Material, number>();
 	#plant = 0;
 
@@ -59,7 +64,7 @@ export class MaterialCache {
 	materialOf(material: Material, coloured: boolean): MeshStandardMaterial {
 		const { textures, ...plain } = material;
 		if (textures && !this.#textured.has(material)) this.#textured.set(material, this.#textured.size);
-		// A picture's mean does not matter where the picture is shown.
+		// If a picture is shown, its mean colour does not matter.
 		const keyed = textures?.colour ? { ...plain, colour: undefined } : plain;
 		const kinds = textures && KINDS.filter((kind) => textures[kind]);
 		const key = JSON.stringify([keyed, coloured, kinds, textures?.repeats, this.#textured.get(material)]);
@@ -70,7 +75,7 @@ export class MaterialCache {
 		return cached.made;
 	}
 
-	/** Another picture on a material that wears one already. */
+	/** Replaces a picture on a material that already shows one. */
 	setPicture(made: MeshStandardMaterial, kind: TextureKind, picture: Picture): void {
 		for (const cached of this.#cached.values())
 			if (cached.made === made && cached.shows[kind]) showPicture(cached, kind, picture);
@@ -100,7 +105,7 @@ export class MaterialCache {
 	}
 }
 
-/** Another picture in place of the one that it shows. */
+/** Replaces a picture. */
 function showPicture({ made, shows }: CachedMaterial, kind: TextureKind, picture: Picture): void {
 	if (shows[kind] === picture) return;
 	(made[TEXTURE_SLOTS[kind]] as Texture).dispose();

@@ -38,7 +38,7 @@ void main() {
 }
 `;
 
-/** The shadow of any meshes: thrown on the paper as from a point, for `PaperShadow` to soften. */
+/** Hard shadow of meshes on the paper, as from a point light; `PaperShadow` softens it. */
 export class MeshShadow {
 	readonly #cast: Mesh[] = [];
 	readonly #shadow: PaperShadow;
@@ -94,7 +94,7 @@ function casting(shadow: PaperShadow, wind: WindUniforms): ShaderMaterial {
 	});
 }
 
-/** The same geometry at the same places, of another material. */
+/** Returns a mesh with the same geometry and instances, and another material. */
 function sharing(mesh: Mesh | InstancedMesh, material: ShaderMaterial): Mesh {
 	if (!(mesh instanceof InstancedMesh)) return new Mesh(mesh.geometry, material);
 	const shared = new InstancedMesh(mesh.geometry, material, 0);

@@ -8,7 +8,7 @@ import type { WindUniforms } from "./wind";
 
 export type Vector = readonly [x: number, y: number, z: number];
 
-/** A line of sight. */
+/** A ray. */
 export interface Ray {
 	origin: Vector;
 	/** Of any length. */
@@ -17,9 +17,9 @@ export interface Ray {
 
 /** Environment of a renderer. */
 export interface RendererStage {
-	/** Where its objects go, in the plant's metres; the viewer shows and hides it. */
+	/** Parent of the renderer's objects, in the plant's metres; the viewer shows and hides it. */
 	readonly root: Object3D;
-	/** The light there is, as uniforms for shaders of its own and as the rig they are of. */
+	/** The light, as uniforms for the renderer's own shaders, and as its rig. */
 	readonly light: StageLight;
 	/** Scene for the objects that cast the shadow on the paper. */
 	readonly shadow: PaperShadow;
@@ -35,9 +35,9 @@ export interface RendererStage {
  * @typeParam G the plant grown from it
  */
 export interface ModelRenderer<S, G> {
-	/** Shows a plant in place of the last, unmarked. Cheap enough for every step of a drag. */
+	/** Shows a plant in place of the last, without marks. Fast enough for every step of a drag. */
 	show(grown: G, specimen: S): void;
-	/** Shows something too small to see, so that every program is built before the first plant arrives. */
+	/** Shows something too small to be visible, so that all programs are compiled before the first plant arrives. */
 	warmUp?(): void;
 	/** Returns the bounds that the view must contain. */
 	bounds(): Bodies;
@@ -52,13 +52,15 @@ export interface ModelRenderer<S, G> {
 	 * removes the mark.
 	 */
 	mark(picked: number | undefined, whole?: ReadonlySet<number>): void;
-	/** Ways of showing a plant by name, the usual one first. */
+	/** Names of the modes of display, the default first. */
 	readonly modes: readonly string[];
-	/** One of `modes`; a plant shown later keeps to it. */
+	/** Sets one of `modes`, also for plants shown later. */
 	setMode(mode: string): void;
-	/** How far above the plant's horizon the view begins, degrees; absent: a little. */
+	/** Elevation of the first view above the plant's horizon, degrees; absent: a small default. */
 	readonly elevation?: number;
-	/** Whether it is seen from within, since `prepare`: a sky is then behind it, and no paper. */
+	/**
+	 * Whether the camera is within the plant, as of the last `prepare`: the background is then a sky instead of paper.
+	 */
 	readonly within?: boolean;
 	/** Resolves when all parts of the plant are complete; absent if `show` completes them. */
 	whenFinished?(): Promise<void>;

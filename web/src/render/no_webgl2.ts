@@ -1,4 +1,4 @@
-/** Thrown where the browser cannot draw in three dimensions; the message is meant to be shown. */
+/** Error: the browser has no WebGL 2; the message is for the user. */
 export class NoWebGL2Error extends Error {
 	constructor(options?: ErrorOptions) {
 		super(

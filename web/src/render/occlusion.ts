@@ -4,9 +4,9 @@
  */
 
 /**
- * Share of a round area light that a sphere hides.
+ * Returns the share of a round area light that a sphere hides.
  * @param lateral distance of the sphere's centre from the ray towards the light's centre
- * @param along distance to the sphere along that ray; behind the point nothing is hidden
+ * @param along distance to the sphere along that ray; a sphere behind the point hides nothing
  * @param spread tangent of the light's apparent radius
  */
 export function lampHidden(radius: number, lateral: number, along: number, spread: number): number {

@@ -1,8 +1,8 @@
-/** Light as the screen shows it: three's neutral tone mapping, without branches, and sRGB's curve. */
+/** Output of light to the screen: three's neutral tone mapping without branches, and the sRGB curve. */
 
 /**
- * `displayed(light)`, in place of three's tonemapping_fragment and colorspace_fragment, for materials that are drawn on screen only. The curve is
- * three's own, as in every other material: equal light gives equal colours.
+ * `displayed(light)` replaces three's tonemapping_fragment and colorspace_fragment in materials that are drawn on
+ * screen only. The curve is the same as in all other materials, so that equal light gives equal colours.
  */
 export const OUTPUT_CHUNK = /* glsl */ `
 vec3 displayed(vec3 light) {

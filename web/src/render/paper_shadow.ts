@@ -3,12 +3,12 @@ import type { LightRig } from "./light";
 import { spreadOf } from "./light";
 import { SoftShadow } from "./soft_shadow";
 
-/** Pixels along the target's shorter side; the shadow is soft, so more would show nothing new. */
+/** Pixels along the target's shorter side; more would not be visible in a soft shadow. */
 const RESOLUTION = 160;
 
 /**
- * The shadow on the paper, drawn small and read back by the backdrop. The paper faces the viewer at depth `paper` (view
- * space, negative); the shadow goes there along the lamp's direction and is as soft as it has come far.
+ * Shadow on the paper, drawn into a small texture for the backdrop. The paper faces the viewer at depth `paper` (view
+ * space, negative); the shadow falls along the lamp's direction and is softer, the farther it has fallen.
  */
 export class PaperShadow {
 	/**
@@ -20,7 +20,7 @@ export class PaperShadow {
 	readonly hard = new Scene();
 	readonly uniforms = {
 		paper: { value: -1 },
-		/** Towards the lamp, in view space, and the tangent of its apparent radius. */
+		/** Direction towards the lamp in view space, and the tangent of its apparent radius. */
 		lamp: { value: new Vector3(0, 0, 1) },
 		spread: { value: 0.3 },
 	};
@@ -36,7 +36,7 @@ export class PaperShadow {
 		return this.#target.texture;
 	}
 
-	/** Whether anything casts. */
+	/** Sets whether any shadow is drawn. */
 	set visible(visible: boolean) {
 		this.root.visible = this.hard.visible = visible;
 	}

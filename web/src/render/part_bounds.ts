@@ -2,7 +2,7 @@ import { Box3, Sphere, Vector3 } from "three";
 import { everyPart, type Part, TRANSFORM } from "../plant/part";
 import type { Bodies } from "./camera_fit";
 
-/** Of a mesh that stands where it is, so many points count, evenly picked; with fewer, all do. */
+/** Largest number of points sampled evenly from a mesh without instances. */
 const POINTS = 400;
 
 /** Returns the bounds of parts: points of their meshes, and a sphere about each instance. */
@@ -18,7 +18,7 @@ export function boundsOf(parts: Iterable<Part>): Bodies {
 	return { spheres: joined(balls), points: Float32Array.from(points) };
 }
 
-/** The upright box that holds them; an empty one where there are none. */
+/** Returns the bounding box; empty if there are no bodies. */
 export function boxOf({ spheres, points }: Bodies): Box3 {
 	const { min, max } = new Box3();
 	const hold = (x: number, y: number, z: number, reach: number) => {
@@ -30,7 +30,7 @@ export function boxOf({ spheres, points }: Bodies): Box3 {
 	return new Box3(min, max);
 }
 
-/** A ball that holds them, about the middle of their box. */
+/** Returns a bounding sphere about the middle of the bounding box. */
 export function ballOf(bodies: Bodies): { centre: Vector3; radius: number } {
 	const box = boxOf(bodies);
 	if (box.isEmpty()) return { centre: new Vector3(), radius: 0 };
@@ -38,7 +38,7 @@ export function ballOf(bodies: Bodies): { centre: Vector3; radius: number } {
 	return { centre, radius };
 }
 
-/** How far a mesh reaches from its origin. */
+/** Returns the greatest distance of a mesh's points from its origin. */
 function reachOf(positions: Float32Array): number {
 	let square = 0;
 	for (let i = 0; i < positions.length; i += 3) {
@@ -60,7 +60,7 @@ function ballsOf(transforms: Float32Array, reach: number): Float32Array {
 	return balls;
 }
 
-/** Arrays one after the other. */
+/** Concatenates arrays. */
 export function joined(arrays: readonly Float32Array[]): Float32Array {
 	const whole = new Float32Array(arrays.reduce((length, array) => length + array.length, 0));
 	let at = 0;

@@ -1,4 +1,4 @@
-/** Parts as three's meshes. */
+/** Converts parts to three.js meshes. */
 import {
 	BufferAttribute,
 	BufferGeometry,
@@ -21,7 +21,7 @@ export function matrixOf(transforms: Float32Array, index: number, matrix = new M
 	return matrix;
 }
 
-/** Place, turn and size as 4 × 4 numbers, column by column; of many instances, without an object for each. */
+/** Writes position, rotation and scale as a column-major 4 × 4 matrix, without an object for each instance. */
 function writeMatrix(transforms: Float32Array, from: number, into: { [index: number]: number }, at: number): void {
 	const qx = transforms[from + 3];
 	const qy = transforms[from + 4];
@@ -46,14 +46,14 @@ function writeMatrix(transforms: Float32Array, from: number, into: { [index: num
 	into[at + 15] = 1;
 }
 
-/** The meshes of all parts that have a shape; geometries and materials are shared as the parts share theirs. */
+/** Meshes of all parts with a shape; geometries and materials are shared as in the parts. */
 export class PartMeshes {
 	readonly objects: PartObject[] = [];
 	readonly #geometries = new Map<PartMesh, BufferGeometry>();
 	/** Geometries that contain data of their instances, and so are not shared. */
 	readonly #own: BufferGeometry[] = [];
 
-	/** @param materials whose materials they wear; it stays whose it is */
+	/** @param materials cache of the meshes' materials, which the caller owns */
 	constructor(parts: Iterable<Part>, materials: Pick<MaterialCache, "materialOf">) {
 		for (const { name, shape } of everyPart(parts)) {
 			if (!shape) continue;
@@ -67,7 +67,7 @@ export class PartMeshes {
 			object.userData.pickIds = mesh.pickIds;
 			object.castShadow = true;
 			object.receiveShadow = true;
-			// A plant is in view; to find out would take longer, of many instances, than drawing them.
+			// The plant is in view; culling many instances would take longer than drawing them.
 			object.frustumCulled = false;
 			this.objects.push(object);
 		}
@@ -116,7 +116,10 @@ function geometryOf({ positions, normals, colours, sky, indices }: PartMesh): Bu
 /** Largest number of vertices sampled for the size of a mesh. */
 const MOST_SAMPLED = 20_000;
 
-/** A ball that holds points, the first three of every so many numbers, about the middle of their box: three's own takes ten times as long. */
+/**
+ * Returns a bounding sphere of points, the first three of every `stride` numbers, about the middle of their box: ten
+ * times as fast as three's own.
+ */
 function sphereAbout(points: Float32Array, stride: number, reach = 0): Sphere {
 	let [lowX, lowY, lowZ, highX, highY, highZ] = [Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity];
 	for (let i = 0; i < points.length; i += stride) {
@@ -135,7 +138,7 @@ function sphereAbout(points: Float32Array, stride: number, reach = 0): Sphere {
 	return new Sphere(centre, reach + 0.5 * Math.hypot(highX - lowX, highY - lowY, highZ - lowZ));
 }
 
-/** How far an instance reaches from where it stands, at most. */
+/** Returns the greatest reach of an instance from its position. */
 function reachOf({ boundingSphere }: BufferGeometry, transforms: Float32Array): number {
 	let largest = 0;
 	for (let at = 7; at < transforms.length; at += TRANSFORM) largest = Math.max(largest, transforms[at]);
@@ -146,7 +149,7 @@ function instanced(geometry: BufferGeometry, material: MeshStandardMaterial, tra
 	const count = transforms.length / TRANSFORM;
 	const matrices = new Float32Array(16 * count);
 	for (let i = 0; i < count; i++) writeMatrix(transforms, TRANSFORM * i, matrices, 16 * i);
-	// Of none: three would write so many matrices first that turn nothing.
+	// Created with 0 instances, else three.js would first write that many identity matrices.
 	const object = new InstancedMesh(geometry, material, 0);
 	object.instanceMatrix = new InstancedBufferAttribute(matrices, 16);
 	object.count = count;

@@ -23,7 +23,7 @@ import { PartMeshes, type PartObject } from "./part_meshes";
 import { StandardLights } from "./standard_lights";
 import { windyDepth } from "./standard_material";
 
-/** The light that marks a part. */
+/** Emissive colour of a marked part. */
 const MARK = new Color(0.22, 0.18, 0.12);
 /** Overlay of the marked triangles: a colour that few plants have. */
 const CELL = {
@@ -34,7 +34,7 @@ const CELL = {
 	polygonOffsetFactor: -2,
 	polygonOffsetUnits: -2,
 };
-/** And over those that it is one of, below it. */
+/** Overlay of the marked group, below the part's own. */
 const WHOLE = { ...CELL, opacity: 0.22, polygonOffsetFactor: -1, polygonOffsetUnits: -1 };
 
 /**
@@ -54,16 +54,16 @@ export class PartRenderer<S, G> implements ModelRenderer<S, G> {
 	readonly #swayOf: (grown: G) => Sway | undefined;
 	#sway: Sway | undefined;
 	#shown: PartMeshes;
-	/** One more than the last id of any mesh. */
+	/** One more than the largest pick id of any mesh. */
 	#pickIdCount = 0;
 	#bounds: Bodies = { spheres: new Float32Array(0), points: new Float32Array(0) };
-	/** 3 × points that the view is to hold besides. */
+	/** 3 × additional points that the view must contain. */
 	#about: Float32Array = new Float32Array(0);
 	#marks: Mesh<BufferGeometry, Material>[] = [];
 
 	/**
-	 * @param room points that the view is to hold besides the parts, metres
-	 * @param swayOf how wind moves a plant; where absent it stands still
+	 * @param room returns additional points that the view must contain, metres
+	 * @param swayOf returns a plant's motion in wind; without it, plants do not move
 	 */
 	constructor(
 		stage: RendererStage,
@@ -196,7 +196,7 @@ export class PartRenderer<S, G> implements ModelRenderer<S, G> {
 
 const pickIdsOf = ({ userData }: PartObject): Uint32Array | undefined => userData.pickIds;
 
-/** One more than the last id of any mesh. */
+/** Returns one more than the largest pick id of any mesh. */
 function countPickIds(objects: readonly PartObject[]): number {
 	let count = 0;
 	for (const object of objects) for (const id of pickIdsOf(object) ?? []) count = Math.max(count, id + 1);
@@ -212,7 +212,7 @@ function lightened(of: PartObject["material"]): PartObject["material"] {
 	return material;
 }
 
-/** One of those that an object draws, by itself. */
+/** Returns a mesh of one instance of an object. */
 function instanceOf(object: PartObject, index: number): PartObject {
 	const mark: PartObject = new Mesh(object.geometry, lightened(object.material));
 	if (object instanceof InstancedMesh) {
@@ -223,12 +223,12 @@ function instanceOf(object: PartObject, index: number): PartObject {
 }
 
 /**
- * The triangles of some pickIds, with vertices of their own: three deletes a geometry's buffers on the graphics card with the geometry, though
- * another shares its attributes.
+ * Returns the triangles with some pick ids, with vertices of their own: three.js deletes a geometry's buffers with it,
+ * even if another geometry shares its attributes.
  */
 function onlyOf(geometry: BufferGeometry, pickIds: Uint32Array, which: (id: number) => boolean): BufferGeometry {
 	const indices = geometry.index?.array ?? [];
-	/** The place of each vertex in the mark, in the order of first use. */
+	/** Index of each vertex in the mark, in the order of first use. */
 	const places = new Map<number, number>();
 	const own: number[] = [];
 	for (let corner = 0; corner < 3 * pickIds.length; corner++) {
@@ -253,7 +253,7 @@ function countOf(object: PartObject): number {
 	return object instanceof InstancedMesh ? object.count : 1;
 }
 
-/** The figure of a model that has none of its own. */
+/** Returns the renderer of a model that consists of parts. */
 export function partRenderer<S, G>(
 	parts: (grown: G, specimen: S) => Iterable<Part>,
 	room?: (specimen: S) => Float32Array,

@@ -9,10 +9,10 @@ import {
 import type { Picture } from "../plant/material";
 import { asCardsTakeIt } from "../plant/picture";
 
-/** Seen at a slant, a leaf's veins would blur. */
+/** Anisotropic filtering, because a leaf's veins would blur at a slant. */
 const ANISOTROPY = 4;
 
-/** A picture as three's texture: the first row is v = 0. */
+/** Converts a picture to a three.js texture: the first row is v = 0. */
 export function pictureTexture(picture: Picture, isColour: boolean, repeats = false): DataTexture {
 	const { width, height, pixels } = asCardsTakeIt(picture);
 	const texture = new DataTexture(pixels, width, height);

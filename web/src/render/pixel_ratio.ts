@@ -1,7 +1,7 @@
-/** No screen shows more than this to the naked eye. */
+/** Largest pixel ratio: finer pixels are not visible to the naked eye. */
 const MOST = 2;
 const LEAST = 0.5;
-/** A frame slower than this (ms) is felt as lag; one faster leaves room for finer pixels. */
+/** Frame times in ms: slower frames are felt as lag, faster ones leave time for finer pixels. */
 const SLOW = 42;
 const FAST = 20;
 
@@ -38,7 +38,7 @@ export class PixelRatio {
 	}
 
 	#step(factor: number): void {
-		// Quarters: fewer sizes, fewer reallocations of the drawing buffer.
+		// Steps of 1/8 need fewer reallocations of the drawing buffer.
 		const wanted = Math.min(this.rest, Math.max(LEAST, this.#moving * factor));
 		this.#moving =
 			factor < 1 ? Math.max(LEAST, Math.floor(wanted * 8) / 8) : Math.min(this.rest, Math.ceil(wanted * 8) / 8);

@@ -1,6 +1,6 @@
 import { DataTexture, FloatType, NearestFilter, RGBAFormat, RGBAIntegerFormat, UnsignedIntType } from "three";
 
-/** Records side by side in one row of a texture; keeps the greatest plants inside every device's texture limits. */
+/** Records per row of the texture, so that the largest plants fit into every device's texture limits. */
 export const RECORDS_PER_ROW = 64;
 
 /** Type of a texel's four words; shaders read `words` through a `usampler2D`. */
@@ -26,7 +26,7 @@ export class RecordTexture {
 		this.texture = this.#make(1);
 	}
 
-	/** Room for `count` records; `data` and `texture` may be new afterwards. */
+	/** Makes room for `count` records; `data` and `texture` may be replaced. */
 	reserve(count: number): void {
 		if (count <= this.#capacity) return;
 		const rows = Math.ceil(Math.max(count, 1.5 * this.#capacity) / this.perRow);

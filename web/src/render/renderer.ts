@@ -14,7 +14,7 @@ export interface Drawable {
  * renderer for all of them (`ViewerOptions.renderer`), and each view copies its picture to its own canvas.
  */
 export class Renderer {
-	/** Whether pictures are drawn without a graphics card: the first ones then start coarse. */
+	/** Whether WebGL runs in software: the first pictures are then coarse. */
 	readonly slow: boolean;
 	readonly #three: WebGLRenderer;
 	readonly #edges: SmoothEdges | undefined;
@@ -43,11 +43,11 @@ export class Renderer {
 		this.#three.autoClearColor = false;
 		this.#three.shadowMap.enabled = true;
 		this.#three.debug.checkShaderErrors = checked;
-		// More samples a pixel cost software as much again as all else: there edges are smoothed afterwards.
+		// Multisampling would double software's time per frame, so edges are smoothed afterwards.
 		if (this.slow) this.#edges = new SmoothEdges();
 	}
 
-	/** Where it draws; of a view with a canvas of its own, the lower left corner. */
+	/** Canvas of the context; pictures are in its lower left corner. */
 	get canvas(): HTMLCanvasElement {
 		return this.#three.domElement;
 	}
@@ -57,7 +57,7 @@ export class Renderer {
 		return this.#three.getContext().isContextLost();
 	}
 
-	/** How many geometries, textures and programs the card holds. */
+	/** Numbers of geometries, textures and programs on the card. */
 	get held(): { geometries: number; textures: number; programs: number } {
 		const { memory, programs } = this.#three.info;
 		return { geometries: memory.geometries, textures: memory.textures, programs: programs?.length ?? 0 };
@@ -70,7 +70,7 @@ export class Renderer {
 		this.#edges?.draw(this.#three, size);
 	}
 
-	/** Makes room for a picture. */
+	/** Resizes the canvas for a picture. */
 	fit({ width, height }: Size): void {
 		const { canvas } = this;
 		const [across, up] = this.#fits
@@ -92,11 +92,11 @@ export class Renderer {
 		if (!this.lost) await gpuDone(this.#three.getContext() as WebGL2RenderingContext);
 	}
 
-	/** Lets go of the graphics card; the canvas cannot be drawn on again. */
+	/** Releases the context; the canvas cannot be drawn on again. */
 	dispose(): void {
 		this.#edges?.dispose();
 		this.#three.dispose();
-		// Browsers drop contexts late.
+		// Browsers release contexts late.
 		this.#three.forceContextLoss();
 	}
 }

@@ -12,7 +12,7 @@ import {
 	MeshBasicMaterial,
 } from "three";
 
-/** Between faces at least so far apart an edge is drawn, degrees. */
+/** Least angle between faces at which an edge is drawn, degrees. */
 const EDGE = 20;
 /** Drawn after the plant. */
 const ORDER = 10;
@@ -21,11 +21,11 @@ const ORDER = 10;
 export interface Shell {
 	/** 3 × points. */
 	points: number[];
-	/** 3 × triangles. The same array again is the same body, moved, turned or stretched. */
+	/** 3 × triangles. An identical array means the same body, moved, rotated or stretched. */
 	triangles: number[];
 }
 
-/** Edges by the triangles that they are of, two points each. */
+/** Edges by the array of triangles, two points each. */
 const known = new WeakMap<readonly number[], number[]>();
 
 /**
@@ -56,7 +56,7 @@ export class ShellRenderer {
 	});
 	readonly #edges = new LineBasicMaterial({ transparent: true, opacity: 0.4, depthWrite: false, toneMapped: false });
 
-	/** Of those marked. */
+	/** Materials of marked shells. */
 	readonly #markedFaces = this.#faces.clone();
 	readonly #markedEdges = this.#edges.clone();
 
@@ -80,7 +80,10 @@ export class ShellRenderer {
 		}
 	}
 
-	/** @param marked which of the shells shown, counted from 0; @param colour any CSS colour */
+	/**
+	 * @param marked indices of the marked shells
+	 * @param colour any CSS colour
+	 */
 	mark(marked: ReadonlySet<number>, colour: string): void {
 		for (const material of [this.#markedFaces, this.#markedEdges]) material.color.set(colour);
 		this.object.children.forEach((part, at) => {

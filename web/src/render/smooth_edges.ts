@@ -2,7 +2,7 @@ import { FramebufferTexture, LinearFilter, RGBFormat, Vector2, type WebGLRendere
 import { FullScreen } from "./full_screen";
 import type { Size } from "./size";
 
-/** Along an edge, which runs across the steepest change of brightness, pixels are blurred, and where one stands alone; all others stay. */
+/** Blurs pixels along edges, perpendicular to the gradient of brightness, and isolated pixels; other pixels stay. */
 const FRAGMENT = /* glsl */ `
 varying vec2 place;
 uniform sampler2D picture;
@@ -77,7 +77,7 @@ export class SmoothEdges {
 		if (this.#picture && image?.width === width && image.height === height) return this.#picture;
 		this.#picture?.dispose();
 		const made = new FramebufferTexture(width, height);
-		// As the canvas, which has no alpha.
+		// RGB, because the canvas has no alpha.
 		made.format = RGBFormat;
 		made.internalFormat = "RGB8";
 		made.magFilter = LinearFilter;

@@ -8,7 +8,7 @@ import {
 } from "three";
 import { FullScreen } from "./full_screen";
 
-/** Pixels along the hard shadow's shorter side: stalks must not fall between them. */
+/** Pixels along the hard shadow's shorter side, so that stalks are not missed. */
 const RESOLUTION = 400;
 
 /**
@@ -45,7 +45,7 @@ void main() {
 }
 `;
 
-/** Makes of shadows thrown from a point those of a lamp that has an extent: the softer, the farther they have come. */
+/** Softens hard shadows as from a point light to those of an area light: the farther from the object, the softer. */
 export class SoftShadow {
 	readonly #target = new WebGLRenderTarget(1, 1, {
 		depthBuffer: false,

@@ -9,7 +9,7 @@ export class SphereIndex {
 	readonly #low = [0, 0, 0];
 	readonly #cells = [1, 1, 1];
 	readonly #size: number;
-	/** Where each cell's run of `#order` begins; one more than there are cells. */
+	/** Index in `#order` at which each cell begins; one more entry than cells. */
 	readonly #starts: Uint32Array;
 	readonly #order: Uint32Array;
 
@@ -59,7 +59,10 @@ export class SphereIndex {
 		for (let i = 0; i < this.count; i++) this.#order[next[this.#cellOf(i)]++] = i;
 	}
 
-	/** Writes into `found` the indices of spheres whose centres may lie within `distance` of the point; returns how many. */
+	/**
+	 * Writes the indices of spheres whose centres may be within `distance` of the point into `found`.
+	 * @returns their number
+	 */
 	near(x: number, y: number, z: number, distance: number, found: Uint32Array): number {
 		const [nx, ny] = this.#cells;
 		const fromX = this.#along(0, x - distance);

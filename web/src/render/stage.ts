@@ -24,13 +24,13 @@ export class Stage<S, G> implements Drawable {
 
 	readonly #changed: () => void;
 
-	/** @param changed called when the figure has changed by itself */
+	/** @param changed called when the renderer's drawing has changed by itself */
 	constructor(changed: () => void = () => {}) {
 		this.#changed = changed;
 		this.scene.add(this.#backdrop.mesh);
 	}
 
-	/** Puts a figure in place of the last. */
+	/** Replaces the renderer. */
 	use(make: RendererFactory<S, G>): void {
 		this.#renderer?.dispose();
 		this.#root.removeFromParent();
@@ -108,7 +108,7 @@ export class Stage<S, G> implements Drawable {
 		this.#shadow.setRig(this.#light.rig);
 	}
 
-	/** Has flat black or white behind the plant, or, without, the paper again. */
+	/** Sets a flat black or white background; undefined restores the paper. */
 	setGround(grey?: 0 | 1): void {
 		if (grey === undefined) this.#backdrop.setRig(this.#light.rig);
 		else this.#backdrop.setFlat(grey);
@@ -127,12 +127,15 @@ export class Stage<S, G> implements Drawable {
 		renderer.render(this.scene, camera);
 	}
 
-	/** The graphics card begins anew: three sends buffers, textures and programs again with the next draw, where the page still has them. */
+	/**
+	 * After a restored context, three.js uploads buffers, textures and programs again with the next draw, if the page
+	 * still has them.
+	 */
 	restored(): void {
 		this.#renderer?.restored?.();
 	}
 
-	/** Settles when the figure has nothing left to make. */
+	/** Resolves when all parts of the plant are complete. */
 	async whenFinished(): Promise<void> {
 		await this.#renderer?.whenFinished?.();
 	}

@@ -2,9 +2,9 @@ import type { PerspectiveCamera } from "three";
 import { type LightRig, rigOf, type Theme } from "./light";
 import { aimLamps, lightUniforms, setRig } from "./light_shader";
 
-/** The light on the stage: one rig at a time, which turns with the viewer. */
+/** Light of the stage: one rig at a time, which turns with the viewer. */
 export class StageLight {
-	/** One object for all surfaces, so that a change of light reaches them at once. */
+	/** One object for all surfaces, so that a change of light reaches all of them at once. */
 	readonly uniforms = lightUniforms();
 	#rig: LightRig = rigOf("light");
 
@@ -21,7 +21,7 @@ export class StageLight {
 		setRig(this.uniforms, this.#rig);
 	}
 
-	/** Turns the lamps with the viewer: the plant is turned in the light, the light is not walked around. */
+	/** Turns the lamps with the viewer, so that the plant turns in the light. */
 	aim(camera: PerspectiveCamera): void {
 		aimLamps(this.uniforms, this.#rig, camera.matrixWorld);
 	}

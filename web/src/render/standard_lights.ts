@@ -3,7 +3,7 @@ import { probeOf } from "./probe";
 import type { StageLight } from "./stage_light";
 import type { WindUniforms } from "./wind";
 
-/** Shadow maps are so large each way, and blurred by so many of their pixels: the window is a large lamp. */
+/** Size of the shadow map and radius of its blur, in pixels: the window is a large lamp. */
 const SHADOW_PIXELS = 1024;
 const SHADOW_BLUR = 4;
 
@@ -12,10 +12,10 @@ interface Ball {
 	radius: number;
 }
 
-/** Where nothing throws a shadow, the lamp stands as far as its direction is long. */
+/** Sphere for a scene without shadows: the lamp is then at the distance of its direction's length. */
 const NOWHERE: Ball = { centre: new Vector3(), radius: 0.5 };
 
-/** The stage's light as three's own lamps, for its standard materials: both windows and the surroundings. */
+/** The stage's light as three.js lights, for its standard materials: both windows and the surroundings. */
 export class StandardLights {
 	readonly group = new Group();
 	readonly #key = new DirectionalLight();
@@ -23,7 +23,7 @@ export class StandardLights {
 	readonly #sky = new LightProbe();
 
 	#shaded: Ball | undefined;
-	/** Of the wind, when the shadow was drawn last. */
+	/** Phase of the wind when the shadow was last drawn. */
 	readonly #beat = new Vector2();
 
 	constructor() {
@@ -36,7 +36,7 @@ export class StandardLights {
 		this.#shaded = ball;
 		const { shadow } = this.#key;
 		this.#key.castShadow = ball.radius > 0;
-		// Drawn again where the light has moved on the plant, or the plant is another: not with every frame.
+		// The shadow is drawn again only after changes of the light or of the plant, not in every frame.
 		shadow.autoUpdate = false;
 		shadow.needsUpdate = true;
 		shadow.mapSize.set(SHADOW_PIXELS, SHADOW_PIXELS);

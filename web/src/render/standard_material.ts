@@ -1,4 +1,4 @@
-/** Materials as three's own physically based ones, under the stage's light. */
+/** Converts materials to three's physically based materials, under the stage's light. */
 import {
 	Color,
 	DoubleSide,
@@ -17,7 +17,7 @@ import { LIGHT_CHUNK, type LightUniforms } from "./light_shader";
 import { pictureTexture } from "./picture_texture";
 import { WIND_CHUNK, type WindUniforms } from "./wind";
 
-/** How much of both lamps' light reaches a vertex, where a figure knows that better than a shadow map. */
+/** Share of both lamps' light that reaches a vertex, for renderers that compute it better than a shadow map. */
 export interface LampShares {
 	/** For the vertex shader, after LIGHT_CHUNK: a function `vec2 lamp_shares(vec3 point)` of key and rim light, 0 … 1. */
 	chunk: string;
@@ -33,7 +33,7 @@ export interface PlainOptions {
 
 export interface StandardOptions extends PlainOptions {
 	light: LightUniforms;
-	/** Whether vertices or instances have `sky`, 0 none … 1 all; where they have not, all of it is open. */
+	/** Whether vertices or instances have `sky`, 0 none … 1 all; if not, the whole sky is visible. */
 	sky?: boolean;
 	shares?: LampShares;
 	/**
@@ -55,7 +55,7 @@ export function plainMaterial(material: Material, { coloured = false, maps = {} 
 	made.vertexColors = coloured;
 	if (maps.colour) made.map = maps.colour;
 	if (maps.normal) made.normalMap = maps.normal;
-	// three's frame is that of u and v, green of our normals points against v.
+	// three's tangent frame is that of u and v; our normals' green points against v.
 	made.normalScale = new Vector2(1, -1);
 	made.roughness = material.roughness;
 	made.metalness = 0;
@@ -126,7 +126,10 @@ const LAMP = "getDirectionalLightInfo( directionalLight, directLight );";
 
 const SHEET = "uniform vec3 sheetThrough;\nuniform vec3 sheetReverse;\n";
 
-/** Light of both lamps and of the surroundings that falls on the other side, as it comes out on this one: `lightThrough` (plant/material.ts). */
+/**
+ * Light of both lamps and of the surroundings on the other side, transmitted to this side: `lightThrough`
+ * (plant/material.ts).
+ */
 const THROUGH = /* glsl */ `
 vec3 behind = 0.6 * PI * diffuse_surroundings(-normal);
 for (int i = 0; i < NUM_DIR_LIGHTS; i++) {
@@ -135,7 +138,7 @@ for (int i = 0; i < NUM_DIR_LIGHTS; i++) {
 reflectedLight.directDiffuse += sheetThrough * sqrt(diffuseColor.rgb) * BRDF_Lambert(diffuseColor.rgb) * behind;
 `;
 
-/** The surroundings mirrored, the more blurred the rougher. */
+/** Reflection of the surroundings, more blurred for rougher surfaces. */
 const MIRRORED = /* glsl */ `
 vec3 mirrored = reflect(-geometryViewDir, normal);
 radiance += mix(gloss_surroundings(mirrored), diffuse_surroundings(mirrored), material.roughness);

@@ -7,17 +7,17 @@ import {
 	type TypedArray,
 } from "three";
 
-/** One attribute's content: its name, numbers and how many of them make one item; bytes are shares of 255. */
+/** Content of an attribute: name, numbers, and numbers per item; bytes are shares of 255. */
 export type Stream = readonly [name: string, array: TypedArray, size: number];
 
 /**
- * Puts content into a geometry, into the buffers it has where they are large enough; else into new ones with half as
- * much room again, so that dragging hardly ever allocates. Draws all of `index`.
+ * Writes content into a geometry's buffers if they are large enough, else into new buffers with half as much room
+ * again, so that dragging rarely allocates. Draws all of `index`.
  */
 export function fillStreams(geometry: BufferGeometry, streams: readonly Stream[], index: TypedArray): void {
 	const roomy = streams.every(([name, array]) => fits(attributeOf(geometry, name), array));
 	if (!roomy || !fits(geometry.index ?? undefined, index)) {
-		// three forgets a disposed geometry's buffers and takes it up anew.
+		// three.js frees a disposed geometry's buffers and uploads it again.
 		geometry.dispose();
 		for (const [name, array, size] of streams) geometry.setAttribute(name, roomyAttribute(array, size));
 		geometry.setIndex(roomyAttribute(index, 1));
@@ -60,7 +60,7 @@ export function fillInstances(
 	fill(attributeOf(geometry, name), values);
 }
 
-/** Writes an attribute's first items and has only those sent to the GPU. */
+/** Writes an attribute's first items and uploads only these to the GPU. */
 function fill(attribute: BufferAttribute | undefined, array: ArrayLike<number>): void {
 	if (!attribute) return;
 	attribute.array.set(array);

@@ -9,25 +9,25 @@ import type { Size } from "./size";
 import { Stage } from "./stage";
 
 export interface ViewerOptions {
-	/** No gliding, no damping. */
+	/** Disables gliding and damping. */
 	reducedMotion?: boolean;
 	theme?: Theme;
-	/** Takes no pointer: for pictures. */
+	/** Ignores pointers: for pictures. */
 	still?: boolean;
 	/** Checks shaders for errors, which takes time: for developers. */
 	checked?: boolean;
-	/** Draws this view among others; where absent, the view has a renderer of its own on its canvas. Stays whose it is. */
+	/** Shared renderer, which the caller owns; absent: the view has a renderer of its own on its canvas. */
 	renderer?: Renderer;
 	events?: ViewerEvents;
 }
 
 /** Events of a viewer. */
 export interface ViewerEvents {
-	/** Once, when the first draw with a plant has been submitted. */
+	/** Once, after the first draw with a plant. */
 	firstDraw?(): void;
 	/** After every draw: overlays may have to follow the plant. */
 	drawn?(): void;
-	/** The GPU has dropped the page's pictures; the canvas is blank until `contextRestored`. */
+	/** The graphics context was lost; the canvas is blank until `contextRestored`. */
 	contextLost?(): void;
 	contextRestored?(): void;
 }
@@ -70,7 +70,7 @@ export class Viewer<S, G> {
 		this.resize();
 	}
 
-	/** Plants are drawn by this figure from now on; the last one is taken off the stage. */
+	/** Sets the renderer of plants and removes the last one from the stage. */
 	use(make: RendererFactory<S, G>): void {
 		this.#stage.use(make);
 		this.#profile = undefined;
@@ -80,19 +80,19 @@ export class Viewer<S, G> {
 		this.#loop.request();
 	}
 
-	/** Shows a plant in place of the last. Cheap enough for every step of a drag: buffers and programs are reused. */
+	/** Shows a plant in place of the last. Fast enough for every step of a drag: buffers and programs are reused. */
 	show(grown: G, specimen: S): void {
 		this.#profile = boundingProfileOf(this.#stage.show(grown, specimen));
 		this.#cameraController.follow(this.#profile, this.#held);
 		this.#loop.request(true);
 	}
 
-	/** Ways in which the figure can show a plant, the usual one first. */
+	/** Modes of the renderer, the default first. */
 	get modes(): readonly string[] {
 		return this.#stage.modes;
 	}
 
-	/** One of `modes`; another one changes nothing. */
+	/** Sets one of `modes`; other values are ignored. */
 	setMode(mode: string): void {
 		if (this.#stage.setMode(mode)) this.#loop.request();
 	}
@@ -102,14 +102,17 @@ export class Viewer<S, G> {
 		this.#loop.request();
 	}
 
-	/** Fits the drawing to the canvas's size on the page; call it when that changes. */
+	/** Fits the drawing to the canvas's size on the page; call it after a change of size. */
 	resize(): void {
 		this.#loop.setDevice(window.devicePixelRatio);
 		this.#setSize(this.#canvas.clientWidth || this.#canvas.width, this.#canvas.clientHeight || this.#canvas.height);
 		this.#loop.request();
 	}
 
-	/** While held (a control is being dragged), the view goes after the plant only where that outgrows it; let go, it follows. */
+	/**
+	 * While a control is held, the view follows the plant only if the plant outgrows it; after release, it always
+	 * follows.
+	 */
 	holdView(held: boolean): void {
 		if (!held && this.#held && this.#profile) this.#cameraController.follow(this.#profile, false);
 		this.#held = held;
@@ -120,7 +123,7 @@ export class Viewer<S, G> {
 		this.#cameraController.orbit(dx, dy);
 	}
 
-	/** Makes the plant look `factor` times as large. */
+	/** Scales the plant's apparent size by `factor`. */
 	zoom(factor: number): void {
 		this.#cameraController.zoom(factor);
 	}
@@ -130,7 +133,7 @@ export class Viewer<S, G> {
 		this.#cameraController.pan(dx, dy);
 	}
 
-	/** The whole plant, from the direction the page opens with or from a named one. */
+	/** Shows the whole plant, from the default view or a named one. */
 	resetView(view?: ViewName): void {
 		this.#cameraController.fit(view);
 	}
@@ -143,13 +146,13 @@ export class Viewer<S, G> {
 		this.#cameraController.reducedMotion = on;
 	}
 
-	/** Whether a wind blows: then it draws frame after frame. Pictures are of the plant at rest. */
+	/** Sets whether a wind blows, which draws every frame. Pictures show the plant at rest. */
 	set wind(on: boolean) {
 		this.#stage.wind.blowing = on;
 		this.#loop.request(true);
 	}
 
-	/** Whether pointers turn the plant; a handle in the scene switches this off while it is dragged. */
+	/** Sets whether pointers turn the plant; a handle in the scene switches this off during a drag. */
 	set orbiting(enabled: boolean) {
 		this.#cameraController.controls.enabled = enabled;
 	}
@@ -159,7 +162,7 @@ export class Viewer<S, G> {
 		this.#cameraController.keepsWhole = on;
 	}
 
-	/** Adds something to the scene, in the plant's metres. */
+	/** Adds an object to the scene, in the plant's metres. */
 	addOverlay(object: Object3D): void {
 		this.#stage.scene.add(object);
 		this.#loop.request();
@@ -170,7 +173,7 @@ export class Viewer<S, G> {
 		this.#loop.request();
 	}
 
-	/** Where a point of the plant is on the canvas, in CSS pixels from its top left corner. */
+	/** Returns the position of a point of the plant on the canvas, in CSS pixels from its top left corner. */
 	project({ x, y, z }: Pick<Vector3, "x" | "y" | "z">): { x: number; y: number } {
 		this.camera.updateMatrixWorld();
 		const at = new Vector3(x, y, z).project(this.camera);
@@ -190,12 +193,12 @@ export class Viewer<S, G> {
 		if (this.#stage.mark(picked, whole)) this.#loop.request();
 	}
 
-	/** Has the eye stand somewhere; undefined brings back the plant that turns before it. */
+	/** Places the eye at a position; undefined shows the whole plant again. */
 	look(from: Gaze | undefined): void {
 		this.#cameraController.look(from);
 	}
 
-	/** For overlays that have changed. */
+	/** Requests a frame after changes of overlays. */
 	requestRender(): void {
 		this.#loop.request();
 	}
@@ -204,19 +207,19 @@ export class Viewer<S, G> {
 		return this.#rendered;
 	}
 
-	/** Settles when nothing is left to draw and the GPU has finished. */
+	/** Resolves when nothing is left to draw and the GPU has finished. */
 	async whenIdle(): Promise<void> {
 		await this.#stage.whenFinished();
 		await this.#loop.whenIdle();
 		await this.#renderer.done();
 	}
 
-	/** The present view as a PNG of the given size in pixels. */
+	/** Returns the current view as a PNG of the given size in pixels. */
 	async snapshot(width: number, height: number): Promise<Blob> {
 		await this.#stage.whenFinished();
 		return this.#inSize({ width, height }, () => {
 			this.#draw(1);
-			// toBlob copies the pixels before it returns, so that the view can be put back at once.
+			// toBlob copies the pixels before it returns, so that the view can be restored at once.
 			return new Promise<Blob>((resolve, reject) => {
 				this.#canvas.toBlob((blob) => {
 					if (blob) resolve(blob);
@@ -226,7 +229,7 @@ export class Viewer<S, G> {
 		});
 	}
 
-	/** The same of the plant alone, with nothing behind it. */
+	/** Returns the plant as a PNG with a transparent background. */
 	async cutOut(width: number, height: number): Promise<Blob> {
 		const { cutOutOf } = await import("./cut_out");
 		await this.#stage.whenFinished();
@@ -238,7 +241,7 @@ export class Viewer<S, G> {
 		);
 	}
 
-	/** Has the view be of that size while something is taken of it. */
+	/** Resizes the view during a callback. */
 	#inSize<Taken>({ width, height }: Size, take: () => Taken): Taken {
 		if (this.#renderer.lost) throw new Error("The GPU has been lost; try again when the picture is back.");
 		const { width: shownWidth, height: shownHeight } = this.#size;
@@ -251,7 +254,7 @@ export class Viewer<S, G> {
 		}
 	}
 
-	/** Lets go of the graphics card; a canvas with a renderer of its own cannot be drawn on again. */
+	/** Releases the graphics context; a canvas with a renderer of its own cannot be drawn on again. */
 	dispose(): void {
 		this.#loop.stop();
 		this.#renderer.canvas.removeEventListener("webglcontextlost", this.#onLost);
@@ -272,7 +275,7 @@ export class Viewer<S, G> {
 		this.#events.contextRestored?.();
 	};
 
-	/** The line of sight through a point of the canvas, CSS pixels from its top left corner. */
+	/** Returns the ray through a point of the canvas, CSS pixels from its top left corner. */
 	rayThrough(x: number, y: number): Ray {
 		this.camera.updateMatrixWorld();
 		const { width, height } = this.#size;

@@ -3,7 +3,7 @@ import { Vector2, Vector3, Vector4 } from "three";
 import { BEAT, BRANCH, FLUTTER, LEAF, type Sway, TRUNK, WAVE } from "../plant/sway";
 import { float } from "./glsl";
 
-/** How fast it rises and falls, a second. */
+/** Rate at which the wind rises and falls, per second. */
 const RISE = 1.5;
 
 /**
@@ -39,23 +39,23 @@ vec3 blown(vec3 point, vec3 held) {
 export function windUniforms() {
 	return {
 		windFoot: { value: new Vector3() },
-		/** Upwards or down, height, reach, the larger of both. */
+		/** Direction of growth (1 up, −1 down), height, reach, and the larger of both. */
 		windForm: { value: new Vector4(1, 1, 1, 1) },
-		/** Sine and cosine of the time, as strong as it blows; none where it is calm. */
+		/** Sine and cosine of the phase, scaled by the strength; 0 in calm. */
 		windBeat: { value: new Vector2() },
 	};
 }
 
 export type WindUniforms = ReturnType<typeof windUniforms>;
 
-/** One wind for all that stands on a stage. */
+/** The wind on a stage. */
 export class Wind {
 	/** One object for all materials. */
 	readonly uniforms = windUniforms();
 	#sway: Sway | undefined;
 	#strength = 0;
 	#before: number | undefined;
-	/** Whether it blows, or will. */
+	/** Whether the wind blows, or begins to. */
 	blowing = false;
 
 	/** Sets the plant that the wind moves; undefined for none. */
@@ -67,7 +67,7 @@ export class Wind {
 		this.uniforms.windForm.value.set(up, height, reach, Math.max(height, reach));
 	}
 
-	/** Has it be calm while something is done: pictures are of plants at rest. */
+	/** Runs a callback without wind: pictures show plants at rest. */
 	calm<Done>(work: () => Done): Done {
 		const { value } = this.uniforms.windBeat;
 		const beat = value.toArray();
@@ -80,7 +80,7 @@ export class Wind {
 	}
 
 	/**
-	 * Has it be that time.
+	 * Advances the wind to a time.
 	 * @param now milliseconds
 	 * @returns whether anything moves
 	 */

@@ -5,7 +5,7 @@ import type { ModelSchema } from "../specimen/model_schema";
 import type { Specimen } from "../specimen/specimen";
 import type { Change } from "./editor_context";
 
-/** The specimen with the change in it. */
+/** Returns the specimen with a change applied. */
 export function apply<S extends Specimen>(
 	species: ModelSchema<S>,
 	specimen: S,
@@ -15,11 +15,11 @@ export function apply<S extends Specimen>(
 	return seed === undefined ? next : withSeed(next, seed);
 }
 
-/** A seed that differs, so that every press shows another plant. */
+/** Returns another random seed, so that every press shows another plant. */
 export function otherSeed(seed: number, random: () => number = Math.random): number {
 	const drawn = Math.floor(random() * SEEDS_DRAWN) + 1;
 	return drawn === seed ? (drawn % SEEDS_DRAWN) + 1 : drawn;
 }
 
-/** Short enough to be read aloud; every seed to 4294967295 may still be typed. */
+/** Largest random seed: short enough to be read aloud. Every seed up to 4294967295 can be typed. */
 const SEEDS_DRAWN = 99_999;

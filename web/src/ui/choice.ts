@@ -3,10 +3,10 @@ import { live } from "lit/directives/live.js";
 import type { ChoiceEntry } from "../specimen/table";
 import { EntryElement } from "./entry_element";
 
-/** As many options as stand side by side; more of them drop down. */
+/** Largest number of options shown side by side; more of them are shown as a drop-down list. */
 const MOST_SIDE_BY_SIDE = 3;
 
-/** One parameter that is one of a few: radio buttons side by side, or a list that drops down. Each choice is a step. */
+/** Control of a choice: radio buttons side by side, or a drop-down list. Each choice is an undo step. */
 export class ChoiceControl extends EntryElement<ChoiceEntry> {
 	protected override draw(): unknown {
 		const { key, help, options } = this.entry;
@@ -51,7 +51,7 @@ export class ChoiceControl extends EntryElement<ChoiceEntry> {
 	}
 }
 
-/** An option as links write it, as a person reads it: "Natural". */
+/** Formats an option of links for people: "Natural". */
 export function inWords(option: string): string {
 	return option.charAt(0).toUpperCase() + option.slice(1).replaceAll("_", " ");
 }

@@ -1,11 +1,11 @@
 import { html } from "lit";
 
 export interface FileChoice {
-	/** As an input's `accept`. */
+	/** Value of the input's `accept`. */
 	readonly accept: string;
 	/** Accessible name of the input. */
 	readonly label: string;
-	/** On the button. */
+	/** Label of the button. */
 	readonly words: string;
 	take(file: File): void;
 }

@@ -1,4 +1,4 @@
-/** Arrow keys go by a slider's own step, fine enough for the smallest plants; with Shift by ten of them. */
+/** Steps of arrow keys on sliders: one of the slider's own steps, ten with Shift. */
 
 const STEPS = 10;
 const WAYS: Readonly<Record<string, number>> = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 };

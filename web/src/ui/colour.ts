@@ -3,7 +3,7 @@ import type { ColourEntry } from "../specimen/table";
 import type { EditorContext } from "./editor_context";
 import { EntryElement } from "./entry_element";
 
-/** A colour of the look: the system's picker and the same six digits to type. */
+/** Control of a colour: the system's picker, and six digits to type. */
 export class ColourControl extends EntryElement<ColourEntry> {
 	protected override draw(context: EditorContext): unknown {
 		const { key, label, help } = this.entry;

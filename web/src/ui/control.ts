@@ -5,7 +5,7 @@ import "./choice";
 import "./colour";
 import "./number";
 
-/** The control that suits a parameter. */
+/** Returns the control of a parameter. */
 export function control(context: EditorContext, entry: Entry): unknown {
 	if (entry.kind === "colour") return html`<panicle-colour .context=${context} .entry=${entry}></panicle-colour>`;
 	if (entry.kind === "choice") return html`<panicle-choice .context=${context} .entry=${entry}></panicle-choice>`;

@@ -8,7 +8,7 @@ import { EditorElement } from "./editor_element";
  * its entries no longer exist, until the page removes it.
  */
 export abstract class ControlElement<D extends EditorContext = EditorContext> extends EditorElement<D> {
-	/** The model that was open when the page last put the control to use. */
+	/** Model that was open when the page last set the control's properties. */
 	#model: ModelSchema | undefined;
 
 	protected override shouldUpdate(changed: PropertyValues): boolean {

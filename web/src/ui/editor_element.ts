@@ -2,12 +2,13 @@ import { LitElement, type PropertyValues } from "lit";
 import { changed } from "./changed";
 import type { EditorContext } from "./editor_context";
 
-/** How many there have been, so that the ids in each are its own. */
+/** Number of elements created, for unique ids. */
 let made = 0;
 
 /**
- * A part of the page, or a control (control_element.ts): draws the editor's state and calls its actions. Such elements draw into the page
- * itself, not into shadow trees, so that one style sheet and one order of focus serve them all.
+ * Base class of the page's parts and controls (control_element.ts): draws the editor's state and calls its actions.
+ * Elements draw into the page itself, not into shadow trees, so that one style sheet and one focus order serve all of
+ * them.
  */
 export abstract class EditorElement<D extends EditorContext = EditorContext> extends LitElement {
 	static override properties = { context: { attribute: false } };
@@ -24,12 +25,12 @@ export abstract class EditorElement<D extends EditorContext = EditorContext> ext
 	protected abstract draw(context: D): unknown;
 
 	/**
-	 * All that is drawn of the editor's state, piece by piece, always as many in the same order: where each is the same as when it was last
-	 * drawn, it is not drawn anew. Where absent, every change of the state counts.
+	 * Returns all values that the drawing depends on, always in the same number and order: if all are unchanged, the
+	 * element is not drawn again. If absent, every change of the state draws it.
 	 */
 	protected shows?(context: D): readonly unknown[];
 
-	/** An id that no other element of the page has. */
+	/** Returns an id that is unique in the page. */
 	protected idOf(name: string): string {
 		return `${name}-${this.#serial}`;
 	}
@@ -53,7 +54,7 @@ export abstract class EditorElement<D extends EditorContext = EditorContext> ext
 		if (changed.has("context") && this.isConnected) this.#subscribe();
 	}
 
-	/** Elements of the page stand there before they have a context. */
+	/** Elements may be in the page before they have a context. */
 	protected override shouldUpdate(_changed: PropertyValues): boolean {
 		return this.context !== undefined;
 	}
@@ -72,7 +73,7 @@ export abstract class EditorElement<D extends EditorContext = EditorContext> ext
 		});
 	}
 
-	/** One look at all changes that come together. */
+	/** Compares once for all changes of a task. */
 	#look(): void {
 		this.#looking = false;
 		if (!this.#shown || changed(this.#shown, this.shows?.(this.context))) this.requestUpdate();

@@ -2,7 +2,7 @@ import { type Entry, valueIn } from "../specimen/table";
 import { ControlElement } from "./control_element";
 import type { Change } from "./editor_context";
 
-/** The control of one parameter. A double click on its name, or Delete, brings the preset's value back. */
+/** Base class of the control of one parameter. A double click on the label, or Delete, restores the preset's value. */
 export abstract class EntryElement<E extends Entry> extends ControlElement {
 	static override properties = { ...ControlElement.properties, entry: { attribute: false } };
 	declare entry: E;

@@ -17,7 +17,7 @@ export class HeldKey {
 		this.#settle = settle;
 	}
 
-	/** A key went down. */
+	/** Handles a pressed key. */
 	down({ key }: KeyboardEvent): void {
 		if (!MOVING_KEYS.test(key)) return;
 		this.#held = true;
@@ -25,12 +25,12 @@ export class HeldKey {
 		this.#run = this.#runs.press(key.startsWith("Arrow") ? "arrows" : key);
 	}
 
-	/** The run that a change belongs to; undefined where it is a drag's. */
+	/** Run of the current change; undefined during a drag. */
 	get run(): string | undefined {
 		return this.#held ? this.#run : undefined;
 	}
 
-	/** The key came up, or the focus went. */
+	/** Ends a press when the key is released or the focus lost. */
 	readonly up = (): void => {
 		if (this.#held) this.#settle();
 		this.#held = false;

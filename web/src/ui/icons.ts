@@ -1,6 +1,6 @@
 import { html, type SVGTemplateResult, svg, type TemplateResult } from "lit";
 
-/** Line drawings on a 20 × 20 field, drawn with the pen of the page. */
+/** Line icons on a 20 × 20 field, drawn with the page's stroke. */
 const DRAWINGS = {
 	undo: svg`<path d="M4 8h8.5a4 4 0 0 1 0 8H9M4 8l3.5-3.5M4 8l3.5 3.5"/>`,
 	redo: svg`<path d="M16 8H7.5a4 4 0 0 0 0 8H11M16 8l-3.5-3.5M16 8l-3.5 3.5"/>`,
@@ -25,7 +25,7 @@ const DRAWINGS = {
 
 export type IconName = keyof typeof DRAWINGS;
 
-/** A decorative icon, one of these or a model's own drawing; the button around it carries the name. */
+/** Draws a decorative icon, from this list or a model's own; the button around it has the accessible name. */
 export function icon(drawn: IconName | SVGTemplateResult): TemplateResult {
 	const drawing = typeof drawn === "string" ? DRAWINGS[drawn] : drawn;
 	return html`<svg class="icon-mark" viewBox="0 0 20 20" aria-hidden="true">${drawing}</svg>`;

@@ -1,7 +1,7 @@
 /** Presses that follow each other within this many milliseconds are one run. */
 const PAUSE = 1000;
 
-/** How many runs there have been on the page, so that each has a name of its own. */
+/** Number of runs on the page, for unique names. */
 let made = 0;
 
 /** Groups key presses into runs. Each run is one undo step, though every press has an immediate effect. */

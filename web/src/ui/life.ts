@@ -1,45 +1,48 @@
 import type { SVGTemplateResult } from "lit";
 import type { Plant } from "../plant/plant";
 
-/** The life of a plant as one parameter runs through it, with names for its stages. */
+/** The life of a plant as one parameter advances, with named stages. */
 
 export interface LifeStage {
 	/** Typical age of the stage, which its button sets. */
 	readonly at: number;
-	/** From where on it is called so; from `at` where absent. */
+	/** Age at which the stage begins; `at` if absent. */
 	readonly from?: number;
 	readonly name: string;
-	/** A line drawing of it (icons.ts), where it is easily overlooked. */
+	/** A line drawing (icons.ts), for stages that are easily overlooked. */
 	readonly icon?: SVGTemplateResult;
 }
 
 export interface Life {
-	/** Of its tool; the parameter's where absent. */
+	/** Name of the tool; defaults to the parameter's. */
 	readonly name?: string;
-	/** The parameter that runs. */
+	/** Key of the parameter that advances. */
 	readonly parameter: string;
 	/** Label of the parameter: "Age". */
 	readonly label: string;
-	/** By `at`; the first is at the parameter's least value. */
+	/** Stages sorted by `at`; the first is at the parameter's least value. */
 	readonly stages: readonly LifeStage[];
-	/** Where a play ends. */
+	/** Age at which playing ends. */
 	readonly end: number;
-	/** Where a plant is at its height, if a play that is begun there is to show its whole life and not its decline. */
+	/** Age at which a plant is at its best: playing from there shows the whole life, and not only its decline. */
 	readonly height?: number;
-	/** How long a play of the whole takes, milliseconds. */
+	/** Duration of playing the whole life, milliseconds. */
 	readonly milliseconds: number;
 	/** Description of playing: "Play from flower to ripe bunch". */
 	readonly play: string;
 	/** Help on the numbers, for screen readers. */
 	readonly help: string;
-	/** Of a parameter in percent: in how many even steps a plant's life runs from 0 to 100, where it runs in steps: they can then be taken one by one. */
+	/**
+	 * For a parameter in percent whose life proceeds in steps: number of equal steps from 0 to 100, which can be taken
+	 * one by one.
+	 */
 	steps?(plant: Plant): number;
 }
 
-/** How fast a life can run. */
+/** Factors of the playing speed. */
 export const SPEEDS = [0.25, 0.5, 1, 2, 4] as const;
 
-/** An age in the middle of the step after that one; from the end on, the beginning. */
+/** Returns an age in the middle of the next step; from the end on, the beginning. */
 export function nextStep({ end, stages }: Life, age: number, steps: number): number {
 	if (age >= end) return stages[0].at;
 	const next = Math.floor((age / 100) * steps) + 1;
@@ -51,7 +54,7 @@ export function stageOf({ stages }: Life, age: number): LifeStage {
 	return stages.findLast(({ at, from = at }) => from <= age) ?? stages[0];
 }
 
-/** The stage after that age, or before it; the ends stay. */
+/** Returns the stage after an age, or before it; the first and last stages stay. */
 export function nextStage({ stages }: Life, age: number, direction: 1 | -1): LifeStage {
 	return direction > 0
 		? (stages.find(({ at }) => at > age) ?? stages[stages.length - 1])

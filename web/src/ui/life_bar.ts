@@ -11,7 +11,7 @@ import type { PlayState } from "./life_player";
 import { spoken } from "./spoken";
 import { handBack, handOver, isForField, readTyped } from "./typed";
 
-/** A life below the view: a slider over its stages, a button that lets it run, the number to type. */
+/** Bar of a life below the view: a slider with its stages, a button that plays, and a field for the number. */
 export class LifeBar extends ControlElement {
 	static override properties = {
 		...ControlElement.properties,
@@ -19,7 +19,7 @@ export class LifeBar extends ControlElement {
 		play: { attribute: false },
 	};
 	declare life: Life;
-	/** Where it stands whether the life runs. */
+	/** State that contains whether the life is playing. */
 	declare play: Stateful<PlayState>;
 
 	readonly #held = new HeldKey(() => this.context.settle());

@@ -6,26 +6,26 @@ import type { Specimen } from "../specimen/specimen";
 import type { EditorContext, Stateful } from "./editor_context";
 import { type Life, nextStage } from "./life";
 
-/** How long each stage stands where motion is unwelcome, in milliseconds. */
+/** Duration of a stage with reduced motion, milliseconds. */
 const STAND = 1500;
-/** A page that was hidden or busy goes on where it was, not where it would be; milliseconds. */
+/** Longest time step, milliseconds: after a hidden or busy page, playing continues where it was. */
 const LONGEST_FRAME = 500;
 /** Ages are rounded to this share of a life, and to no more decimals than a link stores, so that links stay short. */
 const SHARES = 1000;
 const FINEST = 100;
-/** The gesture of a life that runs by itself: a drag meanwhile is a step of its own. */
+/** Gesture name of playing; a drag meanwhile is an undo step of its own. */
 export const PLAY = "play";
 
 export interface Clock {
-	/** Calls back once, with the time in milliseconds, when the next frame is due. */
+	/** Schedules a callback, with the time in milliseconds, for the next frame. */
 	request(callback: (now: number) => void): void;
-	/** Whether motion is unwelcome: the age then goes from stage to stage. */
+	/** Whether motion is reduced: the age then moves from stage to stage. */
 	stepwise(): boolean;
 }
 
 export interface PlayState {
 	readonly playing: boolean;
-	/** Against the life's own pace, which is meant where it is absent. */
+	/** Speed relative to the life's own; 1 if absent. */
 	readonly speed?: number;
 }
 
@@ -36,7 +36,7 @@ export class LifePlayer {
 	readonly #clock: Clock;
 	readonly #unsubscribe: () => void;
 	#running = false;
-	/** Whether a frame is due: one that was requested before a stop serves the next start. */
+	/** Whether a frame is scheduled: one scheduled before a stop is reused by the next start. */
 	#isFrameDue = false;
 	#age = 0;
 	#last = 0;
@@ -52,7 +52,7 @@ export class LifePlayer {
 		this.#unsubscribe = context.subscribe(() => this.#follow());
 	}
 
-	/** Stops for good, where the age stands. */
+	/** Stops playing at the current age and unsubscribes. */
 	dispose(): void {
 		this.#unsubscribe();
 		this.#stop();
@@ -80,7 +80,7 @@ export class LifePlayer {
 		this.#clock.request(this.#frame);
 	}
 
-	/** One undo step in all. */
+	/** Makes one undo step of the whole run. */
 	#stop(): void {
 		if (!this.#running) return;
 		this.#running = false;

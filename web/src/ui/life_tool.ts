@@ -6,7 +6,7 @@ import { LifePlayer, type PlayState } from "./life_player";
 import type { Tool } from "./tool";
 import "./life_bar";
 
-/** The tool of a model whose plants have a life that can run: the bar below the view, and K. */
+/** Returns the tool of a model with a life: the bar below the view, and the key K. */
 export function lifeTool<S extends Specimen, G extends Plant>(
 	life: Life,
 	applies?: (specimen: S) => boolean,

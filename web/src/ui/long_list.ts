@@ -7,8 +7,8 @@ import "./long_list.css";
 const ROW_HEIGHT = 60;
 
 /**
- * A list in a box that scrolls, of which only the rows near the visible part are in the page; the row with the focus and its neighbours
- * stay, so that the Tab key goes on from it.
+ * A scrolling list of which only the rows near the visible part are in the page. The focused row and its neighbours
+ * stay in the page, so that the Tab key continues from it.
  */
 export class LongList extends LitElement {
 	static override properties = {
@@ -19,7 +19,7 @@ export class LongList extends LitElement {
 	/** The accessible name of the list. */
 	declare label: string;
 	declare count: number;
-	/** Draws the row with an index. A new function draws all rows anew. */
+	/** Draws the row with an index. A new function redraws all rows. */
 	declare row: (index: number) => unknown;
 
 	/** Index of the row with the focus. */

@@ -33,7 +33,7 @@ function rowOf(info: MeasureInfo, value: number): ReadoutRow {
 }
 
 function drawn({ key, label, help, oiv, unchecked, text, found }: ReadoutRow, request?: unknown): unknown {
-	// A descriptor whose value is a note has the words for a value already.
+	// If a descriptor's value is a note, `text` already has its words.
 	const words = found && found.words !== text ? `${found.note}, ${found.words}` : found?.note;
 	const classed =
 		oiv === undefined || found === undefined

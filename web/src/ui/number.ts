@@ -10,10 +10,7 @@ import { spoken } from "./spoken";
 import { symbol } from "./symbol";
 import { refusal } from "./typed";
 
-/**
- * One numeric parameter: a slider and the same number to type. Dragging edits live and is one undo step, as is a run of
- * a held key.
- */
+/** Control of a number: a slider and a field. A drag edits live and is one undo step, as is a run of key presses. */
 export class NumberControl extends EntryElement<NumberEntry> {
 	/** Message about a typed value that was not accepted as typed. */
 	#message: { text: string | undefined; value: number } | undefined;
@@ -23,7 +20,7 @@ export class NumberControl extends EntryElement<NumberEntry> {
 		return [...super.shows(), this.#scale.per, this.context.toolState(OWN_LENGTHS)];
 	}
 
-	/** How its value is read: lengths in millimetres. */
+	/** Scale of the displayed value: lengths are in millimetres. */
 	get #scale(): Scale {
 		const { model, specimen } = this.context.state;
 		return scaleOf(model, specimen, this.entry);
@@ -69,7 +66,7 @@ export class NumberControl extends EntryElement<NumberEntry> {
 	readonly #slide = (value: number): void => {
 		this.#message = undefined;
 		this.context.edit({ ...this.change(value), run: this.#held.run });
-		this.requestUpdate(); // Where the value taken is another, the slider goes there too.
+		this.requestUpdate(); // If another value was accepted, the slider moves there.
 	};
 
 	readonly #type = (number: number, text: string): string => {

@@ -6,12 +6,12 @@
 /** Used part of the view. */
 export interface PickView {
 	readonly canvas: HTMLElement;
-	/** Whether pointers turn the plant: where they do not, a handle has them. */
+	/** Whether pointers turn the plant; false while a handle is dragged. */
 	readonly orbiting: boolean;
 }
 
 export interface PickHost {
-	/** The canvas's class while it picks. */
+	/** Class of the canvas while picking is enabled. */
 	readonly name: string;
 	/** Returns the id at a point of the canvas, in CSS pixels from its top left corner. */
 	at(x: number, y: number): number | undefined;
@@ -21,7 +21,7 @@ export interface PickHost {
 	take(id: number): void;
 }
 
-/** A click may tremble this much, in CSS pixels; a thumb more. */
+/** Largest movement of a click, in CSS pixels; larger for touch. */
 const MOUSE_TREMBLE = 4;
 const TOUCH_TREMBLE = 10;
 
@@ -36,7 +36,7 @@ export class PickPointer {
 	readonly #host: PickHost;
 	#enabled = false;
 	#press: Press | undefined;
-	/** Pointers that are down: two of them zoom. */
+	/** Pressed pointers; two of them zoom. */
 	readonly #down = new Set<number>();
 
 	constructor(view: PickView, host: PickHost) {

@@ -1,9 +1,9 @@
-/** Files that a person brings as pictures. */
+/** Picture files from the user. */
 
 /** For a file input's `accept`. */
 export const PICTURES = "image/png,image/jpeg,image/webp";
 
-/** Where the system does not know the type. */
+/** File names, for systems that do not know the type. */
 const NAMES = /\.(png|jpe?g|webp)$/i;
 
 export const isPicture = ({ name, type }: Pick<File, "name" | "type">): boolean =>

@@ -1,14 +1,14 @@
-/** Pictures that a person brings, read. */
+/** Reads pictures from the user. */
 
-/** The message is a sentence for the person. */
+/** Error with a message for the user. */
 export class PictureError extends Error {
 	override name = "PictureError";
 }
 
 /**
- * A picture no larger than it is of use.
- * @param longest of its sides, in pixels
- * @throws PictureError where the file is no picture that this browser reads
+ * Reads a picture, reduced to a useful size.
+ * @param longest largest side, in pixels
+ * @throws PictureError if the browser cannot read the file as a picture
  */
 export async function readBitmap(file: Blob, longest: number): Promise<ImageBitmap> {
 	const bitmap = await createImageBitmap(file).catch(() => {

@@ -1,6 +1,6 @@
-/** A row of buttons as one stop of the Tab key: arrow keys, Home and End go from one to the next. */
+/** Roving focus: a row of buttons is one stop of the Tab key; arrow keys, Home and End move within it. */
 
-/** Makes one of the row the stop. */
+/** Makes one item of the row the tab stop. */
 export function stopAt(row: readonly HTMLElement[], stop: HTMLElement | undefined): void {
 	for (const item of row) item.tabIndex = item === stop ? 0 : -1;
 }

@@ -12,17 +12,17 @@ export interface ShellDrawing {
 	readonly object: Object3D;
 	/** @param colour any CSS colour */
 	show(shells: readonly ClosedMesh[], colour: string): void;
-	/** Gives some of those shown, counted from 0, a colour of their own, more of it. */
+	/** Gives some of the shells, counted from 0, another colour, with more contrast. */
 	mark(marked: ReadonlySet<number>, colour: string): void;
 	dispose(): void;
 }
 
 export interface ShownShells<S extends Specimen, G extends Plant = Plant> {
-	/** The tool's. */
+	/** Name of the tool. */
 	readonly name: string;
 	readonly icon: SVGTemplateResult;
 	readonly label: string;
-	/** Whether they are shown at first; the default is no. */
+	/** Whether shells are shown at first; the default is no. */
 	readonly initial?: boolean;
 	/** Notice if the renderer fails to load. */
 	readonly fetchFailedMessage: string;
@@ -33,11 +33,11 @@ export interface ShownShells<S extends Specimen, G extends Plant = Plant> {
 	 * @param grown the last plant, if shells depend on it
 	 */
 	shells(specimen: S, grown: G | undefined): readonly ClosedMesh[];
-	/** Whether they are the last plant's as well as the specimen's; the default is no. */
+	/** Whether shells also depend on the last plant; the default is no. */
 	ofPlant?: true;
-	/** Which of them the last plant gives cause to look at, counted from 0; the default is none. */
+	/** Returns the indices of shells that the last plant marks; the default is none. */
 	marked?(grown: G): ReadonlySet<number>;
-	/** Whether it means anything to this specimen; the default is yes. */
+	/** Returns whether the tool applies to a specimen; the default is yes. */
 	applies?(specimen: S): boolean;
 }
 

@@ -4,9 +4,9 @@ import { coarseStep } from "./coarse_step";
 import type { HeldKey } from "./held_key";
 import { handBack, handOver, isForField, readTyped } from "./typed";
 
-/** A number that is slid, or typed beside the slider. */
+/** A number with a slider and a field. */
 export interface SliderRow {
-	/** The slider's, on the page. */
+	/** Id of the slider in the page. */
 	readonly id: string;
 	readonly label: unknown;
 	/** Accessible name of the slider, if its label is not sufficient. */
@@ -25,14 +25,14 @@ export interface SliderRow {
 	/** Effect and range of the number. */
 	readonly help: string;
 	readonly held: HeldKey;
-	/** While the hand moves: to any value, which may lie beyond the ends. */
+	/** Called during a drag with any value, which may lie beyond the ends. */
 	readonly slide: (value: number) => void;
 	/**
 	 * Called with a typed number, NaN for other text.
 	 * @returns the text that the field shows then
 	 */
 	readonly type: (typed: number, text: string) => string;
-	/** By Delete, or a double click. */
+	/** Called by Delete, or a double click. */
 	readonly reset?: () => void;
 }
 

@@ -9,7 +9,7 @@ const SPOKEN: Readonly<Record<string, string>> = {
 	u: "units",
 };
 
-/** "millimetres" for mm; a unit that has no words of its own is read as it is written. */
+/** "millimetres" for mm; a unit without words is read as written. */
 export function spoken(unit: string): string {
 	return SPOKEN[unit] ?? unit;
 }

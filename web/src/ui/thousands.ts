@@ -8,5 +8,5 @@ export function withThousands(text: string): string {
 	});
 }
 
-/** A count as the page shows it: 10,000. */
+/** Formats a count: 10,000. */
 export const formatCount = (count: number): string => count.toLocaleString("en-GB");

@@ -1,6 +1,6 @@
-/** Numbers to be typed: the field beside a slider. It is no stop of the Tab key; the slider hands over to it. */
+/** Typed numbers: the field beside a slider. It is no stop of the Tab key; keys on the slider move the focus to it. */
 
-/** A number as people type it: a comma for a point, a true minus; NaN where it is none. */
+/** Reads a number as people type it: with a decimal comma, or a typographic minus; NaN if it is no number. */
 export function readTyped(text: string): number {
 	const plain = text.trim().replace(",", ".").replace("−", "-");
 	return plain === "" ? Number.NaN : Number(plain);

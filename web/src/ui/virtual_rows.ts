@@ -92,7 +92,7 @@ export class VirtualRows {
 	}
 }
 
-/** Rows with others added, in order. */
+/** Adds rows to others, in order. */
 function withRows(rows: readonly number[], pinned: readonly number[], count: number): number[] {
 	const isRow = (index: number) => index >= 0 && index < count;
 	return [...new Set([...rows, ...pinned.filter(isRow)])].sort((a, b) => a - b);

@@ -6,7 +6,7 @@ import { acrossScreen, toTheRight } from "../../../../web/src/grammar_editor/ges
 
 const BEND: Axis = { id: "constant bend", label: "bend", read: "0", min: -5, max: 5, step: 0.1, value: 0 };
 
-/** A camera that stands round a plant by an angle from the front to the right. */
+/** Returns a camera that is turned around the plant by an angle, from the front to the right. */
 function cameraAt(azimuth: number): PerspectiveCamera {
 	const camera = new PerspectiveCamera();
 	camera.position.setFromSphericalCoords(2, (83 * Math.PI) / 180, (azimuth * Math.PI) / 180);

@@ -31,7 +31,7 @@ function volumeOf({ points, triangles }: Soup): number {
 	return volume / 6;
 }
 
-/** A ball of so many triangles, every one with points of its own. */
+/** Returns a sphere of a number of triangles, each with points of its own. */
 function ball(rings: number): Soup {
 	const at = (i: number, j: number) => {
 		const [tilt, turn] = [(Math.PI * i) / rings, (Math.PI * (j % (2 * rings))) / rings];
@@ -333,7 +333,7 @@ describe("a closed mesh from a file", () => {
 	});
 
 	it("is refused at once where a GLB's nodes meet again", () => {
-		// Two ways at each of forty nodes: a million million visits.
+		// Two paths at each of forty nodes give 10¹² visits.
 		const ladder = Array.from({ length: 40 }, (_, i) => (i < 39 ? { children: [i + 1, i + 1] } : { mesh: 0 }));
 		expect(() => readGlb(glbOf(ladder))).toThrow("The GLB's nodes do not form a tree.");
 		const ring = [{ children: [1] }, { children: [0] }];

@@ -2,7 +2,7 @@ import { describe, expect, it, vi } from "vitest";
 import type { FromMeshReader } from "../../../../web/src/import/mesh_file/messages";
 import { readMeshInWorker } from "../../../../web/src/import/mesh_file/read_in_worker";
 
-/** A worker that a test answers for. */
+/** A worker whose messages the test sends. */
 class WorkerDouble {
 	onmessage?: (event: { data: FromMeshReader }) => void;
 	onerror?: (event: { message?: string; preventDefault(): void }) => void;

@@ -7,12 +7,12 @@ import { readOutline } from "../read_outline";
 import { written } from "../scrub";
 import { type GrammarContext, type GrammarSource, textOf, withValues } from "../source";
 
-/** A number of the document, and where it may go. */
+/** A number of the document, with its range. */
 export interface Axis {
 	/** A name that no other axis of the document has: `parameter age`, `constant length`. */
 	readonly id: string;
 	readonly label: string;
-	/** As people read it, its unit included. */
+	/** The value as text, with its unit. */
 	readonly read: string;
 	readonly min: number;
 	readonly max: number;
@@ -27,8 +27,8 @@ export class Axes {
 	readonly #later: () => void;
 
 	/**
-	 * @param source where the text is from whose constants are axes; absent where there is none
-	 * @param later called once a text has come that was yet to be fetched: its axes are there
+	 * @param source source of the text whose constants are axes; absent if there is none
+	 * @param later called after the text has loaded and its axes exist
 	 */
 	constructor(context: GrammarContext, source: GrammarSource | undefined, later: () => void) {
 		this.#context = context;
@@ -36,15 +36,15 @@ export class Axes {
 		this.#later = later;
 	}
 
-	/** Those of the document as it is now: the text's first. */
+	/** All axes of the current document, those of the text first. */
 	get all(): readonly Axis[] {
 		return [...this.#constants, ...parametersOf(this.#context.state)];
 	}
 
-	/** The change that takes axes to values, each on its own steps. */
+	/** Returns the change that sets axes to values, rounded to their steps. */
 	to(values: ReadonlyMap<string, number>): Change {
 		const parameters: Record<string, number> = {};
-		// Names are the text's own: any word, `__proto__` too.
+		// Names in a text can be any word, including `__proto__`.
 		const constants: Record<string, number> = Object.create(null);
 		for (const { id, min, max, step } of this.all) {
 			const value = values.get(id);
@@ -86,7 +86,7 @@ function parametersOf({ model, specimen }: EditorState): readonly Axis[] {
 	});
 }
 
-/** Where an axis stands between its ends: 0 … 1. */
+/** Returns the position of an axis in its range: 0 … 1. */
 export function shareOf({ value, min, max }: Axis): number {
 	return max > min ? (value - min) / (max - min) : 0;
 }

@@ -47,7 +47,7 @@ export class CameraDriver implements Driver {
 		this.#video.srcObject = null;
 		const finder = this.#finder;
 		this.#finder = undefined;
-		// One that has not begun yet has nothing to close.
+		// A finder that has not started rejects here.
 		void finder?.close().catch(() => {});
 	}
 
@@ -78,7 +78,7 @@ export class CameraDriver implements Driver {
 		this.#events.fail(reasonOf(error));
 	}
 
-	/** Picture after picture, each once the one before has been looked at. */
+	/** Analyses pictures one after the other. */
 	async #look(finder: HandsFinder): Promise<void> {
 		while (!this.#stopped) {
 			// While the page is hidden, no picture is analysed.
@@ -115,7 +115,7 @@ export class CameraDriver implements Driver {
 }
 
 async function requestCamera(): Promise<MediaStream> {
-	// Pages without a secure address have no such thing.
+	// Pages without HTTPS have no `mediaDevices`.
 	const { mediaDevices } = navigator as { readonly mediaDevices?: MediaDevices };
 	if (!mediaDevices) throw new DOMException("no camera here", "NotFoundError");
 	return mediaDevices.getUserMedia({ video: { facingMode: "user", ...SIZE }, audio: false });

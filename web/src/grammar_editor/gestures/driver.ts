@@ -3,21 +3,21 @@ import type { Position } from "./hand";
 
 /** Events of a driver. Positions are shares of the picture, from the left and from the top. */
 export interface DriverEvents {
-	/** Where the circle stands now, for drivers that move it on. */
+	/** Returns the circle's current position, for drivers that move it relatively. */
 	where(): Position;
-	/** It is somewhere else. */
+	/** Moves the circle. */
 	move(place: Position): void;
 	/** The device rests: ends the undo step. */
 	rest(): void;
-	/** The next pair of axes. */
+	/** Selects the next pair of axes. */
 	next(): void;
 	/** Message to the user, a sentence. */
 	report(words: string): void;
-	/** It cannot go on, and why: the pointer takes its place. */
+	/** The driver failed, with a message: the pointer replaces it. */
 	fail(words: string): void;
 }
 
 export interface Driver {
-	/** Ends it: nothing of it runs or listens on. */
+	/** Stops the driver and its listeners. */
 	stop(): void;
 }

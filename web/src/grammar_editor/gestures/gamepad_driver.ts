@@ -5,7 +5,7 @@ import type { Driver, DriverEvents } from "./driver";
  * travel.
  */
 const [SPEED, SLACK] = [0.6, 0.15];
-/** Buttons of the standard mapping: the lowest of the right four, and the cross. */
+/** Buttons of the standard mapping: the lowest of the right four, and the directional pad. */
 const [NEXT, UP, DOWN, LEFT, RIGHT] = [0, 12, 13, 14, 15];
 
 /** Used part of a gamepad's state. */
@@ -14,7 +14,7 @@ export interface Pad {
 	readonly buttons: readonly { readonly pressed: boolean }[];
 }
 
-/** How a gamepad pushes: to the right and down, −1 … 1. */
+/** Returns the direction of a gamepad: to the right and down, −1 … 1. */
 export function pushOf({ axes, buttons }: Pad): { readonly x: number; readonly y: number } {
 	const pressed = (at: number) => Number(buttons[at]?.pressed ?? false);
 	const stick = (value = 0) => (Math.abs(value) < SLACK ? 0 : (value - Math.sign(value) * SLACK) / (1 - SLACK));
@@ -25,9 +25,9 @@ export function pushOf({ axes, buttons }: Pad): { readonly x: number; readonly y
 	};
 }
 
-/** The first that is heard; none where the page may hear none. */
+/** Returns the first connected gamepad; undefined if there is none, or gamepads are not allowed. */
 function firstPad(): Pad | undefined {
-	// Pages without a secure address have no such thing, and frames may not be allowed it.
+	// Pages without HTTPS have no gamepads, and frames may lack the permission.
 	const { getGamepads } = navigator as { readonly getGamepads?: Navigator["getGamepads"] };
 	try {
 		return getGamepads?.call(navigator).find((each) => each !== null) ?? undefined;
@@ -36,7 +36,7 @@ function firstPad(): Pad | undefined {
 	}
 }
 
-/** A gamepad's left stick, or its cross, pushes the circle; its first button brings the next pair. */
+/** A gamepad's left stick or directional pad moves the circle; its first button selects the next pair. */
 export class GamepadDriver implements Driver {
 	readonly #events: DriverEvents;
 	#frame = 0;

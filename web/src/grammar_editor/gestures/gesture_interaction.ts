@@ -13,9 +13,9 @@ import { acrossScreen, toTheRight } from "./lean";
 import { nextPair, pairOf } from "./pair";
 import { PointerDriver } from "./pointer_driver";
 
-/** The gesture of the document's history. */
+/** Name of the gesture in the document's history. */
 const GESTURE = "gesture";
-/** After the next pair has come, the circle follows once the hand has come as near, in shares of the way. */
+/** Distance within which the circle follows again after a new pair was selected, in shares of the picture. */
 const NEAR = 0.08;
 
 export class GestureInteraction implements ToolInteraction {
@@ -32,14 +32,14 @@ export class GestureInteraction implements ToolInteraction {
 	readonly #video = Object.assign(document.createElement("video"), { muted: true, playsInline: true, hidden: true });
 	#driver: Driver | undefined;
 	#by: DrivenBy | undefined;
-	/** Where the hand has to come before the circle follows it. */
+	/** Whether the driver must first come near the circle before the circle follows. */
 	#awaited = false;
 	#moved = false;
 	/** Latest position of the device since the last frame. */
 	#to: Position | undefined;
 	#frame = 0;
 	#place: Position = { x: 0.5, y: 0.5 };
-	/** How far the plant's right was to the right of the screen when the circle was placed. */
+	/** Value of `#right` when the circle was placed. */
 	#placedFor = 1;
 	readonly #endDrawn: () => void;
 
@@ -85,18 +85,18 @@ export class GestureInteraction implements ToolInteraction {
 		return pairOf(this.#axes.all, this.#state);
 	}
 
-	/** How far the plant's right is to the right of the screen, −1 … 1. */
+	/** Component of the plant's right along the screen's right, −1 … 1. */
 	get #right(): number {
 		return toTheRight(this.#view.camera.matrixWorld);
 	}
 
-	/** Converts between the share of the number across and the place of the circle from left to right, both ways. */
+	/** Converts between the share of the number and the horizontal position of the circle, in both directions. */
 	#mirrored(across: Axis, share: number): number {
 		const { leans } = this.#gestures.source ?? {};
 		return across.id === `constant ${leans}` ? acrossScreen(share, this.#right) : share;
 	}
 
-	/** Moves the circle to the place of the two numbers. */
+	/** Moves the circle to the position of the two numbers. */
 	#placeCircle(): void {
 		const { across, up } = this.#pair;
 		const { offsetLeft, offsetTop, clientWidth, clientHeight } = this.#view.canvas;
@@ -141,7 +141,7 @@ export class GestureInteraction implements ToolInteraction {
 		return by === "gamepad" ? new GamepadDriver(events) : new PointerDriver(this.#view.canvas, events);
 	}
 
-	/** At most one growth a frame. */
+	/** Limits growth to one request per frame. */
 	#move(to: Position): void {
 		if (!this.#to) this.#frame = requestAnimationFrame(() => this.#follow());
 		this.#to = to;
@@ -180,7 +180,7 @@ export class GestureInteraction implements ToolInteraction {
 		this.#status.textContent = this.#words.textContent;
 	}
 
-	/** The next two numbers stand where they stand: the hand has to come there first. */
+	/** Selects the next two numbers. They keep their values until the driver comes near the circle. */
 	#next(): void {
 		this.#rest();
 		const { across, up } = this.#pair;

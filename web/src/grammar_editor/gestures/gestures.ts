@@ -1,4 +1,4 @@
-/** All that gestures are on the page, fetched with the first. */
+/** Entry point of the gestures' script, loaded on first use. */
 import "./gesture_bar";
 
 export { GestureInteraction } from "./gesture_interaction";

@@ -15,16 +15,18 @@ export interface Position {
 }
 
 export interface HandRead extends Position {
-	/** Whether thumb and index finger have just come together. */
+	/** Whether thumb and index finger have just closed. */
 	readonly pinched: boolean;
 }
 
-/** Numbers of landmarks. */
+/** Indices of landmarks. */
 const [WRIST, THUMB_TIP, INDEX_KNUCKLE, INDEX_TIP, MIDDLE_KNUCKLE, LITTLE_KNUCKLE] = [0, 4, 5, 8, 9, 17];
 const POINTS = 21;
 /** Margin of the picture mapped beyond the ends of the axes: one at the picture's edge is not completely visible. */
 const MARGIN = 0.18;
-/** From tip to tip in lengths of the palm: a pinch begins below the first, and is over above the second. */
+/**
+ * Distance of the finger tips in lengths of the palm: a pinch begins below the first value, and ends above the second.
+ */
 const [TOGETHER, APART] = [0.28, 0.5];
 /** Cut-off frequency of the filter for a resting hand, in hertz, and its increase with speed (Casiez et al. 2012). */
 const [REST, HASTE] = [1, 4];
@@ -69,7 +71,7 @@ function within(share: number): number {
 	return Math.min(Math.max((share - MARGIN) / (1 - 2 * MARGIN), 0), 1);
 }
 
-/** A number that trembles, quietened: the faster it goes, the less (the one euro filter). */
+/** State of the one euro filter for a noisy number: the faster the number changes, the less it is smoothed. */
 interface Smoothed {
 	readonly at: number;
 	readonly speed: number;
@@ -86,7 +88,7 @@ function smoothed(before: Smoothed | undefined, at: number, seconds: number): Sm
 
 const mix = (one: number, other: number, share: number) => one + (other - one) * share;
 
-/** How much of a new value a filter of so many hertz takes after so many seconds. */
+/** Returns the weight of a new value in a low-pass filter of a cut-off frequency, after a time. */
 function shareIn(seconds: number, hertz: number): number {
 	const turns = 2 * Math.PI * hertz * seconds;
 	return turns / (turns + 1);

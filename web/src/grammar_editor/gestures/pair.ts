@@ -1,13 +1,13 @@
 /** Selects the two axes that gestures control, and the next two. */
 import type { Axis } from "./axis";
 
-/** Ids of axes; undefined where there are none. */
+/** Ids of the axes; undefined if there is none. */
 export interface Pair {
 	readonly across: string | undefined;
 	readonly up: string | undefined;
 }
 
-/** Petrenko 2014, section 4.3.3: the hand's way across bends the stem, its way up makes it longer. */
+/** Petrenko 2014, section 4.3.3: horizontal movement bends the stem, vertical movement changes its length. */
 const USUAL: Pair = { across: "constant bend", up: "constant length" };
 
 /** Returns the axes of a pair. A missing axis is replaced by the usual one, or else by the first one. */
@@ -19,7 +19,7 @@ export function pairOf(axes: readonly Axis[], { across, up }: Pair): { readonly 
 	return { ...(first ? { across: first } : {}), ...(second ? { up: second } : {}) };
 }
 
-/** The pair after that: the next two of all axes, round and round; of an odd one at the end the first is the other. */
+/** Returns the next pair of all axes, cyclically; with an odd number, the last axis is paired with the first. */
 export function nextPair(axes: readonly Axis[], { across, up }: Pair): Pair {
 	if (axes.length < 2) return { across, up };
 	const last = Math.max(...[across, up].map((id) => axes.findIndex((axis) => axis.id === id)));

@@ -1,6 +1,6 @@
 import type { Driver, DriverEvents } from "./driver";
 
-/** A pointer that is held down on the picture: where it is there. A second finger brings the next pair. */
+/** A pointer pressed on the picture moves the circle. A second finger selects the next pair. */
 export class PointerDriver implements Driver {
 	readonly #ended = new AbortController();
 	#held: number | undefined;

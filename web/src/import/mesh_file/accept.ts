@@ -1,2 +1,2 @@
-/** The files that the picker offers. */
+/** File types in the file picker. */
 export const ACCEPT = ".obj,.glb,.stl,model/obj,model/gltf-binary,model/stl";

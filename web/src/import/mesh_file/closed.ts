@@ -1,23 +1,26 @@
-/** A file's triangles as a boundary: welded, simplified, brought to height 1 over the middle of the ground. */
+/**
+ * Converts a file's triangles into a boundary: welded, simplified and scaled to height 1, with its base in the middle
+ * of the ground.
+ */
 import { type ClosedMesh, MOST_TRIANGLES } from "../../specimen/closed_mesh";
 import { MeshFileError, type Soup } from "./soup";
 
-/** More than there are points; its square is a number without rounding. */
+/** Larger than any number of points; its square is an exact number. */
 const EDGE = 2 ** 26;
-/** More than there are cells along a side (1 / WELDS[0]); its cube is a number without rounding. */
+/** Larger than the number of cells per side (1 / WELDS[0]); its cube is an exact number. */
 const ALONG = 2 ** 17;
-/** Points nearer than this share of the mesh's size are one: the first of these with which no edge is open. */
+/** Welding distances, as shares of the mesh's size; the first one that leaves no open edge is used. */
 const WELDS = [1e-5, 1e-4, 1e-3];
-/** Cells along the longest side at which simplifying begins; each attempt has a quarter fewer. */
+/** Cells along the longest side at the first attempt to simplify; each further attempt has a quarter fewer. */
 const FINEST = 64;
-/** Beyond this, sums and cubes of places are not finite. */
+/** Largest coordinate for which sums and cubes stay finite. */
 const FARTHEST = 1e30;
-/** Of its height, to which places are remaining. */
+/** Rounding of coordinates, as a share of the height. */
 const DECIMALS = 1e4;
-/** Of its height's cube: less than a needle that is as thin as its places are remaining. */
+/** Least volume, as a share of the height's cube: less than a needle as thin as the rounding. */
 const LEAST_VOLUME = 1e-9;
 
-/** @throws MeshFileError where it has no inside: it is empty, flat, open or encloses nothing */
+/** @throws MeshFileError if the mesh has no inside: it is empty, flat, open or encloses nothing */
 export function closedMesh(soup: Soup): ClosedMesh {
 	if (soup.triangles.length === 0) throw new MeshFileError("The file holds no triangles.");
 	const size = sizeOf(soup);
@@ -112,7 +115,7 @@ function simplified(mesh: Soup, size: number): Soup {
 	return simple;
 }
 
-/** Below 0 where the triangles face inwards. */
+/** Signed volume; negative if the triangles face inwards. */
 function volumeOf({ points, triangles }: Soup): number {
 	let volume = 0;
 	for (let i = 0; i < triangles.length; i += 3) {
@@ -123,7 +126,7 @@ function volumeOf({ points, triangles }: Soup): number {
 	return volume / 6;
 }
 
-/** The same with its triangles turned about. */
+/** Reverses the triangles' orientation. */
 function turned({ points, triangles }: Soup): Soup {
 	return { points, triangles: triangles.map((_, i) => triangles[i % 3 === 1 ? i + 1 : i % 3 === 2 ? i - 1 : i]) };
 }

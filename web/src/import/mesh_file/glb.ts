@@ -1,4 +1,4 @@
-/** Binary glTF: the triangles of its scene, as its nodes place them. */
+/** Reads binary glTF: the triangles of its scene, placed by its nodes. */
 import { type Mat4, Matrix } from "./matrix";
 import { bounded, MeshFileError, type Soup } from "./soup";
 
@@ -45,9 +45,8 @@ interface Gltf {
 const MOST_PARTS = 100_000;
 
 /**
- * Counts, strides and offsets are compared with the buffer before anything is read; only points that triangles use are
- * read.
- * @throws MeshFileError where it is damaged or packed in a way that is not read here
+ * Counts, strides and offsets are checked against the buffer before reading; only points used by triangles are read.
+ * @throws MeshFileError if the file is damaged or uses an unsupported compression
  */
 export function readGlb(bytes: ArrayBuffer): Soup {
 	try {
@@ -79,13 +78,13 @@ function chunksOf(bytes: ArrayBuffer): { gltf: Gltf; binary: DataView } {
 	return { gltf, binary };
 }
 
-/** The roots, where no scene names them. */
+/** Returns the nodes without parents, if the file names no scene. */
 function rootNodes({ nodes = [] }: Gltf): number[] {
 	const children = new Set(nodes.flatMap((node) => node.children ?? []));
 	return [...nodes.keys()].filter((index) => !children.has(index));
 }
 
-/** The triangles of all nodes below the scene's, in the order of a walk that visits children first to last. */
+/** Collects the triangles of all nodes below the scene's roots, in depth-first order. */
 function gather(gltf: Gltf, binary: DataView): Soup {
 	const soup: Soup = { points: [], triangles: [] };
 	const roots = gltf.scenes?.[gltf.scene ?? 0]?.nodes ?? rootNodes(gltf);
@@ -94,7 +93,7 @@ function gather(gltf: Gltf, binary: DataView): Soup {
 	let parts = 0;
 	for (let next = open.pop(); next; next = open.pop()) {
 		const node = gltf.nodes?.[next.index];
-		// The same one twice may be met without end.
+		// A node visited twice may be part of a cycle.
 		if (!node || seen.has(next.index)) throw new MeshFileError("The GLB's nodes do not form a tree.");
 		seen.add(next.index);
 		const place = Matrix.times(next.above, node.matrix ?? Matrix.of(node));
@@ -127,7 +126,7 @@ function add(gltf: Gltf, binary: DataView, { attributes, indices }: Primitive, p
 		numbers.set(corner, added);
 		return added;
 	};
-	// A mirrored node turns its triangles inside out.
+	// A mirroring node reverses the orientation of triangles.
 	const turned = Matrix.mirrors(place);
 	for (let i = 0; i + 3 <= corners; i += 3) {
 		const [a, b, c] = [i, i + 1, i + 2].map((k) => number(order ? order.at(k, 0) : k));
@@ -135,7 +134,7 @@ function add(gltf: Gltf, binary: DataView, { attributes, indices }: Primitive, p
 	}
 }
 
-/** Bytes of a number, and how it is read. */
+/** Size of a number type in bytes, and its reader. */
 const READ: Readonly<Record<number, readonly [bytes: number, read: (view: DataView, at: number) => number]>> = {
 	5121: [1, (view, at) => view.getUint8(at)],
 	5123: [2, (view, at) => view.getUint16(at, true)],
@@ -151,7 +150,7 @@ interface Numbers {
 
 const isCount = (value: unknown): value is number => Number.isSafeInteger(value) && (value as number) >= 0;
 
-/** @throws MeshFileError where not all of its values lie in its part of the buffer */
+/** @throws MeshFileError if some values lie outside the accessor's part of the buffer */
 function numbersOf(
 	{ accessors = [], bufferViews = [] }: Gltf,
 	binary: DataView,

@@ -1,4 +1,4 @@
-/** Placing as glTF writes it: 4 × 4, column by column, of affine maps. */
+/** Affine matrices as in glTF: 4 × 4, column-major. */
 
 export type Mat4 = readonly number[];
 
@@ -11,7 +11,7 @@ interface Placing {
 
 const identity: Mat4 = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
-/** Scales, then turns, then moves. */
+/** Matrix that scales, then rotates, then translates. */
 function of({ translation = [0, 0, 0], rotation = [0, 0, 0, 1], scale = [1, 1, 1] }: Placing): Mat4 {
 	const [x, y, z, w] = rotation;
 	const [sx, sy, sz] = scale;

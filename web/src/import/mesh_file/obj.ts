@@ -2,7 +2,10 @@
 import { bounded, boundedPoints, MeshFileError, type Soup } from "./soup";
 import { linesOf, wordsOf } from "./text_lines";
 
-/** Polygons become fans. @throws MeshFileError with the line that cannot be read */
+/**
+ * Polygons become triangle fans.
+ * @throws MeshFileError with the number of the unreadable line
+ */
 export function readObj(text: string): Soup {
 	const soup: Soup = { points: [], triangles: [] };
 	let number = 0;

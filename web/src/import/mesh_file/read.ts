@@ -1,4 +1,4 @@
-/** A closed mesh out of a file that a person brings. */
+/** Reads a closed mesh from a user's file. */
 import type { ClosedMesh } from "../../specimen/closed_mesh";
 import { closedMesh } from "./closed";
 import { readGlb } from "./glb";
@@ -6,7 +6,7 @@ import { readObj } from "./obj";
 import { MeshFileError, type Soup } from "./soup";
 import { readStl } from "./stl";
 
-/** Bytes that are read at most. */
+/** Largest file size, bytes. */
 const LARGEST = 64 * 1024 * 1024;
 
 const READERS: Readonly<Record<string, (file: File) => Promise<Soup>>> = {

@@ -1,4 +1,4 @@
-/** Reading a mesh's file off the page's thread: a worker for each file, which ends with it. */
+/** Reads mesh files off the main thread, with one worker per file. */
 import { startWorker } from "../../core/spawn";
 import type { ClosedMesh } from "../../specimen/closed_mesh";
 import address from "./mesh_worker.ts?worker&url";
@@ -21,7 +21,7 @@ export function readMeshInWorker(file: File, spawn: () => Worker = spawnReader):
 			data.type === "read" ? end(() => resolve(data.mesh)) : fail(data.message);
 		worker.onmessageerror = () => fail("The file could not be handed over.");
 		worker.onerror = (event) => {
-			event.preventDefault(); // It is reported here; the console need not hear of it.
+			event.preventDefault(); // Reported here; the console shows no second error.
 			// Errors of a running script are sent as messages; an error event without a message means that the script
 			// did not load.
 			fail(event.message || "Part of the page could not be fetched; check the connection and try again.");

@@ -1,4 +1,4 @@
-/** Triangles as a file holds them, before anything is known of how they hang together. */
+/** Triangles of a file, without connectivity. */
 export interface Soup {
 	/** 3 × points. */
 	points: number[];
@@ -6,7 +6,7 @@ export interface Soup {
 	triangles: number[];
 }
 
-/** Triangles that are welded and simplified at most, and points: as many as those triangles can have. */
+/** Largest number of triangles that are welded and simplified, and largest number of their points. */
 const MOST_READ = 500_000;
 const MOST_POINTS = 3 * MOST_READ;
 
@@ -15,12 +15,18 @@ export class MeshFileError extends Error {
 	override name = "MeshFileError";
 }
 
-/** For readers, before they take in so many triangles. @throws MeshFileError where that is more than is read */
+/**
+ * Checks a number of triangles before reading them.
+ * @throws MeshFileError if there are too many
+ */
 export function bounded(triangles: number): void {
 	if (triangles > MOST_READ) throw tooMany(MOST_READ, "triangles");
 }
 
-/** For readers, before they take in so many points. @throws MeshFileError where that is more than is read */
+/**
+ * Checks a number of points before reading them.
+ * @throws MeshFileError if there are too many
+ */
 export function boundedPoints(points: number): void {
 	if (points > MOST_POINTS) throw tooMany(MOST_POINTS, "points");
 }

@@ -1,6 +1,6 @@
 /**
- * STL, binary or as text: triangles and nothing else. Printers have +Z up, as Panicle's own prints do: they are stood up
- * to +Y. Normals and colours are passed over.
+ * Reads STL files, binary or text. Printers have +Z up, as do Panicle's own prints, so meshes are rotated to +Y up.
+ * Normals and colours are ignored.
  */
 import { bounded, MeshFileError, type Soup } from "./soup";
 import { linesOf, wordsOf } from "./text_lines";
@@ -11,7 +11,8 @@ const TRIANGLE = 50;
 /** @throws MeshFileError with the unreadable part */
 export function readStl(bytes: ArrayBuffer): Soup {
 	const count = bytes.byteLength < HEADER + 4 ? 0 : new DataView(bytes).getUint32(HEADER, true);
-	// Programs begin binary files with “solid”, too, and end them with padding; letters, as a number, are more triangles than any file has.
+	// Some programs begin binary files with “solid”, too, and pad them at the end. Text read as a count gives more
+	// triangles than any file has.
 	if (count > 0 && bytes.byteLength >= HEADER + 4 + TRIANGLE * count) return readBinary(new DataView(bytes), count);
 	const text = new TextDecoder().decode(bytes);
 	if (/^\s*solid\b/i.test(text) && /\bfacet\b/i.test(text)) return readText(text);
@@ -22,7 +23,7 @@ function readBinary(view: DataView, count: number): Soup {
 	bounded(count);
 	const points: number[] = [];
 	for (let triangle = 0; triangle < count; triangle++) {
-		// Behind the normal stand three corners.
+		// Three corners follow the normal.
 		for (let corner = 1; corner <= 3; corner++) {
 			const at = HEADER + 4 + TRIANGLE * triangle + 12 * corner;
 			const [x, y, z] = [view.getFloat32(at, true), view.getFloat32(at + 4, true), view.getFloat32(at + 8, true)];
@@ -59,7 +60,7 @@ function addCorner(points: number[], words: Iterator<string>, line: number): voi
 	stand(points, x, y, z);
 }
 
-/** +Z up to +Y up. */
+/** Converts +Z up to +Y up. */
 function stand(points: number[], x: number, y: number, z: number): void {
 	points.push(x, z, -y);
 }

@@ -1,4 +1,4 @@
-/** Lines and words of a text, one at a time: a large file is never held as a list of them. */
+/** Splits a text into lines and words lazily, so that a large file is never stored as a list of them. */
 
 const LF = 10;
 const CR = 13;

@@ -1,4 +1,7 @@
-/** The edge of a mask of one blob, as the corners of pixels in turn: clockwise on the screen, inside to the right. */
+/**
+ * Traces the outline of a mask with one blob along the pixels' corners: clockwise on the screen, with the inside to
+ * the right.
+ */
 import type { Mask, Pixel } from "./picture";
 
 /** Right, down, left, up. */
@@ -20,7 +23,7 @@ export function contourOf({ width, height, inside }: Mask): Pixel[] {
 		corners.push({ x, y });
 		x += WAYS[way][0];
 		y += WAYS[way][1];
-		// The two pixels ahead of this corner, left and right of the way.
+		// The two pixels ahead of this corner, to the left and right of the direction.
 		const [dx, dy] = WAYS[way];
 		const right = at(dx > 0 || dy < 0 ? x : x - 1, dy > 0 || dx > 0 ? y : y - 1);
 		const left = at(dx > 0 || dy > 0 ? x : x - 1, dx < 0 || dy > 0 ? y : y - 1);
@@ -30,7 +33,7 @@ export function contourOf({ width, height, inside }: Mask): Pixel[] {
 	return corners;
 }
 
-/** A closed polygon with its steps smoothed away: each place the mean of those within so many of it, by Gauss. */
+/** Smooths a closed polygon by a Gaussian kernel over its points. */
 export function smoothed(polygon: readonly Pixel[], sigma: number): Pixel[] {
 	const { length } = polygon;
 	const half = Math.ceil(3 * sigma);

@@ -1,4 +1,4 @@
-/** Pixels, as a canvas gives them. */
+/** Pixels of a picture, as from a canvas. */
 export interface PixelImage {
 	width: number;
 	height: number;
@@ -6,7 +6,7 @@ export interface PixelImage {
 	data: Uint8ClampedArray;
 }
 
-/** One byte a pixel: 1 inside. */
+/** One byte per pixel: 1 inside. */
 export interface Mask {
 	width: number;
 	height: number;

@@ -1,11 +1,14 @@
-/** A file → pixels, in a page. */
+/** Reads the pixels of a picture file, in a page. */
 import { readBitmap } from "../../ui/read_bitmap";
 import { type PixelImage, TraceError } from "./picture";
 
-/** The longer side that is looked at, in pixels: more shows nothing that 48 points could hold. */
+/** Longer side of the analysed picture, in pixels; finer details exceed the precision of 48 points. */
 const SIDE = 640;
 
-/** @throws PictureError where the file is no picture that this browser reads, TraceError where it gives no pixels of one */
+/**
+ * @throws PictureError if the browser cannot read the file
+ * @throws TraceError if the browser returns no pixels
+ */
 export async function readPicture(file: Blob): Promise<PixelImage> {
 	const bitmap = await readBitmap(file, SIDE);
 	const { width, height } = bitmap;

@@ -1,13 +1,13 @@
-/** A picture of one thing on a plain ground → its silhouette, without holes. */
+/** Finds the silhouette of one object on a plain background, without holes. */
 import { type Mask, type PixelImage, TraceError } from "./picture";
 
 /** Least colour difference from the background that counts as foreground, 0 … 441. */
 const LEAST_CONTRAST = 26;
-/** Less than this share of the picture is nothing. */
+/** Least area of a silhouette, as a share of the picture. */
 const LEAST_SHARE = 0.005;
 /** A silhouette that covers more than this share of the picture's border is cut off by it. */
 const MOST_OF_RIM = 0.12;
-/** Alpha below which a pixel is ground. */
+/** Alpha below which a pixel is background. */
 const CLEAR = 64;
 
 /**
@@ -35,11 +35,11 @@ export function silhouetteOf(picture: PixelImage, noun: string): Mask {
 	return largest;
 }
 
-/** How far each pixel's colour is from that of the picture's rim. */
+/** Returns each pixel's colour difference from the picture's border. */
 function differences({ width, height, data }: PixelImage): Float32Array {
 	const rim = rimOf(width, height).filter((at) => data[4 * at + 3] >= CLEAR);
 	const ground = [0, 1, 2].map((channel) => median(rim.map((at) => data[4 * at + channel])));
-	// A clear ground: everything that is not clear is it.
+	// With a transparent background, all opaque pixels are foreground.
 	const isClear = rim.length < 0.5 * rimOf(width, height).length;
 	return Float32Array.from({ length: width * height }, (_, at) => {
 		if (data[4 * at + 3] < CLEAR) return 0;
@@ -58,7 +58,7 @@ function median(values: number[]): number {
 	return values.sort((a, b) => a - b)[values.length >> 1] ?? 255;
 }
 
-/** The value that best divides the others in two (Otsu 1979). */
+/** Returns the threshold that separates values best into two classes (Otsu 1979). */
 function between(values: Float32Array): number {
 	const BINS = 256;
 	const most = values.reduce((best, value) => Math.max(best, value), 1);
@@ -78,14 +78,14 @@ function between(values: Float32Array): number {
 	return (cut / BINS) * most;
 }
 
-/** The pixels inside that hang together with the most others; neighbours share a side. */
+/** Returns the largest connected blob; neighbours share a side. */
 export function largestBlob({ width, height, inside }: Mask): Mask {
 	const blobs = blobsOf({ width, height, inside });
 	const members = blobs.reduce((best, blob) => (blob.length > best.length ? blob : best), new Uint32Array(0));
 	return maskOf(width, height, members);
 }
 
-/** Every blob of a mask, as pixels. */
+/** Returns every connected blob of a mask, as pixel indices. */
 export function blobsOf({ width, height, inside }: Mask): Uint32Array[] {
 	const seen = Uint8Array.from(inside, (value) => 1 - value);
 	const queue = new Uint32Array(width * height);
@@ -102,7 +102,7 @@ export function maskOf(width: number, height: number, members: Uint32Array): Mas
 	return { width, height, inside };
 }
 
-/** The mask and all it encloses. */
+/** Fills the holes of a mask. */
 function filled({ width, height, inside }: Mask): Mask {
 	const seen = inside.slice();
 	const queue = new Uint32Array(width * height);

@@ -1,8 +1,8 @@
-/** The stalk of a silhouette, cut off where the blade begins: its one long thin part, or the narrow foot that it stands on. */
+/** Finds the stalk of a silhouette and cuts it off at the blade: the longest thin part, or else the narrow foot. */
 import type { Mask, Pixel } from "./picture";
 import { blobsOf, largestBlob, maskOf } from "./silhouette";
 
-/** In pixels. */
+/** Size in pixels. */
 export interface Stalk {
 	length: number;
 	width: number;
@@ -10,25 +10,25 @@ export interface Stalk {
 
 export interface Blade {
 	blade: Mask;
-	/** Where the stalk joins; where there is none, where the blade's middle ends below. */
+	/** Position where the stalk joins the blade; without a stalk, the lowest point below the blade's centroid. */
 	base: Pixel;
 	stalk?: Stalk;
 }
 
-/** Thinner than this is stalk or tooth: twice this in the root of its area. */
+/** Half the largest thickness of a stalk or tooth, as a share of the square root of the area. */
 const THIN = 0.025;
-/** A stalk is at least so many times as long as it may be thick. */
+/** Least length of a stalk, relative to its largest thickness. */
 const LONG = 4;
 /**
- * A foot is no wider than this, against the silhouette, and at least so high, and all at once above it the silhouette is wider: by
- * such a factor within so much of its height. A blade that narrows evenly, or in a bow, has none.
+ * Limits of a foot, relative to the silhouette: largest width, least height, and factor by which the silhouette widens
+ * above it within a share of its height. A blade that narrows gradually has no foot.
  */
 const [NARROW, HIGH, WIDENS, AT_ONCE] = [0.35, 0.1, 2.5, 0.05];
 /**
  * Quantile of the row widths, from the narrowest, that is the width of a widening foot: its very end may be rounded.
  */
 const NARROWEST = 0.1;
-/** A foot ends where it is wider than this, against where it was found to widen. */
+/** A foot ends where it is wider than this, relative to its width where the widening was found. */
 const SHOULDER = 1.5;
 
 export function withoutStalk(whole: Mask): Blade {
@@ -45,7 +45,7 @@ interface Part extends Stalk {
 	members: Uint32Array;
 }
 
-/** The longest part that is too thin for a disc, whichever way it points. */
+/** Finds the longest part that is too thin for a disc, in any direction. */
 function thinPart(whole: Mask): Part | undefined {
 	const { width, height, inside } = whole;
 	const area = inside.reduce((sum, value) => sum + value, 0);
@@ -99,7 +99,7 @@ function opened({ width, height, inside }: Mask, radius: number): Mask {
 	return reach({ width, height, inside: core }, radius);
 }
 
-/** All pixels within a radius of the mask: a chamfered distance, 3 to a side and 4 to a corner (Borgefors 1986). */
+/** Returns all pixels within a radius of the mask, by a chamfer distance with weights 3 and 4 (Borgefors 1986). */
 function reach({ width, height, inside }: Mask, radius: number): Mask {
 	const far = 3 * (width + height);
 	const away = Int32Array.from(inside, (value) => (value ? 0 : far));
@@ -124,7 +124,7 @@ function reach({ width, height, inside }: Mask, radius: number): Mask {
 	return { width, height, inside: Uint8Array.from(away, (value) => (value <= 3 * radius ? 1 : 0)) };
 }
 
-/** How far apart the ends of a blob are, about. */
+/** Returns the approximate distance between the ends of a blob. */
 function extent(members: Uint32Array, width: number): number {
 	const from = (start: number) =>
 		members.reduce((best, at) => (apart(at, start, width) > apart(best, start, width) ? at : best), start);
@@ -136,7 +136,7 @@ function apart(one: number, other: number, width: number): number {
 	return Math.hypot((one % width) - (other % width), Math.floor(one / width) - Math.floor(other / width));
 }
 
-/** The middle of where a stalk touches the blade. */
+/** Returns the middle of the pixels where a stalk touches the blade. */
 function joint(stalk: Uint32Array, { width, inside }: Mask): Pixel {
 	const touching = [...stalk].filter((at) => [at - 1, at + 1, at - width, at + width].some((other) => inside[other]));
 	const sum = touching.reduce(({ x, y }, at) => ({ x: x + (at % width), y: y + Math.floor(at / width) }), {
@@ -146,7 +146,7 @@ function joint(stalk: Uint32Array, { width, inside }: Mask): Pixel {
 	return { x: sum.x / touching.length + 0.5, y: sum.y / touching.length + 0.5 };
 }
 
-/** The last pixel below the silhouette's middle. */
+/** Returns the lowest pixel below the silhouette's centroid. */
 function lowest({ width, inside }: Mask): Pixel {
 	let [x, y, count] = [0, 0, 0];
 	inside.forEach((value, at) => {

@@ -10,33 +10,33 @@ import type { Point } from "./point";
 export interface DragHost<H, S, K> {
 	/** Returns the current state; other code may have changed it since the last call. */
 	get(): S;
-	/** Where a handle stands, in the units of the places that the session is given. */
+	/** Returns a handle's position, in the units of the session's positions. */
 	place(handle: H): Point;
 	/**
 	 * Returns the state after dragging a handle to a position. `from` is the handle's position at the beginning of the
 	 * drag.
 	 */
 	pull(state: S, handle: H, to: Point, held: { readonly from: Point; readonly keys?: K }): S;
-	/** Whether two are the same in all that a drag here changes. */
+	/** Returns whether two states are equal in all values that drags here change. */
 	same(one: S, other: S): boolean;
 	/** Returns the state after cancelling a drag; the default is the whole state before the drag. */
 	restored?(now: S, before: S): S;
-	/** Whether a second finger has to wait. */
+	/** Whether only one drag at a time is allowed. */
 	readonly alone?: boolean;
 	/** Reports a live state, at most once per frame; also the restored state when a drag is cancelled. */
 	input(state: S): void;
 	/** Ends a drag of which at least one state was reported. */
 	change(): void;
-	/** Calls back before the next frame; the default is the page's. */
+	/** Schedules a callback before the next frame; the default is requestAnimationFrame. */
 	schedule?(callback: () => void): void;
 }
 
 interface Held<H, K> {
 	readonly handle: H;
 	readonly from: Point;
-	/** From the pointer to the handle, so that it does not jump. */
+	/** Offset from the pointer to the handle, so that the handle does not jump. */
 	readonly offset: Point;
-	/** Where the handle is to go; undefined once it has gone there. */
+	/** Target position of the handle; undefined after it was applied. */
 	target?: Point;
 	keys?: K;
 }
@@ -61,12 +61,15 @@ export class DragSession<H, S, K = undefined> {
 		return [...this.#held.values()].some((held) => held.handle === handle);
 	}
 
-	/** The handle in that pointer's hand. */
+	/** Returns the handle that a pointer drags. */
 	heldBy(pointer: number): H | undefined {
 		return this.#held.get(pointer)?.handle;
 	}
 
-	/** Takes hold of a handle; false where this pointer or this handle is taken already. */
+	/**
+	 * Begins a drag.
+	 * @returns false if this pointer or this handle is already in use
+	 */
 	begin(pointer: number, handle: H, at: Point): boolean {
 		const taken = this.#host.alone ? this.active : this.#held.has(pointer) || this.holds(handle);
 		if (taken) return false;
@@ -121,7 +124,7 @@ export class DragSession<H, S, K = undefined> {
 		if (reported) this.#host.change();
 	}
 
-	/** Applies the targets to the state as it is now, not as it was when the pointer moved. */
+	/** Applies the targets to the current state, not to the state when the pointer moved. */
 	#flush(): void {
 		const moved = [...this.#held.values()].filter(({ target }) => target);
 		if (moved.length === 0) return;

@@ -10,7 +10,7 @@ import { EscapeKey } from "./escape_key";
 import { handleStyle } from "./handle_style";
 import { nearest, type Point } from "./point";
 
-/** Radius within which a handle can be taken hold of, in CSS pixels: half of 44, the least for a thumb. */
+/** Radius of a handle's hit area, in CSS pixels: half of 44, the least for touch. */
 const REACH = 22;
 
 /** Drag session with any state. */
@@ -18,11 +18,11 @@ type Drags<H, K> = Pick<DragSession<H, unknown, K>, "active" | "holds" | "begin"
 
 export interface HandleLook {
 	label: string;
-	/** Of a child of the button: a name, numbers. */
+	/** Content of the button: a name, numbers. */
 	content?: unknown;
 	classes?: Readonly<Record<string, boolean>>;
 	kind?: string;
-	/** Whether Tab comes to it. */
+	/** Whether the handle is a stop of the Tab key. */
 	tab?: boolean;
 	/** Ids of elements that describe its keys. */
 	help?: string;
@@ -32,13 +32,13 @@ export interface HandleLook {
 export abstract class HandleView<H extends string, K = undefined> extends LitElement {
 	static override styles = [handleStyle];
 
-	/** Of the field that the handles are in, CSS pixels. */
+	/** Size of the field that contains the handles, CSS pixels. */
 	protected size = { width: 240, height: 240 };
-	/** The handle the mouse is over or the keyboard is on. */
+	/** The handle under the mouse, or with the keyboard focus. */
 	protected shown: H | undefined;
 	/** Announcement to screen readers after a key step. */
 	#spoken = "";
-	/** Whether the focus came from a pointer, which needs no ring nor numbers to be seen. */
+	/** Whether the focus came from a pointer, which needs neither a focus ring nor numbers. */
 	#pointed = false;
 	#observed: Element | null = null;
 	readonly #runs = new KeyRuns();
@@ -59,32 +59,32 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 	protected abstract readonly help: string;
 	protected abstract readonly drags: Drags<H, K>;
 
-	/** Drawing and handles; undefined while there is nothing to show. */
+	/** Returns the drawing and the handles; undefined if there is nothing to show. */
 	protected abstract inside(): unknown;
-	/** Where the handles stand, in CSS pixels from the field's corner. */
+	/** Returns the handles' positions, in CSS pixels from the field's corner. */
 	protected abstract places(): Iterable<readonly [H, Point]>;
-	/** The view's own units at a place in CSS pixels from the field's corner. */
+	/** Converts a position in CSS pixels from the field's corner to the view's own units. */
 	protected abstract units(place: Point): Point;
-	/** Where a handle stands, in words. */
+	/** Returns a handle's position as text. */
 	protected abstract words(handle: H): string;
 	/**
 	 * Handles a key on a handle.
 	 * @returns whether the key had an effect
 	 */
 	protected abstract key(handle: H, event: KeyboardEvent): boolean;
-	/** A double click, on a handle where there is one within reach. */
+	/** Handles a double click, with the handle within reach if there is one. */
 	protected abstract doubled(handle: H | undefined, at: Point): void;
 	protected keysOf(_event: PointerEvent): K | undefined {
 		return undefined;
 	}
-	/** A handle has the focus. */
+	/** Called when a handle gets the focus. */
 	protected focused(_handle: H): void {}
 	protected resized(): void {}
 	/** Content below the field. */
 	protected below(): unknown {
 		return nothing;
 	}
-	/** Draws on the canvas that lies below all. */
+	/** Draws on the canvas below all other elements. */
 	protected ink(_canvas: HTMLCanvasElement): void {}
 
 	override connectedCallback(): void {
@@ -125,9 +125,9 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 	}
 
 	/**
-	 * One handle, over the drawing rather than in it: `touch-action` has no effect on the shapes of an SVG, and a button is
-	 * one to assistive technology. 44 pixels across, the dot in its middle. Its place is set as a property: a `style`
-	 * attribute would need a looser content security policy.
+	 * Draws one handle, over the drawing and not in it: `touch-action` has no effect on SVG shapes, and assistive
+	 * technology recognises a button. 44 pixels across, with the dot in its middle. The position is set as a property,
+	 * because a `style` attribute would need a looser content security policy.
 	 */
 	protected drawHandle(handle: H, { x, y }: Point, look: HandleLook): TemplateResult {
 		const { label, content = nothing, classes, kind, tab = true, help = "help" } = look;
@@ -177,7 +177,7 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 		return this.renderRoot?.querySelector<HTMLElement>(".field") ?? null;
 	}
 
-	/** The field comes with the first drawing. */
+	/** The field exists after the first drawing. */
 	#observe(): void {
 		const field = this.isConnected ? this.#field : null;
 		if (!field || field === this.#observed) return;
@@ -190,13 +190,13 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 		if (canvas) this.ink(canvas);
 	}
 
-	/** A pointer's place in CSS pixels from the field's corner. */
+	/** Returns a pointer's position in CSS pixels from the field's corner. */
 	#at({ clientX, clientY }: MouseEvent): Point {
 		const box = this.#field?.getBoundingClientRect();
 		return { x: clientX - (box?.left ?? 0), y: clientY - (box?.top ?? 0) };
 	}
 
-	/** The free handle within reach of a pointer. */
+	/** Returns the handle within reach of a pointer that is not dragged yet. */
 	#handleAt(event: MouseEvent): H | undefined {
 		const free = [...this.places()].filter(([handle]) => !this.drags.holds(handle));
 		return nearest(free, this.#at(event), REACH);
@@ -227,7 +227,10 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 		this.requestUpdate();
 	}
 
-	/** No menu after a long press, no focus but the one given: the handle held need not be the one whose reach is on top. */
+	/**
+	 * Prevents the menu after a long press and the browser's own focus: the dragged handle need not be the topmost
+	 * one.
+	 */
 	#onOwnGesture(event: Event): void {
 		if (this.drags.active) event.preventDefault();
 	}
@@ -263,7 +266,7 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 		if (event.pointerType === "mouse") this.show(handleOf<H>(event));
 	}
 
-	/** The numbers of a handle that the mouse leaves go; those of the one the keyboard is on stay. */
+	/** Hides the numbers of the handle that the mouse leaves; those of the focused handle stay. */
 	#onOut(): void {
 		const target = this.#pointed ? null : this.renderRoot.querySelector(".handle:focus-visible");
 		this.show(handleOf<H>({ target }));
@@ -283,7 +286,7 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 	}
 }
 
-/** The handle that an event happened on. */
+/** Returns the handle of an event. */
 function handleOf<H extends string>({ target }: { target: EventTarget | null }): H | undefined {
 	return (target as Element | null)?.closest<HTMLElement>("[data-handle]")?.dataset.handle as H | undefined;
 }

@@ -1,13 +1,13 @@
-/** Dragging a handle in three dimensions: where a pointer's line of sight takes it. Pure maths, in the plant's metres. */
+/** Dragging of handles in three dimensions along rays. Pure functions, in the plant's metres. */
 import type { Vector } from "./plant_handle";
 
-/** A line of sight; the direction has any length but 0. */
+/** A ray; the direction has any length but 0. */
 export interface Ray {
 	readonly origin: Vector;
 	readonly direction: Vector;
 }
 
-/** Sine of the angle between sight and plane under which the plane counts as seen edge-on (about 10°). */
+/** Sine of the angle between ray and plane below which the plane counts as seen edge-on (about 10°). */
 const GRAZING = 0.17;
 /**
  * Sine of the angle between ray and line below which the line counts as seen end-on, where a pointer's position is
@@ -23,7 +23,7 @@ export function visibleWays(along: readonly Vector[], ray: Ray): readonly Vector
 	if (along.length < 2) return along;
 	const sight = unit(ray.direction);
 	if (along.length > 2) {
-		// Three at right angles: the two that are seen best.
+		// Of three perpendicular directions, the two most visible ones.
 		const deepest = Math.max(...along.map((way) => Math.abs(dot(way, sight))));
 		const away = along.findIndex((way) => Math.abs(dot(way, sight)) === deepest);
 		return along.filter((_, i) => i !== away);
@@ -50,7 +50,7 @@ function onLine(at: Vector, line: Vector, { origin, direction }: Ray): Vector | 
 	const sine2 = 1 - slant * slant;
 	if (sine2 < END_ON * END_ON) return undefined;
 	const [alongLine, alongSight] = [dot(between, line), dot(between, sight)];
-	// Behind the eye.
+	// The nearest position is behind the eye.
 	if (slant * alongLine < alongSight) return undefined;
 	return plus(at, line, (alongLine - slant * alongSight) / sine2);
 }

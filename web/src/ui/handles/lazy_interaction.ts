@@ -1,4 +1,4 @@
-/** A tool's hands whose script is fetched when they are first wanted. */
+/** Interaction of a tool whose script loads on first use. */
 import type { Plant } from "../../plant/plant";
 import type { Specimen } from "../../specimen/specimen";
 import type { EditorContext, EditorState } from "../editor_context";
@@ -9,7 +9,7 @@ export interface LazyInteractionOptions<S extends Specimen, G extends Plant> {
 	/** Returns whether the script is needed; after the first time, every change is passed on. */
 	wanted(state: EditorState<S, G>): boolean;
 	fetch(): Promise<ToolInteraction<S, G>>;
-	/** Puts the tool back to where its button fetches them anew. */
+	/** Called if loading fails: resets the tool, so that its button retries. */
 	onFetchFailed(): void;
 }
 

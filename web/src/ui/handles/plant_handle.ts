@@ -8,28 +8,31 @@ export interface PlantHandle {
 	readonly id: string;
 	/** Name of the handle: "Length". */
 	readonly label: string;
-	/** Where it stands, in words: "14.2 mm". */
+	/** Value of the handle as text: "14.2 mm". */
 	readonly value: string;
-	/** How it looks, where not as most do. */
+	/** Appearance, if not the usual one. */
 	readonly kind?: "size" | "turn" | "chosen";
-	/** In the plant's metres. */
+	/** Position in the plant's metres. */
 	readonly at: Vector;
-	/** One or two directions, of length 1, in which it can go; or three at right angles, of which the two seen best are taken. */
+	/**
+	 * One or two directions of movement, of length 1; or three perpendicular ones, of which the two most visible are
+	 * used.
+	 */
 	readonly along: readonly Vector[];
-	/** Taken to a place by a pointer. */
+	/** Returns the change after dragging the handle to a position. */
 	pull(to: Vector): Change;
-	/** By the Delete key, where it can go. */
+	/** Returns the change of the Delete key, if the handle can be removed. */
 	remove?(): Change;
-	/** One press of an arrow key: 1, 0 or −1 to the right and up. */
+	/** Returns the change of an arrow key: 1, 0 or −1 to the right and up. */
 	nudge(right: number, up: number, large: boolean): Change;
 }
 
-/** All that is shown of them. */
+/** Handles and lines of a specimen. */
 export interface PlantHandles {
 	readonly handles: readonly PlantHandle[];
 	/** Polylines that show the handles' shape. */
 	readonly lines: readonly (readonly Vector[])[];
 }
 
-/** The handles of a specimen; `preset` is its preset as published. */
+/** Returns the handles of a specimen; `preset` is its published preset. */
 export type HandlesOf<S> = (specimen: S, preset: S) => PlantHandles;

@@ -1,6 +1,6 @@
 /**
- * Handles over the picture of a plant: buttons that stand where the handles are, dragged by mouse, pen and finger, stepped by
- * arrow keys. One of them is a stop of the Tab key, Page Up and Page Down lead to the others.
+ * Layer of handles over the picture of a plant: buttons, moved by mouse, pen, finger or arrow keys. One of them is a
+ * stop of the Tab key, and Page Up and Page Down move between them.
  */
 import type { Change } from "../editor_context";
 import { EscapeKey } from "./escape_key";
@@ -12,7 +12,7 @@ import { ARROWS, nearest, type Point } from "./point";
 /** View and document as the layer uses them. */
 export interface HandleHost {
 	readonly canvas: HTMLCanvasElement;
-	/** Where a place is seen: CSS pixels from the canvas's upper left corner. */
+	/** Returns the position of a point in CSS pixels from the canvas's upper left corner. */
 	project(at: Vector): Point;
 	/** Returns the ray through a point of the canvas. */
 	rayThrough(x: number, y: number): Ray;
@@ -22,20 +22,20 @@ export interface HandleHost {
 	change(change: Change): void;
 	/** The drag or key press ends. */
 	settle(): void;
-	/** A drag is called off. */
+	/** A drag is cancelled. */
 	cancel(): void;
-	/** A handle has the focus. */
+	/** Called when a handle gets the focus. */
 	focused?(id: string): void;
 }
 
-/** A handle in hand. */
+/** A drag in progress. */
 interface Held {
 	readonly id: string;
 	readonly pointer: number;
 	readonly ways: readonly Vector[];
-	/** From the pointer to where the handle is seen, so that it does not jump. */
+	/** Offset from the pointer to the handle, so that the handle does not jump. */
 	readonly offset: Point;
-	/** Where the pointer has gone since the last frame. */
+	/** Latest pointer event since the last frame. */
 	to?: PointerEvent;
 	moved: boolean;
 }
@@ -85,7 +85,7 @@ export class PlantHandleLayer {
 		this.#root.adoptedStyleSheets = this.#root.adoptedStyleSheets.filter((sheet) => sheet !== this.#style);
 	}
 
-	/** Shows these handles; none where undefined. */
+	/** Replaces the handles; undefined removes all. */
 	set(shown: PlantHandles | undefined): void {
 		this.#handles = shown?.handles ?? [];
 		this.#ends = shown?.lines ?? [];
@@ -110,7 +110,7 @@ export class PlantHandleLayer {
 		this.place();
 	}
 
-	/** Puts the buttons over the handles as they are seen now. */
+	/** Moves the buttons to the handles' current positions. */
 	place(): void {
 		// All sizes are read before styles are written, because reading after each write would force a layout each
 		// time.
@@ -158,7 +158,7 @@ export class PlantHandleLayer {
 		return button;
 	}
 
-	/** Where buttons overlap, the handle that is nearest to the pointer is meant. */
+	/** If buttons overlap, the handle nearest to the pointer is dragged. */
 	#grasp(event: PointerEvent): void {
 		const at = this.#pointOf(event);
 		const places = this.#handles.map((each) => [each, this.#host.project(each.at)] as const);
@@ -182,7 +182,7 @@ export class PlantHandleLayer {
 		this.#escape.listen(true);
 	}
 
-	/** At most one growth a frame. */
+	/** Limits growth to one request per frame. */
 	#move(event: PointerEvent): void {
 		const held = this.#held;
 		if (held?.pointer !== event.pointerId) return;
@@ -231,7 +231,7 @@ export class PlantHandleLayer {
 		event.preventDefault();
 	}
 
-	/** To the next handle, round and round. */
+	/** Focuses the next handle, cyclically. */
 	#lead(id: string, by: number): void {
 		const ids = this.#handles.map((each) => each.id);
 		const next = ids.at((ids.indexOf(id) + by) % ids.length);
@@ -265,7 +265,7 @@ export class PlantHandleLayer {
 		this.#announced = { id: announced.id, value };
 	}
 
-	/** From the canvas's upper left corner, CSS pixels. */
+	/** Position in CSS pixels from the canvas's upper left corner. */
 	#pointOf({ clientX, clientY }: PointerEvent): Point {
 		const { left, top } = this.#layer.getBoundingClientRect();
 		return { x: clientX - left, y: clientY - top };

@@ -1,4 +1,4 @@
-/** Handles over the picture, and the lines between them: in the element's colours, or else in the page's. */
+/** Style of handles over the picture and of the lines between them, with the element's colours, or else the page's. */
 export const HANDLES_STYLE = `
 	.plant-handles { position: absolute; pointer-events: none; overflow: hidden; }
 	.plant-handles svg { position: absolute; inset: 0; width: 100%; height: 100%; fill: none; stroke: var(--panicle-ink, var(--ink)); stroke-opacity: 0.45; }

@@ -9,13 +9,13 @@ import type { ToolView } from "../tool";
 import type { PlantHandles } from "./plant_handle";
 import { PlantHandleLayer } from "./plant_handle_layer";
 
-/** The canvas's class while handles stand on it: nothing fades at its edge (style/stage.css). */
+/** Class of the canvas while handles are on it: the picture then does not fade at its edge (style/stage.css). */
 const WHOLE_SURFACE = "handles";
 
 export interface PlantInteractionOptions<S extends Specimen> {
 	/** Returns the details of a document that handles edit; a cancelled drag restores them. */
 	editedDetails(specimen: S): NonNullable<Change["details"]>;
-	/** A handle has the focus. */
+	/** Called when a handle gets the focus. */
 	focused?(id: string): void;
 }
 
@@ -45,7 +45,7 @@ export class PlantInteraction<S extends Specimen, G extends Plant> {
 		this.#undraw = view.onDrawn(() => this.#layer.place());
 	}
 
-	/** Puts these handles where they are, or none. */
+	/** Replaces the handles; undefined removes all. */
 	set(handles: PlantHandles | undefined, wholeSurface = handles !== undefined): void {
 		this.#view.canvas.classList.toggle(WHOLE_SURFACE, wholeSurface);
 		this.#layer.set(handles);

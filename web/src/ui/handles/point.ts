@@ -1,10 +1,10 @@
-/** Places in a flat view: in its own units where handles stand, in CSS pixels where pointers are. */
+/** A position in a flat view: in its own units for handles, in CSS pixels for pointers. */
 export interface Point {
 	readonly x: number;
 	readonly y: number;
 }
 
-/** The one within reach that is nearest to a pointer: reaches overlap where handles are close, and the nearest is meant. */
+/** Returns the item nearest to a pointer within reach; hit areas of close handles overlap. */
 export function nearest<H>(places: Iterable<readonly [H, Point]>, pointer: Point, reach: number): H | undefined {
 	let found: H | undefined;
 	let least = reach;
@@ -17,7 +17,7 @@ export function nearest<H>(places: Iterable<readonly [H, Point]>, pointer: Point
 	return found;
 }
 
-/** The arrow keys, as steps: x to the right, y up. */
+/** Arrow keys as steps: x to the right, y up. */
 export const ARROWS: Readonly<Record<string, Point>> = {
 	ArrowLeft: { x: -1, y: 0 },
 	ArrowRight: { x: 1, y: 0 },

@@ -1,12 +1,12 @@
 import { svg, type TemplateResult } from "lit";
 
-/** The longest round length (1, 2 or 5 times a power of ten) that is at most so long. */
+/** Returns the longest round length (1, 2 or 5 times a power of ten) up to a limit. */
 export function roundLength(most: number): number {
 	const decade = 10 ** Math.floor(Math.log10(most));
 	return decade * (most >= 5 * decade ? 5 : most >= 2 * decade ? 2 : 1);
 }
 
-/** A scale bar as on a plate; `transform` puts its left end in an SVG's lower left corner. */
+/** Draws a scale bar; `transform` moves its left end in an SVG. */
 export function drawScaleBar(pixels: number, label: string, transform: string): TemplateResult {
 	return svg`<g class="scale" transform=${transform}>
 		<line x1="0" y1="0" x2=${pixels} y2="0"></line>

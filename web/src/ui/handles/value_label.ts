@@ -2,13 +2,13 @@
 import { css, html, type TemplateResult } from "lit";
 import type { Point } from "./point";
 
-/** Of a field or a label, CSS pixels. */
+/** Size of a field or a label, CSS pixels. */
 export interface Extent {
 	readonly width: number;
 	readonly height: number;
 }
 
-/** From a handle's middle to its words: clear of its ring. */
+/** Distance from a handle's middle to its label, outside the focus ring. */
 const GAP = 15;
 /** Radius of a handle that labels must not cover. */
 const DOT = 9;
@@ -19,15 +19,15 @@ const AROUND: readonly Point[] = Array.from({ length: 8 }, (_, i) => ({
 	y: Math.round(Math.sin((i * Math.PI) / 4)),
 }));
 
-/** How much room words take in the views' type: a little more than they do. */
+/** Returns the estimated size of a label, slightly too large. */
 export function labelExtent(words: string): Extent {
 	return { width: 6.2 * words.length + 10, height: 18 };
 }
 
 /**
- * The upper left corner of a label, in CSS pixels of the field: beside its handle away from the field's middle, where it
- * covers the fewest handles, and never out of the field.
- * @param others where the other handles stand
+ * Returns the upper left corner of a label, in CSS pixels of the field: next to its handle, away from the field's
+ * middle, covering as few handles as possible, and inside the field.
+ * @param others positions of the other handles
  */
 export function labelPlace(at: Point, label: Extent, field: Extent, others: readonly Point[]): Point {
 	const out = { x: at.x - field.width / 2, y: at.y - field.height / 2 };
@@ -58,7 +58,7 @@ function covered(place: Point, { width, height }: Extent, dot: Point): boolean {
 	return Math.hypot(dot.x - x, dot.y - y) < DOT;
 }
 
-/** Heard by the handle's own name; this is for the eye. */
+/** Draws a label for sighted users; screen readers read the handle's own name. */
 export function drawValue(words: string, at: Point, field: Extent, others: readonly Point[]): TemplateResult {
 	const { x, y } = labelPlace(at, labelExtent(words), field, others);
 	return html`<span class="value" aria-hidden="true" .style=${`transform: translate(${x}px, ${y}px)`}>${words}</span>`;
