@@ -106,7 +106,7 @@ TEST_CASE("the smallest request grows the default bunch, column by column") {
   CHECK(Answer(TestRequest("measures")).rows("measures") > 0);
 }
 
-TEST_CASE("a berry thinned by hand is told by its id") {
+TEST_CASE("a request may remove berries by their ids") {
   const Answer whole{TestRequest()};
   TestRequest request;
   const std::uint32_t id = whole.word("berries.id", 5);
@@ -116,7 +116,7 @@ TEST_CASE("a berry thinned by hand is told by its id") {
   CHECK(less.word("counts", 3) == whole.word("counts", 3) - 1);
 }
 
-TEST_CASE("meshes and their fingerprint come only when asked for and change no skeleton") {
+TEST_CASE("meshes and their fingerprint are made only when requested, and leave the skeleton unchanged") {
   const Answer bare{TestRequest()}, whole(TestRequest("meshes")), printed(TestRequest("measures meshes mesh_fingerprint"));
   CHECK(bare.find("mesh.stems.positions") == nullptr);
   CHECK(bare.word("fingerprint", 0) == whole.word("fingerprint", 0));
@@ -125,7 +125,7 @@ TEST_CASE("meshes and their fingerprint come only when asked for and change no s
   CHECK(printed.word("mesh_fingerprint", 0) != 0);
 }
 
-TEST_CASE("a request that is not in the agreed form is refused in words") {
+TEST_CASE("an invalid request is an error with a message") {
   const auto refused = [](const Answer& answer, std::string_view word) {
     CHECK(answer.reason() == Reason::bad_request);
     CHECK_MESSAGE(answer.message().find(word) != std::string::npos, answer.message());
@@ -150,7 +150,7 @@ TEST_CASE("a request that is not in the agreed form is refused in words") {
   refused(Answer(wide), "more values");
 }
 
-TEST_CASE("a grammar that was compiled before grows what its text grows") {
+TEST_CASE("a compiled grammar grows the same plant as its text") {
   const std::string_view text = "axiom: F(40)[+(60)F(30)S(9)]S(12)";
   TestRequest spelled;
   spelled.writer.add("grammar", text);
@@ -191,7 +191,7 @@ TEST_CASE("segments begin where their parents end, and have a length and two rad
   CHECK(tapers);
 }
 
-TEST_CASE("every segment and organ has its own tag, however many there are") {
+TEST_CASE("segments and organs have their own tags") {
   Plant plant;
   for (std::uint32_t i = 0; i < 300; ++i) {
     plant.tags.push_back("V" + std::to_string(i));
@@ -210,7 +210,7 @@ TEST_CASE("every segment and organ has its own tag, however many there are") {
   CHECK(answer.column("organs.tags").text().ends_with("leaf299"));
 }
 
-TEST_CASE("a plant whose geometry is not finite is an error that names what it is of") {
+TEST_CASE("check_geometry names the part of a plant whose geometry is not finite") {
   // Every model's own way: nothing before the boundary refuses a stem so thick.
   const auto grown = [](std::string_view model, std::string_view text) {
     TestRequest request("meshes", model);
@@ -239,7 +239,7 @@ TEST_CASE("a request gets its memory up to 16 MiB") {
   CHECK(panicle_allocate(0xffffffffu) == nullptr);
 }
 
-TEST_CASE("a request may say how many steps a text is derived; else the text does, else all that it takes") {
+TEST_CASE("a request may set the steps of a text; else the text does, else it is derived to its end") {
   // A text grows below its peduncle, which is no part of it.
   std::vector<float> parameters;
   for (const bunch::ParameterInfo& each : bunch::parameter_table) parameters.push_back(each.standard);
@@ -262,7 +262,7 @@ TEST_CASE("a request may say how many steps a text is derived; else the text doe
   CHECK(internodes("derivation length: 4\naxiom: A\nA --> F(9) A", 1) == 1);
 }
 
-TEST_CASE("compiled grammars are kept up to a limit, and said to be") {
+TEST_CASE("compiled grammars are stored up to a limit, with an error beyond") {
   std::vector<std::uint32_t> handles;
   for (std::size_t i = 0; i < CompiledTexts::most; ++i)
     handles.push_back(Answer(panicle_compile("axiom: F", 8)).word("program", 0));
@@ -274,7 +274,7 @@ TEST_CASE("compiled grammars are kept up to a limit, and said to be") {
   panicle_forget(again.word("program", 0));
 }
 
-TEST_CASE("no bytes of a request can do harm") {
+TEST_CASE("random bytes of a request are an error or a plant, without crashes") {
   std::vector<std::uint32_t> parameters(bunch::parameter_count);
   for (std::uint64_t round = 0; round < 300; ++round) {
     for (std::size_t i = 0; i < parameters.size(); ++i)
@@ -293,7 +293,7 @@ TEST_CASE("no bytes of a request can do harm") {
   }
 }
 
-TEST_CASE("an answer has each note once, though a derivation and the drawing reach the same limit") {
+TEST_CASE("a response has each note once, though the derivation and the drawing reach the same limit") {
   TestRequest request("", "grammar");
   request.writer.add("grammar", std::string_view("#turtle cpfg\nderivation length: 4096\naxiom: A(13)\n"
                                                "A(n) : n>0 --> A(n-1) A(n-1)\nA(n) : n==0 --> A(0)\n"

@@ -65,7 +65,7 @@ TEST_CASE("comparisons and logic give 1 or 0") {
   same("x=1 && y=3 && two=2", "1");
 }
 
-TEST_CASE("the second operand of && and || is passed over where the first decides") {
+TEST_CASE("the second operand of && and || is skipped where the first decides") {
   Inputs inputs;
   inputs.arrays = {{"n", {4}}};
   const auto with = [&](const std::string& condition) {
@@ -77,7 +77,7 @@ TEST_CASE("the second operand of && and || is passed over where the first decide
   CHECK(with("!(i>0 && n[i]>0) && n[1]=4") == "B");
 }
 
-TEST_CASE("functions") {
+TEST_CASE("each function of expressions has its value") {
   same("floor(-2.5)", "-3");
   same("ceil(2.1)", "3");
   same("nearest(2.5)", "3");
@@ -131,7 +131,7 @@ TEST_CASE("a parameter hides a #define of the same name in its production alone"
   CHECK(after("#define l 60\naxiom: A(1)\nA(l) --> V(l) B(2)\nB(j) --> V(l)", 2) == "V(1)V(60)");
 }
 
-TEST_CASE("equal parts are worked out once, but not where the first was passed over") {
+TEST_CASE("equal subexpressions are computed once, unless the first may be skipped") {
   CHECK(after("axiom: A(3)\nA(x) --> V(x*x+1, x*x+2, (x>5 && x*x*x>0) + x*x*x)", 1) == "V(10,11,27)");
   CHECK(after("axiom: A(3)\nA(x) --> V((x>1 || x*x*x>0) + x*x*x, x*x*x)", 1) == "V(28,27)");
 }

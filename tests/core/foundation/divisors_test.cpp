@@ -85,7 +85,7 @@ TEST_CASE("identities between divisor functions hold") {
 }
 
 // Besge to Liouville, 1862.
-TEST_CASE("convolution sums keep Besge's identity") {
+TEST_CASE("convolution sums satisfy Besge's identity") {
   const Sums sigma = sums_of({}, 500), cubes = sums_of({Kind::all, 3}, 500);
   for (std::uint32_t n = 2; n <= 500; ++n) {
     const auto sum = convolution_sum(sigma, 1, sigma, 1, n);
@@ -101,7 +101,7 @@ TEST_CASE("a convolution sum applies the factor of each argument") {
   CHECK(convolution_sum(sigma, 2, sigma, 4, 1).value() == 0);
 }
 
-TEST_CASE("arguments grow by powers") {
+TEST_CASE("arguments of divisor functions grow by powers") {
   CHECK(greatest_argument({}, 12).value() == 12);
   CHECK(greatest_argument({3, 2}, 12).value() == 108);
   CHECK(greatest_argument({0, 1}, 12).value() == 0);

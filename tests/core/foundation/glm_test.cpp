@@ -46,7 +46,7 @@ TEST_CASE("GLM adds up products of vectors from the first to the last") {
   }
 }
 
-TEST_CASE("GLM takes roots of sums of squares, and divides by them through their reciprocals") {
+TEST_CASE("GLM computes lengths as roots of sums of squares, and normalises by reciprocals") {
   for (std::uint64_t i = 0; i < 5000; ++i) {
     const glm::vec3 a = vector(3, i), b = vector(4, i);
     const glm::vec3 way = b - a;
@@ -59,7 +59,7 @@ TEST_CASE("GLM takes roots of sums of squares, and divides by them through their
   }
 }
 
-TEST_CASE("GLM's mixtures, bounds and parts of numbers are those of each component") {
+TEST_CASE("GLM's mix, min, max and fract work by component") {
   for (std::uint64_t i = 0; i < 5000; ++i) {
     const glm::vec3 a = vector(5, i), b = vector(6, i);
     const float t = panicle::random_unit(13, 1, i);

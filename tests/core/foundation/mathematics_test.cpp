@@ -105,7 +105,7 @@ TEST_CASE("sincos_degrees is exact at multiples of 90 and at 30 and 60") {
   CHECK(sincos_degrees(360e6f).cosine == 1);
 }
 
-TEST_CASE("the ends of the ranges") {
+TEST_CASE("functions are right at the ends of their ranges") {
   CHECK(std::isnan(sincos_degrees(infinity).sine));
   CHECK(std::isnan(sine(not_a_number)));
   CHECK(std::fabs(sine(3e38f)) <= 1);
@@ -154,7 +154,7 @@ TEST_CASE("power agrees with C where C's answer is a matter of definition") {
   }
 }
 
-TEST_CASE("results never change: bits of a few values") {
+TEST_CASE("results are frozen: bits of a few values") {
   CHECK(bit_cast<std::uint32_t>(sincos_degrees(15).sine) == 0x3e8483eeu);
   CHECK(bit_cast<std::uint32_t>(sincos_degrees(-123.4f).cosine) == 0xbf0cec4fu);
   CHECK(bit_cast<std::uint32_t>(sine(12345.678f)) == 0xbf344b08u);

@@ -29,7 +29,7 @@ TEST_CASE("work can be spent up to the last unit, and no further") {
   CHECK(budget.left() == 0);
 }
 
-TEST_CASE("bytes can be held up to the last one, and a request beyond that takes none") {
+TEST_CASE("hold takes bytes up to the limit, and none beyond it") {
   WorkBudget budget(0, 100);
   CHECK(budget.hold(60));
   CHECK_FALSE(budget.hold(41));
@@ -93,7 +93,7 @@ TEST_CASE("time is divided as the work is: a share of the work has the same shar
   CHECK_FALSE(budget.spend(1));
 }
 
-TEST_CASE("a clock changes nothing while there is time, and a budget without a clock has no end of time") {
+TEST_CASE("a clock changes nothing before its time is over, and a budget without a clock has no time limit") {
   passed = 0.5;
   WorkBudget timed(100, 0, time_passed), untimed(100, 0);
   for (WorkBudget* const budget : {&timed, &untimed}) {

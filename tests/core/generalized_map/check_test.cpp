@@ -81,7 +81,7 @@ TEST_CASE("every kind of fault is found and named") {
   CHECK(spoilt([](Map& map) { RawAccess::volume(map, 3).attached = false; }) == Fault::descent);
 }
 
-TEST_CASE("no single number of a map can be changed unnoticed") {
+TEST_CASE("check finds a change of any single number of a map") {
   const Map whole = example();
   std::uint32_t unnoticed = 0;
   Map map = whole;

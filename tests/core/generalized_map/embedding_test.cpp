@@ -197,7 +197,7 @@ TEST_CASE("split along its end and base, the parts fill the volume") {
   }
 }
 
-TEST_CASE("placing again with the same shapes gives the same bytes, with others others, without laying anew") {
+TEST_CASE("place gives the same bytes for the same shapes, and may be repeated with others") {
   Map map;
   for (std::uint64_t turn = 0; turn < 200; ++turn) random_operation(map, 3, turn);
   std::vector<Shape> shapes(map.volumes(), Shape{3, 4, 5, 1, 2, 3});

@@ -153,7 +153,7 @@ TEST_CASE("faces that a neighbour's split has changed are split as they are") {
   CHECK(is_prism(map, parted.part, 5));
 }
 
-TEST_CASE("a corner that no edge leaves is refused") {
+TEST_CASE("split refuses a face with a corner that no edge leaves") {
   // Four cubes around an edge: the cut of the first one's edge puts a vertex on the opposite cube, which has no new
   // faces.
   Map map = corner_of_cubes();

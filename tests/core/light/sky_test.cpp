@@ -96,7 +96,7 @@ TEST_CASE("a wall hides all of the sky before it, and none behind") {
   CHECK(seen(std::span(&wall, 1), {0, 0.99f, 0}, -up) == 255);
 }
 
-TEST_CASE("a ball sets smoothly") {
+TEST_CASE("the sky changes smoothly while a ball sets below the horizon") {
   int before = -1;
   for (int k = -100; k <= 100; ++k) {
     const float angle = 1.5f * static_cast<float>(k) / 100;

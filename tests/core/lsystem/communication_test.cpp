@@ -39,7 +39,7 @@ TEST_CASE("communication modules query with their parameters, in the order of th
   CHECK(recorder.spheres.size() == 2);
 }
 
-TEST_CASE("the production that matches the answer is drawn in place") {
+TEST_CASE("the production that matches the response is drawn in place") {
   const Recorder recorder = answered(second_grape, {{0, 90, 7}, {0, -90, 3}, {1, 0, 10}, {1, 0, 4}});
   REQUIRE(recorder.lines.size() == 4);
   CHECK(recorder.lines[0].after.position == glm::vec3(7, 0, 0));

@@ -167,7 +167,7 @@ TEST_CASE("published grammars: counts of symbols match the theory, step by step"
   }
 }
 
-TEST_CASE("published grammars: none has anything that is passed over, and all are short") {
+TEST_CASE("published grammars: none has remarks, and all are short") {
   std::size_t bytes = 0;
   for (const std::string& name : published_names()) {
     INFO(name);

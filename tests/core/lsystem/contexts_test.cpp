@@ -207,7 +207,7 @@ TEST_CASE("neighbours' parameters are read (equation 1.4), and decide") {
         "A(1,2)R(1,2,3,4,5,6,7,8,9)C(8,9)");
 }
 
-TEST_CASE("ignore: names what contexts pass over, consider: what alone they see") {
+TEST_CASE("contexts skip the symbols of ignore:, and match only those of consider:") {
   CHECK(in_context("b + F(2) - a", "ignore: + - F\nb < a --> c") == "b+F(2)-c");
   CHECK(in_context("b + F(2) - a", "b < a --> c") == "b+F(2)-a");
   CHECK(in_context("b + F(2) - a", "consider: a b\nb < a --> c") == "b+F(2)-c");
@@ -216,7 +216,7 @@ TEST_CASE("ignore: names what contexts pass over, consider: what alone they see"
   CHECK(after("axiom: ignore consider\nignore --> A\nconsider > ignore --> B", 1) == "A consider");
 }
 
-TEST_CASE("all modules see the string as it was before the step, what a cut removes in it too") {
+TEST_CASE("all modules match the string as it was before the step, including modules that a cut removes") {
   CHECK(in_context("a b", "a > b --> b\na < b --> a") == "b a");
   CHECK(in_context("a [ % b ] c", "a > [% b] c --> d") == "d[]c");
 }
@@ -236,7 +236,7 @@ TEST_CASE("figure 1.31 a grows as worked out by hand from its productions") {
   CHECK(after(text, 5) == "F i F i F i F i[-F o F i]F i");
 }
 
-TEST_CASE("a production that nothing fits is tried again in each step, and a text without steps goes on until rest") {
+TEST_CASE("contexts that do not match are tried in each step, and a text without steps derives until nothing is rewritten") {
   const BoundPointer bound = compiled("axiom: b a a a a\nb < a --> b");
   const Derived rest = sound(lsystem::develop(*bound, 1, {}, Limits{}));
   CHECK(text_of(*bound, rest) == "b b b b b");
@@ -245,7 +245,7 @@ TEST_CASE("a production that nothing fits is tried again in each step, and a tex
   CHECK(contains(endless, "limit 0:0 The string is still rewritten after 4096 steps"));
 }
 
-TEST_CASE("chance and contexts go together: a random condition waits for its neighbour") {
+TEST_CASE("a random condition in context is drawn when its neighbour matches") {
   const char* text = "derivation length: 60\naxiom: b a a a\nb < a : ran(1)<0.5 --> b";
   const BoundPointer bound = compiled(text);
   const Derived first = derived(*bound, 60, 3);
@@ -265,7 +265,7 @@ TEST_CASE("chance and contexts go together: a random condition waits for its nei
   CHECK((both[0] && both[1]));
 }
 
-TEST_CASE("a neighbour may be what the environment has answered") {
+TEST_CASE("a context may match the environment's response") {
   Recorder environment;
   environment.answers = {{7}};
   const BoundPointer bound = compiled("axiom: A ?E(0)\nA > ?E(x) : x>0 --> B(x)\n?E(x) : x>0 --> %");
@@ -276,7 +276,7 @@ TEST_CASE("a neighbour may be what the environment has answered") {
   CHECK(lsystem::to_text(lsystem::program_of(*bound), derivation.string()) == "B(7)%");
 }
 
-TEST_CASE("what is wrong with a context is told with its place") {
+TEST_CASE("errors of contexts have their place") {
   CHECK(contains(error_of("axiom: A\n< A --> B"), "syntax 2:1 A context is expected beside <"));
   CHECK(contains(error_of("axiom: A\nA > : 1 --> B"), "syntax 2:5 A context is expected beside >"));
   CHECK(contains(error_of("axiom: A\nA < B < C --> B"), "There is a second <"));
@@ -308,7 +308,7 @@ TEST_CASE("what is wrong with a context is told with its place") {
   CHECK(contains(error_of("axiom: A\nA(" + names + ") < B(" + others + ") --> C"), "limit 2:"));
 }
 
-TEST_CASE("looking about counts as work: a text cannot hide any in it") {
+TEST_CASE("matching contexts counts as work") {
   // Each of these looks to the end of the string.
   std::string text = "ignore: a\na > z --> b\naxiom: z ";
   for (int i = 0; i < 2000; ++i) text += "a ";

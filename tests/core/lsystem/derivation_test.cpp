@@ -59,7 +59,7 @@ TEST_CASE("a parametric string is rewritten by condition") {
   CHECK(after(text, 4) == "C B(1)A(8,7)");
 }
 
-TEST_CASE("of several productions the first that matches applies") {
+TEST_CASE("the first of several matching productions is applied") {
   CHECK(after("axiom: A(1) A(2) A(3) A\nA(x) : x>2 --> B\nA(x) : x>1 --> C\nA(x) --> D\nA(x) --> G", 1) == "D C B A");
   CHECK(after("axiom: A(1) A(1,2)\nA(x,y) --> B\nA --> C", 1) == "A(1)B");
   CHECK(after("axiom: A\nA : * --> B", 1) == "B");
@@ -72,7 +72,7 @@ TEST_CASE("a successor may be empty, and the turtle's symbols may be rewritten")
   CHECK(after("axiom: F(1) F(2) F\nF(s) : s>1 --> F(s/2) F(s/2)\nF --> f", 1) == "F(1)F(1)F(1)f");
 }
 
-TEST_CASE("a statement goes on until a line begins another") {
+TEST_CASE("a statement ends where a line begins another") {
   CHECK(after("axiom: A\n  [ B ]\n\nA --> C\n  [ D(1,\n 2) ]\n\n  E /* A --> X */\nB -->\n  G\n#define x 1", 1) ==
         "C[D(1,2)]E[G]");
 }

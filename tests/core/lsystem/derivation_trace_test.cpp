@@ -69,7 +69,7 @@ TEST_CASE("a trace has parents, children and descendants, checked by hand") {
   CHECK(spans(last, &TraceEntry::last) == "0+1 1+1 2+1 3+1 4+1 5+1 6+1 7+1 8+1 ");
 }
 
-TEST_CASE("a window is a part of its step's string, and a step beyond the last is the last") {
+TEST_CASE("a trace's window is a part of its step's string, and a step beyond the last is the last") {
   const BoundPointer bound = compiled("axiom: A F B\nA --> A B\nB --> A\n");
   const DerivationTrace part = traced(*bound, 3, {.step = 2, .first = 3, .count = 2});
   CHECK(joined(part, &TraceEntry::text) == "F A ");
@@ -84,7 +84,7 @@ TEST_CASE("a window is a part of its step's string, and a step beyond the last i
   CHECK(joined(beyond, &TraceEntry::text) == "A ");
 }
 
-TEST_CASE("a production's values are its formals', its contexts' and its blocks'") {
+TEST_CASE("a trace has a production's values: formals, contexts and blocks") {
   const BoundPointer bound =
       compiled("axiom: L(1) A(2) R(3)\nL(p) < A(x) > R(q) : {s = x+p+q; t = s/4} s>5 {t = t*2; u = x} --> A(t)\n");
   const DerivationTrace trace = traced(*bound, 1, {});

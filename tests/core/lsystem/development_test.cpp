@@ -47,7 +47,7 @@ TEST_CASE("a text that never ends grows for the requested steps") {
   CHECK(sound(lsystem::develop(*bound, 1, {}, Limits{})).steps == 4096);
 }
 
-TEST_CASE("a derivation length may follow from constants, and stands anywhere") {
+TEST_CASE("a derivation length may depend on constants, and may be at any place of the text") {
   const char* text = "#input age\n#define k 2\naxiom: A\nderivation length: k*age\nA --> F A";
   CHECK(developed(text, {}, {{{"age", 2}}, {}}) == "F F F F A");
   CHECK(developed(text, {}, {{{"age", 1}, {"k", 1}}, {}}) == "F A");

@@ -87,7 +87,7 @@ TEST_CASE("symbols that are not the turtle's are passed over") {
   CHECK(drawn("axiom: A(1,2) F B F C(1)", 0).lines.size() == 2);
 }
 
-TEST_CASE("a cut that derivation has not come to is made on the way") {
+TEST_CASE("a % that the derivation has not executed is executed by the turtle") {
   const Recorder recorder = drawn("axiom: A\nA --> F [ F % F [ F ] ] F % F F", 1);
   CHECK(recorder.lines.size() == 3);
   CHECK(recorder.cuts == 2);
@@ -162,7 +162,7 @@ TEST_CASE("positions too far away and sizes too large or too small are errors wi
   CHECK(recorder.spheres.size() == 1);
 }
 
-TEST_CASE("a hundred thousand open brackets are fine, one more is not") {
+TEST_CASE("a hundred thousand open brackets are allowed, one more is an error") {
   std::string deep = "axiom: ";
   deep.append(100'001, '[').append(100'001, ']');
   const BoundPointer bound = compiled(deep);

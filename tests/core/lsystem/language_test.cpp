@@ -243,7 +243,7 @@ TEST_CASE("functions that call each other end at a limit, within memory") {
   CHECK(trouble(text + "\n").starts_with("limit "));
 }
 
-TEST_CASE("a backslash at the end of a line goes on with the next where it can be no roll") {
+TEST_CASE("a backslash at the end of a line continues it, unless it can be a roll") {
   CHECK(after("#define k 1 + \\\n 2\naxiom: A(k)", 0) == "A(3)");
   CHECK(after("#define k 1 + \\ /* first */\n\\\n 2 + \\\n 3\naxiom: A(k)", 0) == "A(6)");
   CHECK(after("axiom: A(2)\nA(x) : x>1 && \\\n x<3 --> B\nB --> C", 2) == "C");
@@ -258,7 +258,7 @@ TEST_CASE("a backslash at the end of a line goes on with the next where it can b
   CHECK(after("#turtle cpfg\naxiom: A \\ B \\", 0) == "A\\B\\");
 }
 
-TEST_CASE("lists and curves stand in the text") {
+TEST_CASE("a text may define arrays and curves") {
   CHECK(after("#define n 3\n#define a[] 1, n*2, 5\naxiom: A(a[1]) A(a[2]) A(a[n])", 0) == "A(1)A(6)A(5)");
   CHECK(after("#define a[] {1, 2}\naxiom: A(a[2])", 0, {{}, {{"a", {7, 8}}}}) == "A(8)");
   CHECK(trouble("#define a[] 1, 2\naxiom: A(a[3])") == "evaluation 2:10");
@@ -320,7 +320,7 @@ TEST_CASE("parts of a text have productions of their own") {
         "[?leaf(0.5)F(4)F(2)]F");
 }
 
-TEST_CASE("questions to the turtle are answered after each step, for contexts to see") {
+TEST_CASE("turtle queries are filled in after each step, for contexts to match") {
   const auto located = [](const std::string& text, std::uint32_t steps) {
     const BoundPointer bound = compiled(text);
     return text_of(*bound, sound(lsystem::develop(*bound, 1, steps, Limits{}, {upright()})));
@@ -350,7 +350,7 @@ TEST_CASE("questions to the turtle are answered after each step, for contexts to
   CHECK(located(bends + "A --> [ { ]", 0) == "A F(1)F(1)?P(0,2,0)");
 }
 
-TEST_CASE("the space answers bound and reach") {
+TEST_CASE("bound and reach query the space") {
   const Below below;
   const auto in_space = [&](const std::string& text) {
     const BoundPointer bound = compiled(text);
@@ -405,7 +405,7 @@ std::size_t lines_in(const std::string& text, const Inputs& inputs = {}) {
 
 }  // namespace
 
-TEST_CASE("in double precision 100 times 0.02 is 2, and a cell divides when it should") {
+TEST_CASE("in double precision 100 times 0.02 is 2") {
   CHECK(lines_in(divisions("#numbers double\n", "0.02")) == 255);
   CHECK(lines_in(divisions("#numbers double\n", "1/50")) == 255);
   // In single precision, which texts of published links have, the sum stays below 2.
@@ -415,7 +415,7 @@ TEST_CASE("in double precision 100 times 0.02 is 2, and a cell divides when it s
   CHECK(lines_in(divisions("#numbers double\n", "7"), {{{"dt", 0.02f}}, {}}) == 255);
 }
 
-TEST_CASE("double precision holds through contexts, answers, blocks and draws") {
+TEST_CASE("contexts, responses, blocks and draws are in double precision") {
   const std::string numbers = "#numbers double\n";
   // 2^-30 is lost beside 1 in single precision.
   CHECK(after(numbers + "axiom: A(1+2^-30)\nA(x) : x>1 --> B(x-1)\nA(x) --> C\nB(x) : x=2^-30 --> F", 2) == "F");

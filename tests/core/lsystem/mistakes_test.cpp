@@ -118,7 +118,7 @@ std::string error_of(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("words of statements are known in either case, as in cpfg") {
+TEST_CASE("keywords are recognised in either case, as in cpfg") {
   const std::string text =
       "Angle Increment: 25\nIgnore: F\nDerivation Length: 2\nAxiom: A\nA --> F A\nHomomorphism\nMaximum Depth: 2\nA "
       "--> "
@@ -126,7 +126,7 @@ TEST_CASE("words of statements are known in either case, as in cpfg") {
   CHECK(error_of(text) == "");
 }
 
-TEST_CASE("a successor goes on in the next line, its weight with it") {
+TEST_CASE("a successor and its weight may continue in the next line") {
   for (const char* text : {"axiom: A\nA -->\nB A : 0.3", "axiom: A\nA --> F\nB: 0.3\nB --> A",
                            "axiom: A B\nA --> F\n  B: 0.3", "axiom: A\nA --> F\nF: 2", "axiom:\nA\nA --> Bud\nBud"})
     CHECK(error_of(text) == "");

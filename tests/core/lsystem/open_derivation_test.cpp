@@ -126,7 +126,7 @@ TEST_CASE("a cut in a response acts in the step after it was written") {
   CHECK(text_of(*bound, derivation) == "[F]F F A");
 }
 
-TEST_CASE("an answer of other symbols than the turtle's needs steps, and cannot be drawn in place") {
+TEST_CASE("a response with other symbols than the turtle's needs steps, and cannot be drawn in place") {
   std::string message;
   CHECK(trouble("axiom: ?E(1)\n?E(x) --> F A", {}, {}, &message) == "syntax 2:13");
   CHECK(message.find("derivation length") != std::string::npos);

@@ -64,7 +64,7 @@ TEST_CASE("random values depend on the seed alone") {
   CHECK(draws("ran(1)", 20, 1ull << 40) != draws("ran(1)", 20, 0));
 }
 
-TEST_CASE("values are those that links were made with") {
+TEST_CASE("random values are frozen: golden values") {
   CHECK(after("axiom: A(3)\nA(i) : i>0 --> V(ran(1), RND(1,100)) [ A(i-1) ] B\nB --> C : 1\nB --> D(nran(0,1)) : 2",
               4096, {}, 2013) ==
         "V(0.014753938,25)[V(0.9407617,29)[V(0.039176762,27)[A(0)]D(1.4304494)]D(0.17008622)]D(-1.1727351)");
@@ -114,7 +114,7 @@ TEST_CASE("without requested steps a random condition is drawn once") {
   CHECK(text_of(*bound, end).find("C2(") != std::string::npos);
 }
 
-TEST_CASE("with steps a random condition is tried anew in each: delays are geometrically distributed") {
+TEST_CASE("with steps a random condition is drawn in each: delays are geometrically distributed") {
   constexpr double modules = 4000, chance = 0.3;
   const BoundPointer bound = compiled("axiom: A(4000)\nA(i) : i>0 --> W A(i-1)\nW --> D\nD : ran(1)<0.3 --> E");
   const BoundPointer weighted = compiled("axiom: A(4000)\nA(i) : i>0 --> W A(i-1)\nW --> D\nD --> E : ran(1)<0.3");
@@ -134,7 +134,7 @@ TEST_CASE("with steps a random condition is tried anew in each: delays are geome
   }
 }
 
-TEST_CASE("in each step three of ten that wait go on") {
+TEST_CASE("a random condition is drawn in each step with its probability") {
   std::string text = "derivation length: 0\naxiom: ";
   constexpr double modules = 3000, chance = 0.3;
   for (int i = 0; i < 3000; ++i) text += "A ";
@@ -150,7 +150,7 @@ TEST_CASE("in each step three of ten that wait go on") {
   }
 }
 
-TEST_CASE("only modules that a random condition may still rewrite are waited for") {
+TEST_CASE("a derivation waits only for modules that a random condition may still rewrite") {
   const auto steps_at_rest = [](std::string_view text) {
     const BoundPointer bound = compiled(text);
     lsystem::Derivation derivation(*bound, 1, Limits{});

@@ -65,7 +65,7 @@ TEST_CASE("without lineages no module has a role") {
   CHECK(roll.called == std::vector<std::string>{"none<none"});
 }
 
-TEST_CASE("roles that cannot be given") {
+TEST_CASE("invalid roles are errors") {
   std::string message;
   CHECK(trouble("#role stem A B\naxiom: A", {}, {}, &message) == "undefined 1:14");
   CHECK(message == "Neither the axiom nor a production has the symbol 'B'; take it out of the role.");

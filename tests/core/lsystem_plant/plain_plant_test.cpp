@@ -55,7 +55,7 @@ TEST_CASE("a ball that hangs straight down is turned half round") {
   CHECK(glm::distance(turned(plant.organs[0].rotation, {0, 1, 0}), glm::vec3(0, -1, 0)) < 1e-5f);
 }
 
-TEST_CASE("meshes are made when asked for, and the fingerprint stays") {
+TEST_CASE("meshes are made only when requested, and the fingerprint stays the same") {
   PlainOptions bare;
   bare.meshes = false;
   const std::string text = "axiom: F(10)[+F(5)]S(2)";
@@ -94,7 +94,7 @@ TEST_CASE("the fingerprint notices every number of a segment and of an organ") {
   CHECK(prints.size() == 12);
 }
 
-TEST_CASE("what draws nothing says so; what draws too much ends in words") {
+TEST_CASE("a drawing without lines has a note; one beyond the limits is an error") {
   const Plant nothing = drawn("axiom: +f(3)");
   REQUIRE(nothing.notes.size() == 1);
   CHECK(nothing.notes[0] == "The grammar drew nothing.");
@@ -108,7 +108,7 @@ TEST_CASE("what draws nothing says so; what draws too much ends in words") {
   CHECK(plant.error().message.find("5 segments") != std::string::npos);
 }
 
-TEST_CASE("a plant takes as many steps as it is asked for, else as its text says") {
+TEST_CASE("draw_plainly takes the requested steps, else the text's") {
   const char* text = "derivation length: 3\naxiom: A\nA --> F(1) A";
   CHECK(drawn(text).segments.size() == 3);
   PlainOptions younger;
@@ -116,7 +116,7 @@ TEST_CASE("a plant takes as many steps as it is asked for, else as its text says
   CHECK(drawn(text, younger).segments.size() == 2);
 }
 
-TEST_CASE("what a text says and nothing heeds is noted") {
+TEST_CASE("ignored parts of a text become notes") {
   CHECK(drawn("axiom: F(1)").notes.empty());
   const std::vector<std::string> notes = drawn("axiom: F(1)\nA : ran(1)<0.5 --> F2").notes;
   REQUIRE(notes.size() == 2);
@@ -139,7 +139,7 @@ TEST_CASE("the ball is closed, round and faces outwards") {
   CHECK(volume < 4.18879);
 }
 
-TEST_CASE("balls and stems take each other's sky, where it is asked for") {
+TEST_CASE("balls and stems hide sky from each other, where requested") {
   PlainOptions options;
   options.sky = true;
   const auto column = [](const Columns& columns, std::string_view name) -> std::span<const std::uint8_t> {

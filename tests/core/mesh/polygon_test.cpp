@@ -92,7 +92,7 @@ TEST_CASE("a polygon that revisits points is filled without degenerate triangles
   CHECK(area_of(untidy, triangles) == doctest::Approx(4));
 }
 
-TEST_CASE("of a figure of eight both halves are there") {
+TEST_CASE("both halves of a figure of eight are filled") {
   const Corners eight{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}};
   const auto triangles = fill_polygon(eight);
   check_clean(eight, triangles);
@@ -121,7 +121,7 @@ TEST_CASE("fill_polygon returns nothing for fewer than three different corners, 
   CHECK(area_of(with_hole, fill_polygon(with_hole)) == doctest::Approx(0.5));
 }
 
-TEST_CASE("random walks of any kind give clean triangles, and do not take for ever") {
+TEST_CASE("random polygons give valid triangles in limited time") {
   for (std::uint64_t seed = 0; seed < 600; ++seed) {
     Corners walk;
     const std::size_t count = seed < 2 ? 4000 : 3 + seed % 40;

@@ -107,7 +107,7 @@ TEST_CASE("simplification: errors, counts and collapses are consistent on a roug
   }
 }
 
-TEST_CASE("thinning: of equal ways that with the lower numbers goes first") {
+TEST_CASE("simplification: among equal collapses the lower number goes first") {
   // A flat star of six about a vertex, everything else fixed: all ways cost the same.
   Patch star;
   star.positions.emplace_back(0, 0, 0);
@@ -152,7 +152,7 @@ TEST_CASE("simplification: the centre of a fan of thousands stays, and its neigh
   }
 }
 
-TEST_CASE("a patch of more triangles than are compared is thinned on grids, and no collapse is compared") {
+TEST_CASE("simplification: a patch above the limit is thinned on grids, without comparing collapses") {
   constexpr std::uint32_t most = 2000;
   const auto hills = [](std::uint32_t x, std::uint32_t y) {
     return 3 * std::sin(0.1f * static_cast<float>(x)) * std::cos(0.1f * static_cast<float>(y));

@@ -37,7 +37,7 @@ void check_refused(const Plant& plant, const char* what) {
 
 }  // namespace
 
-TEST_CASE("a plant of finite numbers is sound, whatever else its columns say") {
+TEST_CASE("check_geometry accepts a plant of finite numbers with any other columns") {
   Plant plant = one_of_each();
   plant.columns.add("constants", std::vector<float>{nan, infinity});
   plant.columns.add("berries.spheres", std::vector<float>(4, 1e30f), 4);
@@ -45,7 +45,7 @@ TEST_CASE("a plant of finite numbers is sound, whatever else its columns say") {
   CHECK(check_geometry(Plant{}).reason == Reason::none);
 }
 
-TEST_CASE("what is not finite is named: the segment, the organ, the mesh's part, the column") {
+TEST_CASE("check_geometry names the segment, organ, mesh part or column that is not finite") {
   for (const float value : {infinity, -infinity, nan}) {
     for (float Segment::* member : {&Segment::radius, &Segment::radius_end}) {
       Plant plant = one_of_each();

@@ -66,7 +66,7 @@ TEST_CASE("closest points of crossing segments are the crossing") {
   CHECK(t == 2);
 }
 
-TEST_CASE("beside each other, the first's middle is as good as any") {
+TEST_CASE("closest points of parallel segments start at the first's middle") {
   const auto [s, t] = closest_points({0.5f, 1, 0}, {{1, 0, 0}, 3}, {{1, 0, 0}, 3}, parallel);
   CHECK(s == 0);
   CHECK(t == -0.5f);

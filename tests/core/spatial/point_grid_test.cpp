@@ -73,7 +73,7 @@ TEST_CASE("the runs of a box have every point in it, in ascending slots") {
   }
 }
 
-TEST_CASE("few of many points are visited") {
+TEST_CASE("visit examines few of many points") {
   std::vector<glm::vec3> points;
   for (std::uint64_t i = 0; i < 8000; ++i)
     points.emplace_back(20 * random_unit(1, 1, i), 20 * random_unit(1, 2, i), 20 * random_unit(1, 3, i));

@@ -160,7 +160,7 @@ TEST_CASE("add refuses spheres that are not finite, and such probes touch nothin
   CHECK(grid.probe({{0, 0, 0}, 1}, none, up).contacts == 1);
 }
 
-TEST_CASE("any announced size makes a grid that works") {
+TEST_CASE("a grid works for any `largest`") {
   for (const float largest : {0.0f, -3.0f, infinity, not_a_number, 1e-40f, 3e38f}) {
     SphereGrid grid(largest);
     CHECK(grid.probe({{0, 0, 0}, 1}, none, up).contacts == 0);
@@ -172,7 +172,7 @@ TEST_CASE("any announced size makes a grid that works") {
   }
 }
 
-TEST_CASE("the last accepted sphere is felt at once, where the last probe was") {
+TEST_CASE("a sphere added near the last probe is found by the next") {
   SphereGrid grid(30);
   for (std::uint32_t i = 0; i < 50; ++i) {
     CHECK(grid.probe({{0, 0, 0}, 30}, none, up).contacts == i);
@@ -180,7 +180,7 @@ TEST_CASE("the last accepted sphere is felt at once, where the last probe was") 
   }
 }
 
-TEST_CASE("the answers never change: contacts and force of a fixed cloud") {
+TEST_CASE("results are frozen: contacts and force of a fixed cloud") {
   SphereGrid grid(30);
   const Cloud cloud{"a bunch", 30, 5, 30, 300, {0, -300, 0}};
   for (std::uint32_t i = 0; i < 200; ++i) grid.add(sphere_of(cloud, 12, i));

@@ -41,7 +41,7 @@ double distance_from(const glm::vec3& start, const glm::vec3& end, const glm::ve
 
 }  // namespace
 
-TEST_CASE("the pairs are those that looking at all would find, in their order") {
+TEST_CASE("pairs equals a search through all, in order") {
   std::size_t all = 0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     CAPTURE(seed);

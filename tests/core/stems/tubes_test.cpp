@@ -298,7 +298,7 @@ TEST_CASE("segments without length, reversals and values that are not finite giv
   CHECK(stem.parts.size() == 3);
 }
 
-TEST_CASE("any skeleton makes closed, sound tubes") {
+TEST_CASE("random skeletons give closed, valid tubes") {
   double worst_turned = 0;
   std::size_t tubes = 0;
   for (std::uint64_t seed = 0; seed < 150; ++seed) {
@@ -372,7 +372,7 @@ TEST_CASE("a skeleton too large for smooth tubes gets fewer sides, then fewer ri
   }
 }
 
-TEST_CASE("numbers of a fixed skeleton") {
+TEST_CASE("the mesh of a fixed skeleton does not change") {
   const StemMesh stem = small_panicle().swept(twelve, 0.00025f);
   CHECK(stem.segment.size() == 1310);
   CHECK(stem.mesh.indices.size() / 3 == 2400);
