@@ -36,7 +36,7 @@ struct Range {
   std::uint32_t size() const { return end - begin; }
 };
 
-// An expression with code of its own.
+// An expression with code of its own and the register of its result.
 struct Value {
   bool given = false;
   Range code;

@@ -10,7 +10,7 @@
 
 namespace panicle::expression {
 
-// Counted from 1; columns count code points. 0 and 0 where no text is concerned.
+// A place in a text: line and column count from 1; columns count code points. 0 and 0 for errors that concern no text.
 struct SourceLocation {
   std::uint32_t line = 0;
   std::uint32_t column = 0;

@@ -6,7 +6,7 @@
 
 namespace panicle::expression {
 
-// Each returns a sentence, or nothing where it knows none.
+// Each returns a sentence of advice; empty for unknown words.
 std::string_view foreign_statement(std::string_view first_word);  // of a line
 std::string_view foreign_label(std::string_view first_word);      // of a line that has a colon behind its words
 std::string_view foreign_directive(std::string_view word);        // behind a #

@@ -1,4 +1,4 @@
-// Tokens → expression.
+// Parser of expressions: tokens → postfix nodes.
 #pragma once
 
 #include <cstddef>
@@ -25,10 +25,11 @@ struct Macros {
   std::size_t nodes = 0;   // that calls have been replaced by so far
 };
 
-// Reads one expression from `tokens[at]` on, up to `end` or to a `)` or `,` that it did not open, and leaves `at`
-// there, or to a sign of a block. Operators as in C, and `^` for powers (binds tightest, from the right), `=` for `==`.
-// Explicit stacks in place of recursion; deeper than 256 is Reason::limit, and so are calls of macros that come to more
-// than Macros::most_nodes. `curves` are functions as well, by number. Errors: syntax, undefined (a function's name).
+// Parses one expression from `tokens[at]` on, up to `end`, to a `)` or `,` that it did not open, or to a brace of a
+// block, and leaves `at` there. Operators as in C, and `^` for powers (binds tightest, from the right), `=` for `==`.
+// Explicit stacks in place of recursion; deeper than 256 is Reason::limit, and so are calls of macros that expand to
+// more than Macros::most_nodes. `curves` are functions as well, by number. Errors: syntax, undefined (a function's
+// name).
 Result<Expression> parse_expression(std::span<const Token> tokens, std::size_t& at, std::size_t end,
                                     const Names& curves, Macros& macros);
 

@@ -11,7 +11,7 @@
 namespace panicle::expression {
 
 // An expression in postfix order. `&&` and `||` have a node between their operands, from which the second may be
-// passed over.
+// skipped.
 struct Node {
   enum class Kind : std::uint8_t { number, name, element, operation, and_begin, and_end, or_begin, or_end };
   Kind kind = Kind::number;

@@ -21,37 +21,37 @@ class Lowering {
   // When the value of a register is known.
   enum class Known : std::uint8_t { now, once_bound, on_the_run };
 
-  // A name for a number that is known once the inputs are bound, and the register that will hold it.
+  // Defines a name for a number that is known once the inputs are bound, and returns the register that will hold it.
   std::uint32_t define(std::string_view name);
-  // A name for a list, and its place among the program's lists.
+  // Defines a name for an array, and returns its index among the program's arrays.
   std::uint32_t define_array(std::string_view name);
 
-  // A name for the value that a production works out before: it hides all others of that name up to the next
+  // Defines a name for the value of an assignment in a block: it hides all others of that name up to the next
   // production.
   void assign(std::string_view name, std::uint32_t reg) { locals_.push_back({name, reg}); }
   std::size_t locals() const { return locals_.size(); }
   void forget_locals(std::size_t down_to) { locals_.resize(down_to); }
-  // The register of a number of the text.
+  // Returns the register of a constant.
   std::uint32_t number_register(float value) { return number_register(value, value); }
 
-  // The next expressions belong to a production. Names that they may use: the predecessor's parameters, which hide
-  // defines of the same name, and random draws, whose streams are hashes of `key`, the function and how many of it came
-  // before. `formals` must stay until the next production begins.
+  // Begins the expressions of a production. They may use the predecessor's parameters, which hide defines of the same
+  // name, and random draws, whose streams are hashes of `key`, the function and the number of its earlier calls.
+  // `formals` must stay until the next production begins.
   void begin_production(std::span<const Named> formals, std::uint64_t key);
-  // Results of earlier expressions are not there any more: code that runs by itself begins here.
+  // Begins code that runs by itself: it cannot reuse the results of earlier expressions.
   void begin_code() { available_.clear(); }
   std::uint32_t here() const { return static_cast<std::uint32_t>(code_.instructions.size()); }
 
-  // The register that will hold the value. Equal parts are worked out once. Before the first production everything that
-  // is not known now is code in place. Errors: undefined; syntax (random values where there is no module to draw them
-  // for).
+  // Compiles an expression, and returns the register that will hold its value. Equal subexpressions are computed once.
+  // Before the first production all values that are not constant are computed by code in place. Errors: undefined;
+  // syntax (random values outside of productions).
   Result<std::uint32_t> lower(const Expression& expression);
   Known known(std::uint32_t reg) const { return static_cast<Known>(known_[reg]); }
 
   // Appends the code that runs once the inputs are bound behind all other code, and returns its range. An instruction
   // in it that fails is no error by itself: the code of each expression that needs the value repeats it.
   Range finish();
-  // How much of that there is by now.
+  // The present length of that code.
   std::uint32_t once_bound() const { return static_cast<std::uint32_t>(once_bound_.size()); }
 
  private:
@@ -70,7 +70,7 @@ class Lowering {
   void begin_branch(const Node& node);
   void end_branch(const Node& node);
   std::uint64_t stream_of(const Node& node);
-  // In double precision the second value counts.
+  // In double precision the second value is used.
   std::uint32_t number_register(float value, double precise);
   std::uint32_t new_register(double value, Known known);
   std::uint32_t emit(Instruction instruction, const SourceLocation& place);

@@ -43,7 +43,7 @@ enum class Op : std::uint8_t {
   arc_tangent_of,
   exponential,
   logarithm,
-  // Of three; the byte code makes two of it.
+  // A function of three numbers, compiled to two instructions.
   clamp,
   // Operations that can fail or draw random values.
   element,
@@ -57,9 +57,9 @@ enum class Op : std::uint8_t {
   random_normal,
 };
 
-// Draws depend on the module they are made for: they are never shared or worked out beforehand.
+// Draws depend on the module they are made for: they are never shared or computed beforehand.
 constexpr bool is_random(Op op) { return op >= Op::random_whole; }
-// So are questions to the space.
+// Nor are queries of the space.
 constexpr bool is_space_query(Op op) { return op >= Op::hand_over && op < Op::random_whole; }
 inline constexpr std::uint32_t most_handed_over = 8;
 

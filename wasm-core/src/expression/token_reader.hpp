@@ -26,7 +26,7 @@ class TokenReader {
   bool on_sign(char sign) const { return at_ < end_ && tokens_[at_].is(sign); }
   bool on_name() const { return at_ < end_ && tokens_[at_].kind == TokenKind::name; }
   std::string_view found() const { return at_ < end_ ? tokens_[at_].text : std::string_view("the end"); }
-  // Passes over a sign that has to be here.
+  // Consumes a required sign.
   bool expect(char sign, const char* otherwise);
   bool next_is(std::size_t at, char sign) const { return at + 1 < end_ && tokens_[at + 1].is(sign); }
 

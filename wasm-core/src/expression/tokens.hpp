@@ -1,4 +1,4 @@
-// Text → tokens. Comments and white space are passed over; each token knows its line and column.
+// Tokenizer. Comments and white space are skipped; each token has its line and column.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace panicle::expression {
 
-// A sign is one character: `//` is two rolls in a string of modules, and it is for the reader of an expression to see
-// `==` or `&&` in two signs that touch.
+// A sign is one character: `//` is two rolls in a string of modules, and the parser of expressions recognises `==` or
+// `&&` in two adjacent signs.
 enum class TokenKind : std::uint8_t { name, number, sign, arrow, quoted };
 
 struct Token {
@@ -24,11 +24,11 @@ struct Token {
 
   bool is(char sign) const { return kind == TokenKind::sign && text[0] == sign; }
   bool is(std::string_view name) const { return kind == TokenKind::name && text == name; }
-  // The same for a word of a statement, given in small letters, which cpfg takes in either case: Axiom, EndLsystem.
+  // Compares a keyword, given in lower case, ignoring the case of its letters as in cpfg: Axiom, EndLsystem.
   bool is_keyword(std::string_view word) const;
 };
 
-// Whether nothing stands between two tokens.
+// Whether two tokens are adjacent.
 inline bool touching(const Token& token, const Token& next) {
   return token.text.data() + token.text.size() == next.text.data();
 }

@@ -14,15 +14,15 @@ struct Blade {
   float area = 0;  // of one side, without the petiole
 };
 
-// A flat leaf folded along its midrib, puckered between its veins, and arched. `breadth`: against its own. `fold`:
-// degrees by which each half stands up. Empty where there is no leaf.
+// Makes a blade from a flat leaf: folded along its midrib, puckered between its veins, and arched. `breadth`: a factor
+// of its width. `fold`: degrees by which each half stands up. Empty for an empty leaf.
 Blade make_blade(const FlatLeaf& leaf, float breadth, float fold);
 
-// `leaves` of them on a twig, left and right by turns and one at its tip, each its own way up: the whole is of length 1
-// and stands as a blade does. One leaf is itself.
+// Makes a twig with so many copies of a leaf, alternately left and right and one at its tip, with varied poses: the
+// whole is of length 1 and stands as a blade does. A twig of one leaf is the leaf.
 Blade make_twig(const Blade& leaf, std::uint32_t leaves);
 
-// How long such a twig is, in lengths of a leaf.
+// The length of such a twig, in lengths of a leaf.
 float twig_length(std::uint32_t leaves);
 
 // Five flat needles that spread from one place.

@@ -20,7 +20,7 @@ struct FlatLeaf {
   std::span<const float> petiole = {};  // length and width; empty where the plant has petioles of its own
 };
 
-// Errors: bad_request, where the numbers are none of a leaf.
+// Validates a leaf. Errors: bad_request.
 Diagnostic check(const FlatLeaf& leaf);
 
 // Bends a line of a leaf into an arc, downwards, by `radians` (> 0) a length. Heights above the line are preserved.

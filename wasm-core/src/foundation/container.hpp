@@ -37,7 +37,7 @@ constexpr Element element_of() {
   if constexpr (std::is_same_v<Value, char>) return Element::text;
 }
 
-// A named array, somewhere.
+// A view of a named array.
 struct ColumnView {
   std::string_view name;
   Element element = Element::uint8;
@@ -46,7 +46,7 @@ struct ColumnView {
   const std::uint8_t* data = nullptr;
 
   std::uint64_t bytes() const { return std::uint64_t{rows} * width * bytes_of(element); }
-  // The elements; empty where they are of another kind.
+  // The elements; empty for another element type.
   template <class Value>
   std::span<const Value> as() const {
     if (element != element_of<Value>()) return {};
@@ -82,7 +82,7 @@ class ContainerWriter {
     add({}, std::move(name), column.element, column.width, column.rows, column.data);
   }
 
-  // A column of which the writer has a copy, which is always written into the block.
+  // Adds a column that the writer copies, and that is always written into the block.
   template <class Value>
   void copy(std::string name, std::span<const Value> values, std::uint32_t width = 1) {
     add(std::move(name), values, width);

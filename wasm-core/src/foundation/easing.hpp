@@ -1,11 +1,11 @@
-// The two polynomials that shapes pass by from one value to another: a step and a hill, both without corners.
+// Two easing polynomials with continuous slope: a step and a hill.
 #pragma once
 
 #include <algorithm>
 
 namespace panicle {
 
-// From 0 at 0 to 1 at 1, flat at both ends; not clamped. A float or several side by side.
+// From 0 at 0 to 1 at 1, flat at both ends; not clamped. For a float or lanes of floats.
 template <class Number>
 constexpr Number smooth(const Number& t) {
   return t * t * (3 - 2 * t);

@@ -1,4 +1,4 @@
-// Four vectors at once, and angles: each lane is as one would be alone.
+// Vectors and angles in lanes of four: each lane gives the same result as a single computation.
 #pragma once
 
 #include "foundation/lanes.hpp"
@@ -20,7 +20,7 @@ inline Four dot(const FourVectors& a, const FourVectors& b) { return a.x * b.x +
 inline FourVectors cross(const FourVectors& a, const FourVectors& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-// `which`: a comparison; where it is true the first, else the other.
+// Selects lanes of `a` where the comparison `which` is true, else of `b`.
 template <class Comparison>
 FourVectors chosen(const Comparison& which, const FourVectors& a, const FourVectors& b) {
   return {which ? a.x : b.x, which ? a.y : b.y, which ? a.z : b.z};
@@ -30,7 +30,7 @@ struct FourSinCos {
   Four sine, cosine;
 };
 
-// Of so many turns, from −1e5 to 1e5, within 2e−7 (the polynomials of Moshier's Cephes).
+// Sine and cosine of angles in turns, from −1e5 to 1e5, within 2e−7 (the polynomials of Moshier's Cephes).
 inline FourSinCos sincos_turns(const Four& turns) {
   constexpr float rounder = 12582912;  // as in `exponential`
   const Four shifted = 4 * turns + rounder, r = (4 * turns - (shifted - rounder)) * (pi / 2), u = r * r;

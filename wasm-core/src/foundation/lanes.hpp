@@ -32,7 +32,7 @@ inline FourWords load(const std::uint32_t* values) {
 inline void store(float* values, const Four& four) { std::memcpy(values, &four, sizeof four); }
 inline void store(std::uint32_t* values, const FourWords& four) { std::memcpy(values, &four, sizeof four); }
 
-// The one operation that compilers do not make of the plain text.
+// The one operation that needs intrinsics.
 inline Four square_root(const Four& v) {
 #if defined(__wasm_simd128__)
   return (Four)wasm_f32x4_sqrt((v128_t)v);

@@ -30,7 +30,7 @@ struct Limits {
 
   // The budget that all parts of one request share. Null: each derivation, interpretation … may take `work`.
   WorkBudget* budget = nullptr;
-  // The same limits with a budget: with `own`, which must outlive them, where the request has none.
+  // The same limits with a budget: the request's, or else `own`, which must outlive them.
   Limits counted_by(WorkBudget& own) const {
     Limits counted = *this;
     if (counted.budget == nullptr) counted.budget = &own;

@@ -57,7 +57,7 @@ class RandomStream {
   float unit(std::uint64_t address) const {
     return random_detail::unit_of(static_cast<std::uint32_t>(bits(address) >> 32));
   }
-  // Two of one hash, each as `unit`, which the first is.
+  // Two values of one hash; the first equals `unit`.
   std::pair<float, float> units(std::uint64_t address) const {
     const std::uint64_t drawn = bits(address);
     return {random_detail::unit_of(static_cast<std::uint32_t>(drawn >> 32)),

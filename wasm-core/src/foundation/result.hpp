@@ -1,4 +1,4 @@
-// A value, or the reason why there is none. The core has no exceptions: every failure travels as one of these.
+// A value or an error. The core has no exceptions: functions return errors as values.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace panicle {
 
-// The reasons, by name. Numbers cross the border (exports/panicle.h): they are only ever added to.
+// Reasons of errors. The numbers cross the boundary (exports/panicle.h): existing ones never change.
 enum class Reason : std::uint32_t {
   none = 0,
   bad_request = 1,  // the bytes of the request are not in the agreed form

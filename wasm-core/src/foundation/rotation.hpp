@@ -1,4 +1,4 @@
-// Directions that go with a given one.
+// Perpendicular directions and rotations.
 #pragma once
 
 #include <cmath>

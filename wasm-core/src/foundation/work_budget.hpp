@@ -79,7 +79,7 @@ class WorkBudget {
   };
 
  private:
-  // The next work is measured by another end.
+  // Prepares for another end of the work.
   void look_again() {
     time_is_over_ = false;
     next_look_ = time_passed_ == nullptr ? ~std::uint64_t{0} : spent_;

@@ -26,7 +26,8 @@ struct Orbits {
   std::uint32_t count = 0;
 };
 
-// `orbits_of(map, of_cell(0))`: the map's vertices; `of_cell(0) & in_volume`: those of each volume by itself.
+// Numbers the orbits of all darts. `orbits_of(map, of_cell(0))`: the map's vertices; `of_cell(0) & in_volume`: those of
+// each volume by itself.
 Orbits orbits_of(const Map& map, Involved involved);
 
 // Finds single orbits, one after another. Marks of visited darts are numbered by query instead of being cleared.
@@ -34,7 +35,7 @@ class OrbitWalk {
  public:
   explicit OrbitWalk(const Map& map) : map_(map) {}
 
-  // The darts of a dart's orbit, that dart first. Good until the next question; the map may grow meanwhile.
+  // The darts of a dart's orbit, that dart first. Valid until the next call; the map may grow meanwhile.
   std::span<const std::uint32_t> of(std::uint32_t dart, Involved involved);
 
  private:
@@ -52,10 +53,10 @@ struct Neighbour {
   bool operator==(const Neighbour&) const = default;
 };
 
-// All that a volume is sewn to, each pair of faces once, by `own`, then by number.
+// All faces that a volume is sewn to, each pair of faces once, by `own`, then by number.
 std::vector<Neighbour> neighbours(OrbitWalk& walk, const Map& map, std::uint32_t v);
 
-// Those of them with a label.
+// The same for neighbours with a label.
 std::vector<Neighbour> neighbours(OrbitWalk& walk, const Map& map, std::uint32_t v, std::uint32_t label);
 
 }  // namespace panicle::generalized_map

@@ -25,7 +25,7 @@ struct Finding {
   std::uint32_t at = none;  // the dart, or for the last three the volume
 };
 
-// The first fault, in the order of the list. Time and memory are linear in the darts.
+// Returns the first fault, in the order of the list. Time and memory are linear in the darts.
 Finding check(const Map& map);
 
 const char* words(Fault fault);

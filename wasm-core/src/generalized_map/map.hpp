@@ -25,7 +25,7 @@ namespace panicle::generalized_map {
 
 inline constexpr std::uint32_t none = ~0u;
 
-// Why an operation did nothing.
+// The reason of a refused operation.
 enum class Refusal : std::uint8_t {
   nothing,       // it was done
   order,         // prisms have 3 to 4096 sides
@@ -56,7 +56,7 @@ struct Volume {
   std::uint32_t last_attached = none, attached_before = none;  // linked list of the volumes attached to it
 };
 
-// An edge that a split has cut: the new vertex, and the ends that the edge had then, as darts at them.
+// An edge that a split has cut: the new vertex, and the ends of the edge at that time, as darts at them.
 struct Cut {
   std::uint32_t first, count;  // the new vertex's darts, which were made together
   std::uint32_t from, to;
@@ -74,7 +74,7 @@ struct SplitResult {
   std::uint32_t rest = none, part = none;
 };
 
-// A face that another could be glued to, and a dart of each, which would meet.
+// A face that another could be glued to, and a dart of each that would be sewn together.
 struct Adjacency {
   std::uint32_t volume = none;
   std::uint32_t own = none, other = none;
@@ -82,7 +82,7 @@ struct Adjacency {
 
 class Map {
  public:
-  // `most`: darts it may have.
+  // `most`: the limit of darts.
   explicit Map(std::uint32_t most = Limits{}.darts) : most_(most) {}
 
   void clear();  // keeps its memory
@@ -108,15 +108,15 @@ class Map {
   // A face's first dart: at its lower left corner, along its lower edge. Of a face that a neighbour's split has
   // divided, of the piece that has this corner.
   std::uint32_t dart_of(std::uint32_t v, Face face) const;
-  // Edges of the face that a dart is of.
+  // The number of edges of the face that a dart belongs to.
   std::uint32_t degree(std::uint32_t dart) const;
   bool is_free(std::uint32_t v, Face face) const;
 
-  // From a free dart round its edge to the only other free dart there: at the same corner, of the face that the gap at
+  // From a free dart around its edge to the only other free dart there: at the same corner, of the face that the gap at
   // this edge leads to. The dart's own volume where nothing else is at the edge.
   std::uint32_t across_gap(std::uint32_t dart) const;
 
-  // A prism for itself.
+  // Adds a prism without a parent.
   GrowResult plant(std::uint32_t order, std::uint32_t label);
 
   // A -> A[B(n)]F: a new prism whose base is sewn to the face, its C1 at the face's first edge. Where orders differ no

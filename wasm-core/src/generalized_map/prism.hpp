@@ -14,7 +14,7 @@
 
 namespace panicle::generalized_map {
 
-// A face by its place in its volume. C1 is `side(1)`.
+// A face by its index in its volume. C1 is `side(1)`.
 using Face = std::uint16_t;
 inline constexpr Face base_face = 0;  // O
 inline constexpr Face end_face = 1;   // E

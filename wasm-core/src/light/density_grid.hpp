@@ -13,7 +13,7 @@ namespace panicle {
 
 class DensityGrid {
  public:
-  // Empty cells of `edge` from the corner `low`, as many as hold `high`; a single one along an axis where their
+  // A grid of empty cells of `edge` from the corner `low` to beyond `high`; a single cell along an axis where their
   // number would not be finite, or at least 4,096.
   DensityGrid(const glm::vec3& low, const glm::vec3& high, float edge);
 

@@ -11,7 +11,7 @@
 
 namespace panicle {
 
-// A ball as a body.
+// The body of a ball.
 inline SkyBody sky_ball(const glm::vec3& centre, float radius, std::int32_t owner) {
   return {centre, radius * radius, glm::vec3(0), owner};
 }
@@ -29,11 +29,11 @@ struct MeshPart {
 // the side it is seen from; a round one, as in a tube, does not.
 void add_specks(const Mesh& mesh, const MeshPart& part, std::int32_t owner, std::vector<SkyBody>& specks);
 
-// A byte a vertex of a skin swept over `segments`, whose indices are the owners.
+// Returns the sky of each vertex of a skin swept over `segments`, whose indices are the owners.
 std::vector<std::uint8_t> sky_of_stems(Sky& sky, const StemMesh& stems, std::span<const Segment> segments);
 
-// The bytes of a part's vertices (of a sheet, which is lit from both sides, the better of the two), written where they
-// stand in `bytes`, which has one a vertex of the mesh.
+// Computes the sky of a part's vertices (of a sheet, which is lit from both sides, the better of the two), and writes
+// it to their places in `bytes`, which has one byte a vertex of the mesh.
 void sample_part(Sky& sky, const Mesh& mesh, const MeshPart& part, std::int32_t owner, bool sheet,
               std::span<std::uint8_t> bytes);
 

@@ -19,7 +19,7 @@
 
 namespace panicle {
 
-// Something that hides sky: a ball, or a disc as large.
+// A body that hides sky: a ball, or a disc of the same radius.
 struct SkyBody {
   glm::vec3 centre{0};
   float square = 0;          // of the radius
@@ -36,8 +36,7 @@ struct SkyReceiver {
   std::int32_t parent = -1;
 };
 
-// Where a mesh that is shared stands: v → centre + scale · (side · x + up · y + front · z); unit vectors at right
-// angles.
+// The pose of a shared mesh: v → centre + scale · (side · x + up · y + front · z); unit vectors at right angles.
 struct SkyFrame {
   glm::vec3 centre{0}, side{1, 0, 0}, up{0, 1, 0}, front{0, 0, 1};
   float scale = 1;
@@ -45,7 +44,7 @@ struct SkyFrame {
 
 class Sky {
  public:
-  // The most balls that are looked at one by one. Twelve of a size can touch one; eight are within a hundredth of as
+  // The most balls that are evaluated one by one. Twelve of a size can touch one; eight are within a hundredth of as
   // good.
   static constexpr std::size_t nearest = 8;
 
@@ -57,13 +56,14 @@ class Sky {
   // Sums up the bodies around a receiver, for the calls of `sample` that follow.
   void set_receiver(const SkyReceiver& receiver);
 
-  // Points of that receiver are given in this frame, until it faces another.
+  // Sets the frame of the receiver's points, until the next receiver.
   void set_frame(const SkyFrame& frame);
-  // The sky of points of that receiver: 3 floats each of position and unit normal, as many bytes as there are points.
+  // Computes the sky of points of that receiver: 3 floats each of position and unit normal, as many bytes as there are
+  // points.
   void sample(std::span<const float> positions, std::span<const float> normals, std::span<std::uint8_t> sky) const;
 
  private:
-  // Bodies side by side, by slot of the grid; and three more, that reading four at once stays inside.
+  // Bodies as columns (structure of arrays), by slot of the grid; with three more rows, as padding for reads of four.
   struct BodyTable {
     enum Column : std::size_t { x, y, z, square, radius, facing_x, facing_y, facing_z, round, owner, parent, columns };
 
@@ -83,7 +83,7 @@ class Sky {
     Four x, y, z;
   };
 
-  // Of bodies about a receiver: constant, and the vector of the cosine part.
+  // Sums over bodies around a receiver: the constant, and the vector of the cosine part.
   struct Bands {
     float constant = 0;
     glm::vec3 cosine{0};

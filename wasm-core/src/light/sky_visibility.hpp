@@ -14,7 +14,7 @@
 
 namespace panicle {
 
-// Something without thickness, or round, that hides some sky.
+// A disc or a ball that hides some sky.
 struct Occluder {
   glm::vec3 place{0};
   float area = 0;  // that it hides, taken over all directions
@@ -27,9 +27,9 @@ class SkyVisibility {
   SkyVisibility(std::span<const Segment> segments, std::span<const Occluder> screens, float cells = 32,
                 std::uint32_t directions = 32);
 
-  // 255 all of the sky, 0 none.
+  // The sky at a place: 255 all, 0 none.
   std::uint8_t at(const glm::vec3& place) const;
-  // Of each of many places, `place_of(i)` for i from 0 to `count`: the same, four at a time.
+  // The sky at many places, `place_of(i)` for i from 0 to `count`: equal to `at`, four at a time.
   template <class PlaceOf>
   std::vector<std::uint8_t> of(std::size_t count, PlaceOf place_of) const {
     std::vector<std::uint8_t> bytes(count);
@@ -48,7 +48,7 @@ class SkyVisibility {
     return bytes;
   }
   float edge() const { return light_.edge(); }  // of a cell
-  // Of each vertex.
+  // The sky at each vertex.
   std::vector<std::uint8_t> of(const Mesh& mesh) const;
 
  private:

@@ -11,16 +11,16 @@
 
 namespace panicle {
 
-// Where light comes from: unit vectors towards it, and how much of all of it comes from there.
+// A direction of light: the unit vector towards its source, and its share of all light.
 struct LightDirection {
   glm::vec3 towards;
   float share;
 };
 
-// An overcast sky: `count` directions above the horizon, as many the higher they are (by their cosine), as good as
-// equal.
+// An overcast sky: `count` directions above the horizon, denser the higher they are (by their cosine), of almost equal
+// shares.
 std::vector<LightDirection> overcast(std::uint32_t count);
-// All directions alike, below the horizon too: `count` of them.
+// `count` directions, uniform over the sphere, below the horizon too.
 std::vector<LightDirection> all_round(std::uint32_t count);
 
 class VoxelLight {
@@ -30,21 +30,21 @@ class VoxelLight {
   VoxelLight(const glm::vec3& low, float edge, std::uint32_t x, std::uint32_t y, std::uint32_t z,
              std::span<const float> matter, std::span<const LightDirection> lamps);
 
-  // The share of all light that comes to a place, 0 … 1: between the middles of cells in between, outside the box as at
-  // its edge.
+  // The share of all light that reaches a place, 0 … 1: interpolated between the middles of cells, outside the box as
+  // at its edge.
   float at(const glm::vec3& p) const;
-  // Of four places, each as it is alone.
+  // The same for four places.
   Four at(const FourVectors& p) const;
-  // The way in which that grows, per length: 0 where it is the same all about, and across the box's edges.
+  // The gradient of that share: 0 where it is constant, and across the box's edges.
   glm::vec3 ascent(const glm::vec3& p) const;
   float edge() const { return edge_; }  // of a cell
   const glm::vec3& low() const { return low_; }
-  // How many cells there are along x, y and z, and the share of all light in the middle of each, x fastest.
+  // The numbers of cells along x, y and z, and the share of all light in the middle of each, x fastest.
   std::array<std::uint32_t, 3> counts() const;
   std::span<const float> cells() const { return light_; }
 
  private:
-  // The eight middles of cells about a place, and how far it is from the first to the next along each axis.
+  // The eight cells around a place, and its fraction from the first to the next along each axis.
   struct Corner {
     std::size_t lower[3], upper[3];  // offsets
     float share[3];

@@ -1,5 +1,5 @@
-// Grammar text → program → with its inputs → derived string → turtle. The engine knows no symbol but the turtle's and
-// ?E.
+// The L-system engine: grammar text → program → program with inputs → derived string → turtle. The engine knows no
+// symbol but the turtle's and ?E.
 //
 // Notation is cpfg's (Prusinkiewicz & Lindenmayer; Měch & Prusinkiewicz 1996 for ?E): see docs/language.md.
 #pragma once
@@ -49,7 +49,8 @@ enum class Notation : std::uint8_t { huang, cpfg };
 class Watcher;
 class Program;  // byte code; immutable, shared freely, independent of the text and of inputs
 
-// Errors: syntax, undefined, evaluation (a number for the turtle that is none) and limit; with line and column.
+// Compiles a text. Errors: syntax, undefined, evaluation (a number for the turtle that is not finite) and limit; with
+// line and column.
 Result<std::shared_ptr<const Program>> compile(std::string_view text, const Limits& limits,
                                                Lineages lineages = Lineages::where_needed,
                                                Notation notation = Notation::huang);
@@ -100,11 +101,11 @@ struct Remark {
   std::uint32_t line = 0;
   std::uint32_t column = 0;
 };
-// `requested` are constants that someone has set: those that the text does not know change nothing. `steps` as for
-// `develop`.
+// Returns the remarks on a program. `requested`: constants of the request; those that the text does not know get a
+// remark. `steps` as for `develop`.
 std::vector<Remark> remarks(const Program& program, std::span<const Inputs::Scalar> requested = {},
                             std::optional<std::uint32_t> steps = {});
-// With the place before it, for a list of notes.
+// The remark with its place before it, for a list of notes.
 std::string to_text(const Remark& remark);
 
 // Options of a derivation: the turtle at the start, for ?P and the like; the space of bound() and reach(); the

@@ -51,7 +51,7 @@ class Drawing : public lsystem::Listener {
   std::int32_t segment_of(const lsystem::Turtle& turtle) const { return turtle.line < 0 ? -1 : first_ + turtle.line; }
   // Whether there is room for one more; if not, `trouble` is set.
   bool within(std::size_t count, std::uint32_t limit, std::string_view what);
-  // Keeps the first thing that goes wrong.
+  // Stores the first error.
   void fail(Diagnostic trouble);
 
   const Limits& limits() const { return limits_; }

@@ -27,7 +27,8 @@ struct PlainOptions {
   lsystem::Turtle turtle;            // where drawing begins
 };
 
-// Derives, interprets and dresses. Errors: those of lsystem's bind, develop and interpret; limit.
+// Derives and interprets a program, and makes its meshes. Errors: those of lsystem's bind, develop and interpret;
+// limit.
 Result<Plant> draw_plainly(std::shared_ptr<const lsystem::Program> program, const lsystem::Inputs& inputs,
                            const PlainOptions& options, const Limits& limits);
 

@@ -11,7 +11,7 @@
 
 namespace panicle {
 
-// How a model reads texts that do not choose for themselves.
+// Defaults of a model for texts that do not set them.
 struct ProgramOptions {
   lsystem::Notation notation = lsystem::Notation::huang;
   lsystem::Lineages lineages = lsystem::Lineages::always;

@@ -1,4 +1,4 @@
-// The mesh that crosses the border: flat arrays, counter-clockwise triangles, unit normals.
+// A triangle mesh as flat arrays, the format of responses: counter-clockwise triangles, unit normals.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ struct Mesh {
   std::vector<std::uint32_t> indices;  // 3 × triangles
 };
 
-// Append their coordinates, or a triangle: a few numbers are pushed back several times as fast in wasm as inserted.
+// Append coordinates, or a triangle: in wasm a few push_back calls are several times as fast as an insert.
 void put(std::vector<float>& values, const glm::vec3& v);
 void put(std::vector<float>& values, const glm::vec2& v);
 void put(std::vector<std::uint32_t>& indices, std::uint32_t a, std::uint32_t b, std::uint32_t c);

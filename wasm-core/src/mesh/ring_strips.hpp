@@ -6,8 +6,9 @@
 
 namespace panicle {
 
-// Between two rings, or rows that begin and end together, of as many sides as either has: always the shorter diagonal
-// onwards. `triangle(a, b, c)` gets the corners, counter-clockwise where the outer ring lies to the right of the inner.
+// Triangulates the strip between two rings, or rows that begin and end together, of any numbers of sides: always by the
+// shorter diagonal. `triangle(a, b, c)` gets the corners, counter-clockwise where the outer ring lies to the right of
+// the inner.
 template <class Triangle>
 void strip_between(std::uint32_t inner, std::uint32_t inner_sides, std::uint32_t outer, std::uint32_t outer_sides,
                    const Triangle& triangle) {

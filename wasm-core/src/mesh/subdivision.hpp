@@ -17,19 +17,19 @@ struct ClosedSurface {
   std::uint32_t half_edges() const { return static_cast<std::uint32_t>(origin.size()); }
 };
 
-// How a finer surface hangs together; its vertices have no places yet. Each half-edge becomes a quad, with its number:
-// from its origin over its own middle and the face's to the middle of the half-edge before. Vertices keep their
+// The topology of the subdivided surface; its vertices have no positions yet. Each half-edge becomes a quad of the same
+// number: from its origin over its own middle and the face's to the middle of the half-edge before. Vertices keep their
 // numbers; those of edges and faces come behind them.
 ClosedSurface refined(const ClosedSurface& surface);
-// Where its vertices are, by where those of the surface are that it is refined from.
+// Computes the positions of the subdivided surface's vertices from those of `surface`.
 void place_refined(const ClosedSurface& surface, ClosedSurface& fine);
-// Both.
+// Subdivides topology and positions.
 ClosedSurface subdivided(const ClosedSurface& surface);
 
-// Where its own vertices come to lie when it is subdivided once, without those that come between.
+// The positions of the surface's own vertices after one subdivision.
 std::vector<glm::vec3> rounded_vertices(const ClosedSurface& surface);
 
-// Unit normals of the vertices: of the faces about them, by their area.
+// Unit normals of the vertices: the area-weighted mean of the faces around them.
 std::vector<glm::vec3> normals_of(const ClosedSurface& surface);
 
 }  // namespace panicle

@@ -1,4 +1,4 @@
-// The ball that S draws, where a model has nothing better to put there.
+// A sphere mesh with texture coordinates, the default shape of S.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// How segments branch, in numbers.
+// Measures of branching.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Whether all of a plant's geometry can be drawn: the one place that every plant of every model goes through before it
-// leaves the core (exports/panicle.cpp).
+// Checks whether all of a plant's geometry can be drawn. Every plant of every model is checked before it leaves the
+// core (exports/panicle.cpp).
 #pragma once
 
 #include "foundation/result.hpp"

@@ -25,7 +25,7 @@ class Columns {
   void add(std::string_view name, std::vector<Value> values, std::uint32_t width = 1) {
     share(name, std::make_shared<const std::vector<Value>>(std::move(values)), width);
   }
-  // Values that others hold, too.
+  // Adds values with shared ownership.
   template <class Value>
   void share(std::string_view name, std::shared_ptr<const std::vector<Value>> values, std::uint32_t width = 1) {
     const std::span<const Value> all(*values);
@@ -33,7 +33,7 @@ class Columns {
           reinterpret_cast<const std::uint8_t*>(all.data())},
          std::move(values));
   }
-  // A text.
+  // Adds a text.
   void add(std::string_view name, std::string_view text);
 
   std::size_t size() const { return all_.size(); }
@@ -55,7 +55,7 @@ class Columns {
   std::vector<Column> all_;
 };
 
-// A column out of the rows of something else: `write(row, values)` fills in the values of one row.
+// Makes a column from the rows of other data: `write(row, values)` sets the values of one row.
 template <class Value, class Rows, class Write>
 std::vector<Value> column_of(const Rows& rows, std::uint32_t width, Write write) {
   std::vector<Value> values(rows.size() * width);
@@ -83,7 +83,7 @@ struct Organ {
   float scale = 1;
 };
 
-// A contiguous run of a mesh that is a thing of its own, with its name.
+// A contiguous run of a mesh, with a name: one part of it.
 struct MeshRun {
   std::string name;
   std::uint32_t first_vertex = 0, vertex_count = 0;

@@ -1,4 +1,4 @@
-// A plant, a compiled grammar, or the reason why there is none, as the block that crosses the border (panicle.h).
+// Writes responses: a plant, a compiled grammar or an error as a block (panicle.h).
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// A model: a name and how it grows. Each is linked as a module of its own from the shared rooms.
+// A model: its name and its functions. Each is linked as a module of its own with the shared folders.
 #pragma once
 
 #include <string_view>

@@ -1,4 +1,5 @@
-// The numbers of a request in the order of a model's table: in their ranges, with a note on each that was not.
+// The parameters of a request in the order of a model's table, clamped to their ranges, with a note on each that was
+// outside.
 #pragma once
 
 #include <algorithm>

@@ -25,7 +25,7 @@ class Request {
  public:
   static constexpr std::uint32_t most_numbers = 100'000;  // of one block
 
-  // All must outlive the request. `texts` may be null where no handles are known, `cache` where nothing is cache.
+  // All must outlive the request. `texts` may be null where no handles are known, `cache` where nothing is cached.
   Request(std::span<const ColumnView> blocks, const CompiledTexts* texts, CacheSlot* cache = nullptr);
 
   // The values of a block, rows one after the other; empty, zero or `otherwise` where it is absent.
@@ -48,7 +48,7 @@ class Request {
   CacheSlot* cache() { return cache_; }
   // The first error in the blocks read so far; reason none where there is none.
   const Diagnostic& first_trouble() const { return trouble_; }
-  // Once everything has been read: that error, or a block that the model has not read.
+  // Call it once everything has been read: returns that error, or one for a block that the model has not read.
   Diagnostic trouble() const;
 
  private:

@@ -1,4 +1,4 @@
-// A closed surface of triangles, and the forms it is made in.
+// Closed surfaces of triangles, and functions that make them.
 #pragma once
 
 #include <cstddef>
@@ -16,19 +16,19 @@ struct Surface {
 };
 
 Surface box(const glm::vec3& low, const glm::vec3& high);
-// A profile of radii and heights, x ≥ 0, y ascending, turned about the upright axis through `foot`; its ends are
-// closed.
+// A surface of revolution: a profile of radii and heights, x ≥ 0, y ascending, around the upright axis through `foot`,
+// with closed ends.
 Surface surface_of_revolution(std::span<const glm::vec2> profile, const glm::vec3& foot, std::uint32_t sides);
 Surface ellipsoid(const glm::vec3& centre, const glm::vec3& radii, std::uint32_t sides);
-// The surface about a point, smaller or larger.
+// The surface, scaled about a point.
 Surface scaled(const Surface& surface, const glm::vec3& about, float factor);
 
-// Stretched so that its box is another; flat ways of it lie in the middle.
+// The surface, stretched so that its box is another; flat directions of it lie in the middle.
 Surface stretched(Surface surface, const glm::vec3& low, const glm::vec3& high);
-// Adds another's triangles.
+// Adds the triangles of another surface.
 void append(Surface& surface, const Surface& other);
 
-// Where a surface is not closed. Points at the same place count as one.
+// Edges where a surface is not closed. Points at the same place count as one.
 struct Seams {
   std::size_t open = 0;    // edges with an odd number of triangles
   std::size_t turned = 0;  // edges that are run through more often one way than the other

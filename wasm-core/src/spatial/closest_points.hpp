@@ -7,20 +7,20 @@
 
 namespace panicle {
 
-// Of the points at middle + way · s, those with |s| ≤ reach.
+// A segment: the points at middle + way · s with |s| ≤ reach.
 struct Extent {
   glm::vec3 way{0};
   float reach = 0;
   float square = 1;  // of way's length
 };
 
-// Where on each segment the two are closest: s of the first, t of the second.
+// The closest points of two segments: s on the first, t on the second.
 struct Closest {
   float s, t;
 };
 
-// `between` leads from the first's middle to the second's. Where the sine of their angle is below √`parallel` the first
-// segment's middle is started from, so that two that lie side by side do not jump from end to end.
+// `between` leads from the first's middle to the second's. Where the sine of their angle is below √`parallel` the
+// search starts at the first segment's middle, so that the result for parallel segments does not jump from end to end.
 inline Closest closest_points(const glm::vec3& between, const Extent& a, const Extent& b, float parallel) {
   const float ab = glm::dot(a.way, b.way), da = glm::dot(a.way, between), db = glm::dot(b.way, between);
   const float apart = a.square * b.square - ab * ab;

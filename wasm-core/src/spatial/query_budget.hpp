@@ -11,7 +11,7 @@
 
 namespace panicle {
 
-// Counts looks at triangles, to find out which places are inside meshes. Shared by all meshes of one plant.
+// Counts examined triangles in inside tests of meshes. Shared by all meshes of one plant.
 class QueryBudget {
  public:
   static constexpr std::uint64_t usual = Limits{}.looks;

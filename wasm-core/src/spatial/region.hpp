@@ -6,7 +6,7 @@
 
 namespace panicle {
 
-// How much of a box lies inside.
+// The share of a box that lies inside.
 enum class Share : std::uint8_t { none, some, all };
 
 class Region {
@@ -21,7 +21,7 @@ class Region {
   virtual bool has_room(const glm::vec3& p) const { return contains(p); }
   // A cheap bound for a box; `some` where nothing is certain.
   virtual Share share_of(const glm::vec3&, const glm::vec3&) const { return Share::some; }
-  // How dense starts are at a place that has room, in (0, 1]: by light, for instance.
+  // The density of starts at a place that has room, in (0, 1]: by light, for instance.
   virtual float density(const glm::vec3&) const { return 1; }
 
   // The share of the difference of two regions: in `outer` and not in `inner`.

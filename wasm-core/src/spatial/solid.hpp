@@ -35,8 +35,8 @@ class Solid final : public Region {
   bool is_exhausted() const override { return budget_->is_exhausted(); }
   // Entries of the index: one for each row of cells along x that a triangle meets.
   std::size_t members() const { return members_.size(); }
-  // How far one comes from a place inside, on a way of unit length, before leaving: 0 from outside, at most `most`.
-  // Surfaces within the solid, such as where parts overlap, are passed through.
+  // The distance from a place inside, along a unit vector, to where the way leaves the solid: 0 from outside, at most
+  // `most`. Surfaces within the solid, such as where parts overlap, are ignored.
   float exit_distance(const glm::vec3& from, const glm::vec3& way, float most) const;
 
  private:
@@ -52,7 +52,7 @@ class Solid final : public Region {
   bool slice_contains(const glm::vec3& p) const;
   // The contribution of a triangle to the winding number of the slice around a place.
   int winding_number(const glm::vec3& p, const std::uint32_t* corners) const;
-  // Appends how far along the way the surface is met between `begin` and `end`; where two triangles meet, twice.
+  // Appends the distances of intersections with the surface between `begin` and `end`; twice where two triangles meet.
   void intersections(const glm::vec3& from, const glm::vec3& way, float begin, float end, std::vector<float>& at) const;
   // A side of a triangle as it is seen along x: for a point p, y · p.y + z · p.z − at is 0 on the side, positive
   // inside, and at least −near in every row that may meet the triangle.

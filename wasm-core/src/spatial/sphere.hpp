@@ -1,4 +1,4 @@
-// A ball.
+// A sphere.
 #pragma once
 
 #include <glm/vec3.hpp>

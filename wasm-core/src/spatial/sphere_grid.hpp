@@ -1,4 +1,4 @@
-// The structure a newborn internode feels: the spheres accepted so far, on a uniform grid (paper section 4.3.2).
+// A uniform grid of the spheres accepted so far, for overlap tests of a newborn internode (paper section 4.3.2).
 #pragma once
 
 #include <cstdint>
@@ -30,11 +30,11 @@ class SphereGrid {
   // no_sphere.
   std::uint32_t add(const Sphere& sphere);
 
-  // All overlaps of `probe` with the structure, but for the sphere `except` (none: no_sphere). Two spheres overlap
-  // when their centres are nearer than 1 + 1e−5 times the sum of their radii; the clearance keeps those accepted apart
-  // after rounding. Summed in the order of ids, so the answer does not hang on the grid. A centre on top of the
-  // probe's pushes along `tie`, a unit vector. A depth counts for a million diameters at most, so that a point is
-  // pushed too. A probe that is not finite touches nothing.
+  // Sums up all overlaps of `probe` with the structure, but for the sphere `except` (none: no_sphere). Two spheres
+  // overlap when their centres are nearer than 1 + 1e−5 times the sum of their radii; the clearance keeps those
+  // accepted apart after rounding. Summed in the order of ids, so the result does not depend on the grid. A sphere
+  // whose centre is that of the probe pushes along `tie`, a unit vector. A depth counts for a million diameters at
+  // most, so that a point is pushed too. A probe that is not finite touches nothing.
   Push probe(const Sphere& probe, std::uint32_t except, const glm::vec3& tie) const;
 
   std::span<const Sphere> spheres() const { return spheres_; }

@@ -1,5 +1,5 @@
-// Which of many spheres touch each other, and which touch a stem: looked up in a grid, four at a time, in time linear
-// in their number where they are of like size.
+// Finds the spheres that touch each other, and those that touch a stem: by a grid, four at a time, in time linear in
+// their number where they are of like size.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct SpherePair {
   bool operator==(const SpherePair&) const = default;
 };
 
-// Answers are in ascending order of the spheres' indices and do not hang on the grid. Spheres that are not finite,
+// Results are in ascending order of the spheres' indices and do not depend on the grid. Spheres that are not finite,
 // those with a negative radius, and stems whose length's square is not finite touch nothing.
 class SphereOverlapQuery {
  public:
@@ -31,8 +31,8 @@ class SphereOverlapQuery {
   // Appends all pairs a < b of spheres that touch or overlap, by a, then by b; stops once there are `most`.
   void pairs(std::vector<SpherePair>& found, std::size_t most = std::numeric_limits<std::size_t>::max());
 
-  // The spheres that touch the straight stem from `start` to `end`, as thick everywhere: a ball swept along it. Good
-  // until the next question.
+  // The spheres that touch the straight stem from `start` to `end` of constant radius: a ball swept along it. Valid
+  // until the next call.
   std::span<const std::uint32_t> along(const glm::vec3& start, const glm::vec3& end, float radius);
 
  private:

@@ -1,4 +1,4 @@
-// A clipping volume: a box, an ellipsoid, a cylinder, a cone or a closed mesh, stretched, turned and put somewhere.
+// A clipping volume: a box, an ellipsoid, a cylinder, a cone or a closed mesh, with size, rotation and centre.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ class Volume {
   const glm::vec3& centre() const { return centre_; }
 
  private:
-  // Into its own frame: centred and not turned.
+  // Rotates a vector into the volume's own frame.
   glm::vec3 to_local(const glm::vec3& v) const { return to_local_rotation_ * v; }
   bool contains_local(const glm::vec3& p) const;
   float exit_distance(const glm::vec3& p, const glm::vec3& way, float most) const;

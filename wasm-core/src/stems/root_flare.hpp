@@ -19,24 +19,25 @@ struct RootFlareOptions {
   std::uint64_t seed = 1;  // by which its ridges stand
 };
 
-// By target the thickest segment that begins there; −1 for none.
+// Returns for each target the thickest segment that begins there; −1 for none.
 std::vector<std::int32_t> trunk_bases(std::span<const Segment> segments, std::span<const glm::vec3> targets);
 
 // Returns the pieces that replace a base segment, beginning with the one without a parent: a trunk's vertical piece, a
 // root's stem.
 std::vector<Segment> base_pieces(const Segment& base, const RootFlareOptions& options);
 
-// A trunk: of a plant's segments, each of an axis, from its foot on.
+// The centre line of a trunk: the segments of its axis, from its base on.
 struct TrunkLine {
   std::span<const Segment> segments;
   std::span<const std::int32_t> axes;
   std::size_t base = 0;
 
-  // The middle of it so high above its foot, on a straight line from place to place.
+  // The centre at a height above its base, interpolated between segments.
   glm::vec3 at(float height) const;
 };
 
-// Cuts the trunk's tube off level on the ground, and puts a skirt about it that widens towards the ground in ridges.
+// Cuts the trunk's tube off level with the ground, and adds a flared surface around it that widens towards the ground
+// in ridges.
 void add_root_flare(StemMesh& stems, const StemPart& tube, const TrunkLine& trunk, const RootFlareOptions& options);
 
 }  // namespace panicle

@@ -1,4 +1,5 @@
-// From segments to axes: which segment carries on which, and the smooth line through the nodes of each axis.
+// Finds the axes of a plant's segments: continuations from segment to segment, and the smooth line through the nodes of
+// each axis.
 #pragma once
 
 #include <cstdint>
@@ -42,8 +43,8 @@ struct StemAxes {
   float finest = 0;            // no length below this is worth a ring: positions would round together
 };
 
-// A segment is carried on by the child that bends least, if that belongs to the same group and bends less than
-// 50° (an only child: 100°). Segments too short to see are passed over, ones that are not finite left out.
+// Continues each segment by the child that bends least, if that belongs to the same group and bends less than 50° (an
+// only child: 100°). Segments too short to see are skipped, ones that are not finite left out.
 StemAxes find_stem_axes(const Stems& stems);
 
 }  // namespace panicle

@@ -1,4 +1,4 @@
-// From a smooth axis to the rings of its tube.
+// Makes the rings of a tube along a smooth axis.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ struct Ring {
   std::uint32_t segment = 0;
 };
 
-// A closed tube: the rings, and a point at either end. The surface there looks straight back, and straight ahead.
+// A closed tube: the rings, and a pole at either end, whose normals point straight back and straight ahead.
 struct Tube {
   std::vector<Ring> rings;
   glm::vec3 parent_point{0}, parent_direction{0};  // the line that blended normals point away from
@@ -41,16 +41,15 @@ struct Tube {
 // parent, rings lean towards the parent's axis and take on its normals, so that the two look grown together.
 class TubeMaker {
  public:
-  // Axes that begin thinner than `thin` get about half the rings; where that is to be `plain`, one a node and more in
-  // bends.
+  // Axes that begin thinner than `thin` get about half the rings; with `plain` one a node and more in bends.
   TubeMaker(const Stems& stems, const StemAxes& axes, float thin = 0, bool plain = false);
 
   bool is_thin(const StemAxis& axis) const { return axes_.nodes[axis.first].radius < thin_; }
 
-  // From now on as few rings as will do, for stems too many to be smooth.
+  // From now on uses as few rings as possible, for very many stems.
   void coarsen() { coarse_ = true; }
 
-  // Rings that `make` will make.
+  // The number of rings that `make` makes.
   std::uint32_t count_rings(const StemAxis& axis) const;
   // Overwrites `tube`, whose memory is used again.
   void make(const StemAxis& axis, Tube& tube) const;

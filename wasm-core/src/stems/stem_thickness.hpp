@@ -1,4 +1,4 @@
-// How thick a stem is along one axis.
+// The thickness of a stem along one axis.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,8 @@
 
 namespace panicle {
 
-// A cross-section: an ellipse, drawn out in the plane of branch and parent where a branch comes out, else a circle.
+// A cross-section: an ellipse, elongated in the plane of branch and parent where a branch leaves its parent, else a
+// circle.
 struct Section {
   float wide = 0;    // half-width in that plane
   float narrow = 0;  // half-width across it
@@ -23,9 +24,9 @@ class Thickness {
  public:
   Thickness(std::span<const Node> nodes, const Origin& origin, const StemEnd& end, bool jointed, bool tapering = false);
 
-  // Goes on to the segment that ends at node i: 1, 2, …
+  // Moves on to the segment that ends at node i: 1, 2, …
   void enter(std::size_t i);
-  // At the fraction `t` of the segment entered.
+  // The cross-section at the fraction `t` of that segment.
   Section at(float t) const;
 
  private:

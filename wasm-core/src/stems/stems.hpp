@@ -24,8 +24,7 @@ struct Stems {
   std::span<const std::int32_t> groups = {};
   std::span<const StemEnd> ends = {};
   bool jointed = true;  // whether they swell where segments meet, as shoots do at their nodes
-  // The cosine of the bend from which on a line that alone goes on from another meets it at a corner, with a round
-  // joint, and not in a curve.
+  // The cosine of the bend from which on an only child continues with a corner and a round joint, and not in a curve.
   float corner = -2;
   bool tapering = false;  // whether thickness runs on through nodes, as wood's does; else it halts at each
 

@@ -1,4 +1,4 @@
-// From tubes to the arrays of a mesh.
+// Writes tubes to the arrays of a mesh.
 #pragma once
 
 #include <cstdint>
@@ -20,17 +20,17 @@ struct RingPattern {
   std::vector<std::uint32_t> band;  // indices between a ring and the next, the ring's first vertex being 0
 };
 
-// How many rings and tubes there are of a pattern.
+// The numbers of rings and tubes with a pattern.
 struct TubeCount {
   std::uint64_t rings = 0, tubes = 0;
 
   std::uint64_t vertices(std::uint32_t sides) const { return rings * (sides + 1) + tubes * 2; }
 };
 
-// Writes tubes one after the other. Arrays get a few elements too many at first, since all is written four at a time.
+// Writes tubes one after the other. Arrays have a few elements too many at first, since writes are four at a time.
 class TubeWriter {
  public:
-  // Makes room in `stem`, which must outlive the writer, for that many vertices and triangles.
+  // Reserves space in `stem`, which must outlive the writer, for that many vertices and triangles.
   TubeWriter(StemMesh& stem, std::uint64_t vertices, std::uint64_t triangles);
 
   // Appends a tube, its positions scaled. The pattern must outlive the call.

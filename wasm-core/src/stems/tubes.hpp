@@ -31,7 +31,7 @@ struct TubeOptions {
   // a few pixels wide no more would be seen.
   float thin = 0;
   std::uint32_t thin_sides = 6;
-  // Thin axes get hardly more rings than they have nodes and bends: for thousands of twigs.
+  // Thin axes get about one ring a node and bend: for thousands of twigs.
   bool thin_plain = false;
 };
 

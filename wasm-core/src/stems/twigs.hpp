@@ -1,4 +1,4 @@
-// Twigs as tubes of three sides that run to a point: of thousands of them hardly more than that is seen.
+// Twigs as pointed tubes of three sides: enough detail for thousands of them.
 #pragma once
 
 #include <cstdint>

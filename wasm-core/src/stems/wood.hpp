@@ -11,8 +11,8 @@
 
 namespace panicle {
 
-// Branches as smooth tubes, twigs as hardly more than lines. `axes`: of each segment the axis that it belongs to; those
-// of one are one tube. `targets`: where trunks stand on the ground, or roots hang; `flare` shapes them.
+// Sweeps branches as smooth tubes, and twigs as plain ones. `axes`: of each segment the axis that it belongs to; those
+// of one are one tube. `targets`: the bases of trunks on the ground, or of hanging roots; `flare` shapes them.
 StemMesh sweep_wood(std::span<const Segment> segments, std::span<const std::int32_t> axes,
                     std::span<const glm::vec3> targets, const RootFlareOptions& flare);
 

@@ -1,4 +1,4 @@
-// Where the branch that a % cuts ends: the one place that knows how brackets nest.
+// The end of the branch that a % cuts: the one implementation of nested brackets.
 #pragma once
 
 #include <cstdint>

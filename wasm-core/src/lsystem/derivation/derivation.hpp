@@ -29,20 +29,20 @@ class Derivation {
   Derivation(const BoundProgram& bound, std::uint64_t seed, const Limits& limits, Chance chance = Chance::each_step,
              const DerivationOptions& options = {});
 
-  // Rewrites all modules once, those of ?E only where they have been answered since the last step. Whether anything was
-  // rewritten; false also when something went wrong. A step in which nothing was rewritten is a step all the same: a
-  // random condition is tried anew in the next.
+  // Rewrites all modules once, those of ?E only where they have had a response since the last step. Returns whether
+  // anything was rewritten; false also on an error. A step in which nothing was rewritten counts as well: a random
+  // condition is drawn anew in the next.
   bool step();
 
-  // Walks the string as `interpret` does, but writes each answer into the parameters of its ?E and draws nothing in its
-  // place. False when something went wrong.
+  // Interprets the string as `interpret` does, but writes each response into the parameters of its ?E and draws nothing
+  // in its place. False on an error.
   bool query_environment(const Turtle& start, Listener& listener);
 
-  // The string after so many steps; another one after the next step.
+  // The present string; changed by the next step.
   const String& string() const { return now_.string; }
   String take_string() && { return std::move(now_.string); }
   std::uint32_t steps() const { return steps_; }
-  // Whether no step would rewrite anything any more, unless ?E is answered.
+  // Whether no step would rewrite anything any more, except for responses to ?E.
   bool at_rest() const { return at_rest_; }
   // The first error: evaluation, with line and column; limit. Reason::none without an error. An error ends the
   // derivation.

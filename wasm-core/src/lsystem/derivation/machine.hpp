@@ -17,10 +17,10 @@ class Machine {
   Machine(const BoundProgram& bound, std::uint64_t seed, const Limits& limits, const Space* space = nullptr);
   Machine(const Machine&) = delete;
 
-  // The production that rewrites `module`, its parameters loaded; null when none does, or when `failed()`. A block of
-  // words behind the module can be read.
+  // Chooses the production that rewrites `module`, and loads the module's parameters; null where none matches, or when
+  // `failed()`. A block of words behind the module must be readable.
   const Production* choose(const std::uint32_t* module) { return choose(module, rules_); }
-  // The same among those of another purpose: `by_symbol` are their rules.
+  // The same among the rules `by_symbol` of another purpose.
   const Production* choose(const std::uint32_t* module, const Rules* by_symbol) {
     const Rules& rules = by_symbol[symbol_of(*module)];
     const std::uint32_t count = parameters_of(*module);
@@ -50,7 +50,7 @@ class Machine {
     return true;
   }
 
-  // For an axiom, which no module writes.
+  // Sets the address for an axiom, which no module writes.
   void begin(std::uint64_t address) { sources_.address = address; }
 
   // From now on the decision whether a module is rewritten is drawn for this step: a module that was not rewritten is
@@ -67,11 +67,12 @@ class Machine {
   float value_of(std::uint32_t source) const {
     return precise_ != nullptr ? static_cast<float>(precise_[source]) : registers_[source];
   }
-  // How one with a weight was drawn last: the sum of the weights of all that matched, its own, and where in the sum the
-  // draw fell.
+  // The last random choice by weights: the sum of the weights of all matching productions, the weight of the chosen
+  // one, and the random value within the sum.
   const std::array<float, 3>& chance() const { return chance_; }
 
-  // Whether a module that no production matched may be rewritten in a later step, by chance.
+  // Whether a module that no production matched may be rewritten in a later step, because a condition or weight is
+  // random.
   bool tries_again(std::uint32_t header) const {
     return stepping_ && rules_[symbol_of(header)].by_chance && waits_for_chance(header);
   }
@@ -150,7 +151,7 @@ class Machine {
   const Limits& limits_;
   WorkBudget own_budget_;  // where the request has none
   WorkBudget& budget_;
-  // Where the program's tables begin, at hand for the innermost loop.
+  // Pointers to the program's tables, for the innermost loop.
   const Rules* rules_;
   const Production* productions_;
   const Patch* patches_;

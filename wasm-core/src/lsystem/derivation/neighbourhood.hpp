@@ -17,7 +17,7 @@ class Neighbourhood {
   // `program` must outlive it.
   explicit Neighbourhood(const Program& program);
 
-  // Looks at a string, which stays as it is until the next, and begins before its first module. False: no memory.
+  // Indexes a string, which must not change until the next call, and begins before its first module. False: no memory.
   bool begin(const String& string);
 
   // Moves on to the context-sensitive module at a word of the string, no earlier than the current one. `looked` grows
@@ -35,7 +35,7 @@ class Neighbourhood {
            (production.nearest_right == Neighbour::any || production.nearest_right == right_);
   }
 
-  // Where parameters go: to the second, where it is not null, in double precision.
+  // Destinations of parameters: `precise`, where it is not null, gets doubles instead.
   struct Registers {
     float* single;
     double* precise;

@@ -33,7 +33,7 @@ inline constexpr std::uint32_t query_symbol = symbol_for(Action::query);
 // The values that a parameter may have: the turtle takes finite numbers only.
 enum class Demand : std::uint8_t { none, finite, not_negative };
 
-// A successor (or the axiom): words to copy, then places in the copy to fill in.
+// A successor (or the axiom): words to copy, and patches for parameters that depend on the rewritten module.
 struct Template {
   std::uint32_t first = 0;  // in BoundProgram::words; room for a copy in whole blocks follows
   std::uint32_t words = 0;
@@ -59,10 +59,10 @@ struct Birth {
   std::uint64_t key = 0;  // the module's place in the successor: its symbol, and how many of them stand before it
 };
 
-// A module that a production wants beside the one that it rewrites, or a bracket of a branch that it wants there.
+// A module of a production's context, or a bracket of a branch in it.
 struct Neighbour {
   static constexpr std::uint32_t any = 0xffffffff;
-  // Of a header: the symbol and how many parameters, in which precision.
+  // The part of a header that contexts compare: symbol, number of parameters, and precision.
   static constexpr std::uint32_t kind(std::uint32_t header) { return header & 0xffffff; }
 
   std::uint32_t symbol = 0;

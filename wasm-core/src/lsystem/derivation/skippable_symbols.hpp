@@ -15,7 +15,7 @@ class SkippableSymbols {
   // `images` are the homomorphism rules by symbol, null for none; they and `program` must outlive it.
   SkippableSymbols(const Program& program, const Rules* images, bool heard);
 
-  // Whether every module of a symbol can be passed over.
+  // Whether every module of a symbol can be skipped.
   bool covers(std::uint32_t symbol) const { return quiet_[symbol] != 0; }
 
   // Finds the branches of a string without turtle queries, for a walk without events.

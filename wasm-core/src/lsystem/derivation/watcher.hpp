@@ -16,7 +16,7 @@ class Watcher {
  public:
   virtual ~Watcher() = default;
 
-  // The axiom is there, or the step is over; `string` is good, and stays as it is but for answers, until the next.
+  // The axiom is written, or a step is over; `string` is valid, and changes only by responses, until the next call.
   virtual void begins(const String& string) = 0;
   virtual void ends(const String& string) = 0;
 
@@ -26,7 +26,7 @@ class Watcher {
   virtual void applied(const Production& production, const class Machine& machine) = 0;
   // Where modules are decomposed: the production that wrote the next module of the string; null for the axiom.
   virtual void part(const Production* production) = 0;
-  // Into so many modules.
+  // The number of modules that were written.
   virtual void rewritten(std::uint64_t modules) = 0;
   // The % at a word of the string is removed with the rest of its branch.
   virtual void removes(std::uint64_t at, std::uint64_t modules) = 0;

@@ -17,9 +17,9 @@ class ModuleReader : public TokenReader {
   // Whether the turtle has a command of that name.
   static bool is_turtles(std::string_view symbol);
 
-  // A name, a sign of the turtle, a question or a surface.
+  // Reads a name, a sign of the turtle, a query or a surface.
   bool symbol(std::string_view& name);
-  // Modules up to a `:` or the statement's end, their brackets balanced.
+  // Reads modules up to a `:` or the statement's end, with balanced brackets.
   bool modules(std::vector<ModuleTree>& modules);
 
   std::size_t arrow_ = 0;     // of the production

@@ -1,4 +1,4 @@
-// Text → tree (docs/language.md).
+// Parser of grammars (docs/language.md).
 #pragma once
 
 #include <string_view>

@@ -22,14 +22,14 @@ class SymbolTable {
   // The number of a name, in the L-system of that number (0: the text itself); Names::none where it has none.
   std::uint32_t find(std::string_view name, std::uint32_t system = 0) const;
   bool is_turtles(std::uint32_t symbol) const { return program_.meanings[symbol] != no_meaning; }
-  // By a production of derivation, with so many parameters.
+  // Whether a production of derivation with so many parameters rewrites the symbol.
   bool is_derived(std::uint32_t symbol, std::size_t arity) const { return (derived_[symbol] >> arity & 1) != 0; }
   // By a production of any purpose.
   bool is_rewritten(std::uint32_t symbol) const { return rewritten_[symbol] != 0; }
   // Whether modules of the symbol need a lineage: those that write others, and those that listeners observe.
   bool remembers(std::uint32_t symbol) const;
-  // `FF` or `AB` where F, A and B mean something and the whole does not: in cpfg two modules, here one that does
-  // nothing.
+  // Whether a name such as `FF` or `AB`, where F, A and B have meanings, has none itself: in cpfg two modules, here one
+  // without effect.
   bool stands_for_itself(std::string_view name, std::uint32_t symbol) const;
 
  private:

@@ -27,7 +27,7 @@ struct TraceRequest {
   std::optional<std::uint32_t> module = {};  // of the last string, whose ancestors are wanted
 };
 
-// Modules one after the other.
+// A range of modules.
 struct ModuleSpan {
   std::uint32_t first = 0, count = 0;
 };
@@ -52,8 +52,7 @@ class DerivationTrace final : public Watcher {
  public:
   static constexpr std::size_t most_rewritten = 4'000'000;  // in all steps, for ancestors to be found
 
-  // Of a derivation that has these; `bound` and the space must last until `finish`. `by_steps`: whether each step draws
-  // anew (Derivation::Chance).
+  // `bound` and the space must last until `finish`. `by_steps`: whether each step draws anew (Derivation::Chance).
   DerivationTrace(const BoundProgram& bound, std::uint64_t seed, const Limits& limits, const Space* space,
                   bool by_steps, const TraceRequest& request)
       : program_(bound.program),
@@ -68,7 +67,7 @@ class DerivationTrace final : public Watcher {
   std::uint32_t step() const { return request_.step; }
   std::uint32_t first() const { return request_.first; }
   std::uint32_t steps() const { return static_cast<std::uint32_t>(counts_.size()) - 1; }
-  // Of each step's string, the axiom's first.
+  // The numbers of modules of each step's string, the axiom's first.
   const std::vector<std::uint32_t>& counts() const { return counts_; }
   const std::vector<TraceEntry>& modules() const { return modules_; }
   // By step, the ancestor of the requested module; empty without such a request, where the last string has no such
@@ -77,8 +76,8 @@ class DerivationTrace final : public Watcher {
   // The limit that cut the derivation short.
   const Diagnostic& stopped() const { return stopped_; }
 
-  // The derivation is over, and nothing more is heard: its strings are gone but the last. Of `steps` steps, where more
-  // were taken and did nothing.
+  // Ends the trace of the derivation, when all strings but the last are freed. `steps`: the derivation's steps, without
+  // final ones that did nothing.
   void finish(std::uint32_t steps, const Diagnostic& stopped, const String& last);
   // From now on it watches how the last string is drawn, and records the productions that are applied to responses.
   void watch_drawing(std::shared_ptr<const String> last);
@@ -149,10 +148,10 @@ class DerivationTrace final : public Watcher {
   std::vector<std::size_t> changes_end_;      // by step
 };
 
-// ` 1 0.5 3`, as answers have them.
+// Numbers as responses show them: ` 1 0.5 3`.
 std::string numbers_text(std::span<const float> numbers);
 
-// Derives once more as `develop_so_far` does, under watch. Errors as there.
+// Repeats a derivation, as `develop_so_far`, with a trace. Errors as there.
 Result<DerivationTrace> trace_derivation(const BoundProgram& bound, std::uint64_t seed, std::optional<std::uint32_t> steps,
                                   const Limits& limits, const DerivationOptions& options, TraceRequest request);
 

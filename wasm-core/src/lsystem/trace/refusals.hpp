@@ -24,8 +24,8 @@ class Refusals {
   // Modules that all searches for brackets between neighbours may visit; then brackets are no longer reported.
   static constexpr std::uint64_t most_visited = 20'000'000;
 
-  // Random draws are those of `step`; without one, each module draws once for all steps. `answered`: whether ?E has
-  // been answered since the step before. The references must outlive this object.
+  // Random draws are those of `step`; without one, each module draws once for all steps. `answered`: whether ?E has had
+  // responses since the step before. The references must outlive this object.
   Refusals(const BoundProgram& bound, std::uint64_t seed, const Limits& limits, const Space* space,
            const String& string, std::optional<std::uint32_t> step, bool answered);
 

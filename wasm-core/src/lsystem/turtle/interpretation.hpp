@@ -5,8 +5,8 @@
 
 namespace panicle::lsystem {
 
-// Walks the string as `interpret` does, but writes each answer into the parameters of its ?E and draws nothing in its
-// place. Errors as for `interpret`; Reason::none when nothing went wrong.
+// Interprets the string as `interpret` does, but writes each response into the parameters of its ?E and draws nothing
+// in its place. Errors as for `interpret`; Reason::none without an error.
 Diagnostic write_responses(const BoundProgram& bound, String& string, const Turtle& start, Listener& listener,
                   std::uint64_t seed, const Limits& limits, const Space* space);
 
