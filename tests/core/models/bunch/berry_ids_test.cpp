@@ -21,7 +21,7 @@ TEST_CASE("an id is the upper thirty bits of the address, and unique") {
   const std::uint64_t address = 0xfedcba9876543210;
   CHECK(berry_ids(std::vector<std::uint64_t>{address}, 1)[0] == (address >> 34));
   std::vector<std::uint64_t> addresses;
-  for (std::uint64_t i = 0; i < 50; ++i) addresses.push_back(address + i);  // all alike in those bits
+  for (std::uint64_t i = 0; i < 50; ++i) addresses.push_back(address + i);  // equal in those bits
   for (const std::size_t second_from : {50u, 20u}) {
     const std::vector<std::uint32_t> ids = berry_ids(addresses, second_from);
     CHECK(std::set<std::uint32_t>(ids.begin(), ids.end()).size() == 50);

@@ -259,7 +259,7 @@ TEST_CASE("a second bunch finds room beside any grape of the paper") {
         berries += bunch.internodes[static_cast<std::size_t>(berry.parent)].axis >= bunch.plan.m - 1;
       CHECK(rachis == static_cast<std::size_t>(bunch.plan.m + bunch.second->m - 2));
       CHECK(berries >= 4);
-      // The first bunch hangs as straight as it would alone.
+      // The first bunch hangs straight, like a single one.
       for (const Internode& internode : bunch.internodes)
         if (internode.kind == Kind::rachis && internode.axis < 0 && internode.start.x == 0) CHECK(internode.end.x <= 0);
       CHECK(worst_overlap(bunch) == 0);

@@ -1,4 +1,4 @@
-// One pixel more or less of the profile moves the bunch by little: no berry is drawn anew.
+// One pixel more or less of the profile moves the bunch by little: no berry gets new random values.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@ using namespace panicle::tests;
 
 namespace {
 
-// A pedicel's place in the bunch, the same before and after a step: the way down to it from the root, axis and turn by
+// A pedicel's address in the bunch, the same before and after a step: the path to it from the root, axis and turn by
 // turn.
 using Place = std::vector<std::int32_t>;
 

@@ -59,7 +59,7 @@ float closing(const GrownBunch& bunch) {
   for (const Internode& one : bunch.internodes)
     if (one.kind == Kind::rachis && one.start.y <= 0) lengths.push_back(glm::length(one.end - one.start));
   REQUIRE(lengths.size() > 4);
-  return lengths[lengths.size() - 2] / lengths[0];  // the last is as long as was left
+  return lengths[lengths.size() - 2] / lengths[0];  // the last one is the remainder
 }
 
 const std::string pedicel_line = "Ap(w,s) --> ?E(1,0,0,stalk*(1+vary*(ran(0.4)-0.2)),w,s)";
@@ -118,7 +118,7 @@ TEST_CASE("a thorn in Ap is drawn beside the pedicel, and is no pedicel") {
   CHECK(std::abs(static_cast<float>(thorny.counts.berries) - static_cast<float>(plain.counts.berries)) <
         0.1f * static_cast<float>(plain.counts.berries));
   check_no_gaps(thorny);
-  // One on the pedicel itself goes with it.
+  // A thorn on the pedicel itself moves with it.
   const GrownBunch spiny = grown(edited(4, answered_pedicel_line, "type=1        --> +(theta) &(phi) !(w) F(l) [ +(90) F(9) ] S(b)"));
   CHECK(spiny.counts.pedicels == plain.counts.pedicels);
   CHECK(spiny.internodes.size() == plain.internodes.size() + plain.counts.pedicels);

@@ -24,7 +24,7 @@ bunch::BunchRequest read(const ContainerWriter& writer) {
   auto result = read_request(request);
   REQUIRE_MESSAGE(result, (result ? "" : result.error().message));
   bunch::BunchRequest read = std::move(result.value());
-  read.grammar = {};  // they viewed the bytes
+  read.grammar = {};  // they are views of the bytes
   read.leaf = {};
   std::free(bytes);
   return read;
@@ -41,7 +41,7 @@ std::vector<Value> column(const Plant& plant, std::string_view name) {
   return {};
 }
 
-// One that has all: a second bunch, withered stems, berries that are not there.
+// A request with all parts: a second bunch, withered stems, missing berries.
 bunch::BunchRequest manifold(float procedure) {
   bunch::BunchRequest request = natural_request(table3[2].profile());
   set(request, Parameter::procedure, procedure);
@@ -239,7 +239,7 @@ TEST_CASE("the scale scales all lengths, and nothing else") {
 TEST_CASE("a bunch whose trace a limit cuts is complete, and no trace entry has the answer of another module") {
   for (const int system : {3, 4}) {
     CAPTURE(system);
-    // Idle modules, which every step copies and one go writes once.
+    // Idle modules, which every step copies and a derivation in one go writes once.
     std::string text(builtin_grammar(system));
     text.insert(text.find("axiom: ") + 7, "ZZ(300) ");
     text += "ZZ(n) : n>0 --> ZZ(n-1) Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q\n";

@@ -127,7 +127,7 @@ TEST_CASE("a renamed symbol draws the same skeleton with other random values, fo
     CAPTURE(name);
     CHECK(kinds_of(grown(natural, renamed(4, name, "Zz"))) == kinds_of(grown(natural, "")));
   }
-  // And with another role it is another thing.
+  // With another role it draws another kind.
   const std::string mistaken = edited(3, "#role end Ae", "#role axis Ae");
   CHECK(kinds_of(grown(settled(), mistaken))[static_cast<std::size_t>(Kind::end)] == 0);
 }

@@ -40,7 +40,7 @@ TEST_CASE("lines in a row are internodes of one organ, each where the last one e
   CHECK(drawing.internodes[0].radius == 1.0f);  // as the module requested
   for (std::size_t i = 1; i < 3; ++i) {
     CHECK(drawing.internodes[i].joint);
-    CHECK(drawing.internodes[i].radius == 0.5f);  // as the turtle is
+    CHECK(drawing.internodes[i].radius == 0.5f);  // the turtle's width
     CHECK(drawing.internodes[i].start == drawing.internodes[i - 1].end);
   }
   // The text's own lines, without an answer.

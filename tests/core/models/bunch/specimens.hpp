@@ -56,7 +56,7 @@ inline bunch::GrownBunch grown(const bunch::BunchRequest& request) {
   return std::move(result.value());
 }
 
-// The paper's letter: whole segments, no variation.
+// The paper's exact method: whole segments, no variation.
 inline bunch::BunchRequest as_printed(const bunch::Profile& profile, std::uint32_t seed = 1) {
   bunch::BunchRequest request = request_for(profile, seed);
   set(request, bunch::Parameter::fit, 0);
@@ -78,7 +78,7 @@ inline bunch::Profile random_profile(std::uint64_t seed) {
   return profile;
 }
 
-// A built-in grammar with one passage replaced wherever it stands; empty if it stands nowhere.
+// A built-in grammar with all occurrences of a passage replaced; empty if there are none.
 inline std::string edited(int number, std::string_view from, std::string_view to) {
   std::string text(bunch::builtin_grammar(number));
   bool found = false;

@@ -64,8 +64,7 @@ TEST_CASE("a natural stalk whose nodes crowd tapers evenly, without rings") {
     one.radius_end = 1 - 0.02f * static_cast<float>(i + 1);
     stalk.push_back(one);
   }
-  // Between its fourth internode and its twentieth: by how much it is now thicker, now thinner than one that narrows
-  // evenly.
+  // Deviation of the radius from an even taper, between the fourth internode and the twentieth.
   const auto unevenness = [&](bool natural) {
     const Mesh mesh = sweep_internodes(stalk, {12}, 1, natural).mesh;
     float least = 99, most = 0;

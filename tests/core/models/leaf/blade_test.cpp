@@ -52,7 +52,7 @@ TEST_CASE("both faces and the rim close the blade of every outline, at any detai
       const Bending bending{.scale = 0.1f, .half_width = 0.4f, .fold = 20, .curl = 60, .undulation = 0.1f};
       const auto faces = make_blade(margin, outline, midrib, bending, {.detail = detail});
       REQUIRE(faces.size() == 2);
-      // Every edge between places is passed as often one way as the other.
+      // Every edge is used as often in one direction as in the other.
       std::map<std::array<float, 6>, int> edges;
       for (const PlantMesh& face : faces) {
         const Mesh& mesh = face.mesh;
@@ -101,7 +101,7 @@ TEST_CASE("flat, the upper face looks up, fills the outline and shows its chart"
     CHECK(p.z >= 0.0001f - 1e-7f);
     CHECK(vector_at(upper.normals, i).z > 0.9f);
   }
-  // Teeth are there in full: every corner of the margin that stands out is a corner of the mesh.
+  // Teeth are complete: every protruding corner of the margin is a corner of the mesh.
   for (const glm::vec2& corner : margin.points) {
     float nearest = 1;
     for (std::size_t i = 0; i < upper.positions.size() / 3; ++i)
@@ -154,7 +154,7 @@ TEST_CASE("bending folds, waves and curls, and flat is flat") {
   CHECK(curled({0, 1}).y == doctest::Approx(2 / 3.14159265));
   CHECK(curled({0, 1}).z == doctest::Approx(-2 / 3.14159265));
   CHECK(curled.normal({0, 1}).y == doctest::Approx(1).epsilon(1e-3));
-  // Lengths along the midrib stay.
+  // Lengths along the midrib are preserved.
   float length = 0;
   for (int k = 0; k < 100; ++k)
     length += glm::distance(curled({0, 0.01f * static_cast<float>(k)}), curled({0, 0.01f * static_cast<float>(k + 1)}));

@@ -34,7 +34,7 @@ TEST_CASE("the thickest vein has the requested width, and at forks widths, cross
         {{{Parameter::law, law}, {Parameter::exponent, exponent}, {Parameter::vein, 2}, {Parameter::particles, 300}}});
     std::vector<double> arriving(plant.segments.size(), 0);
     std::vector<int> children(plant.segments.size(), 0);
-    // No vein is thinner than 0.01 mm: where one would be, nothing adds up.
+    // No vein is thinner than 0.01 mm: the law does not hold where a vein is clamped to that.
     std::vector<bool> bounded(plant.segments.size(), false);
     float widest = 0;
     for (const Segment& segment : plant.segments) {
@@ -104,7 +104,7 @@ TEST_CASE("age runs from scattered particles to whole trails, with both in the m
     CHECK(middle.meshes[static_cast<std::size_t>(organ.mesh)].name == "particle");
     CHECK(organ.scale > 0);
   }
-  // Counts are of the whole growth.
+  // Counts are those of the whole run.
   CHECK(count_at(middle, "steps") == count_at(end, "steps"));
   CHECK(count_at(middle, "energy") == count_at(end, "energy"));
 }

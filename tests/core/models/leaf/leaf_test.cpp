@@ -67,7 +67,7 @@ void check_leaf(const Plant& plant, double energy, float step) {
       CHECK(segment.start == plant.segments[parent].end);
       CHECK(order[i] >= order[parent]);
     }
-    // In steps, for a segment may be long: everywhere on it.
+    // Tests points along each segment, for a segment may be long.
     const glm::vec3 from(chart[4 * i], chart[4 * i + 1], 0), to(chart[4 * i + 2], chart[4 * i + 3], 0);
     for (float t = 0; t <= 1; t += 0.25f) {
       const glm::vec3 p = from + t * (to - from);
@@ -143,7 +143,7 @@ TEST_CASE("a palmate leaf has a tree for each lobe, a pinnate one a midrib and a
   const Plant steeper =
       leaf_of({{{Parameter::secondaries, 9}, {Parameter::angle, 35}, {Parameter::arch, 0}}, {}, 1, "measures"});
   CHECK(measure(steeper, Measure::secondary_angle) < measure(pinnate, Measure::secondary_angle) - 10);
-  // Fewer stand farther apart.
+  // Fewer particles are farther apart.
   const Plant fewer =
       leaf_of({{{Parameter::secondaries, 5}, {Parameter::angle, 60}, {Parameter::arch, 0}}, {}, 1, "measures"});
   CHECK(measure(fewer, Measure::secondary_spacing) > 1.3f * measure(pinnate, Measure::secondary_spacing));

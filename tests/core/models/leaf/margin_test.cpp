@@ -45,7 +45,7 @@ TEST_CASE("the spline passes through its points, keeps corners and is round betw
     CHECK(glm::distance(margin->points[margin->controls[i]], points[i].place) < 2e-6f);
   CHECK(margin->tip == margin->controls[3]);
   CHECK(margin->tips == std::vector<std::size_t>{margin->tip});
-  // At smooth points it hardly turns from piece to piece, at sharp ones it does.
+  // The margin hardly turns at smooth points, and turns at sharp ones.
   const std::size_t count = margin->points.size();
   const auto turn = [&](std::size_t i) {
     const glm::vec2 in = margin->points[i] - margin->points[(i + count - 1) % count];
@@ -134,7 +134,8 @@ TEST_CASE("teeth have the requested number, depth and shape; the margin's points
       CHECK(cut.points[0] == margin->points[0]);
       CHECK(cut.points[cut.tip] == margin->points[margin->tip]);
       CHECK(Outline(cut.points).area() < plain.area());
-      // Teeth are cut in: nothing stands out, and on each side as many places on the margin have a notch on both sides.
+      // Teeth are cut in: no point is outside the margin, and on each side as many points on the margin have a notch on
+      // both sides.
       std::size_t notches = 0;
       float deepest = 0;
       const std::size_t size = cut.points.size();
@@ -149,7 +150,7 @@ TEST_CASE("teeth have the requested number, depth and shape; the margin's points
       const std::size_t each = shape == ToothShape::double_serrate ? 2 : 1;
       // Between n teeth are n − 1 notches a side; those at the ends are no deeper than their distance lets them be.
       CHECK(notches >= 2 * each * (count - 1));
-      // Their tips are on the margin as it was, in order; of a doubled saw those of the large ones.
+      // Their tips are on the original margin, in order; of a doubled saw those of the large teeth.
       CHECK(cut.teeth.size() == 2 * count);
       CHECK(std::is_sorted(cut.teeth.begin(), cut.teeth.end()));
       for (const std::size_t tip : cut.teeth) CHECK(plain.distance({cut.points[tip].x, cut.points[tip].y, 0}) < 1e-3f);
@@ -167,7 +168,7 @@ Margin margin_of(const std::vector<float>& rows) {
   return margin.value();
 }
 
-// How wide the polygon is at a height, from its right side to its left one.
+// The width of the polygon at a height, from its right side to its left one.
 float width_at(std::span<const glm::vec2> points, float y) {
   float right = 9, left = -9;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -221,7 +222,7 @@ TEST_CASE("teeth without room in a fold are left out with a note; all others are
   CHECK(notes[0].find("were left out: ") != std::string::npos);
   CHECK(crossing(cut.points).first == crossing(cut.points).second);
   CHECK(cut.teeth.size() > before.teeth.size() / 2);
-  // The left side, which nothing happened to, has its teeth and is cut as deep.
+  // The unchanged left side has its teeth, cut as deep.
   const auto left = [](const Margin& margin, const Margin& uncut) {
     const Outline outline(uncut.points);
     std::pair<std::size_t, float> found{0, 0.0f};
@@ -245,7 +246,7 @@ TEST_CASE("an entire base has no teeth, and the teeth share the rest of the marg
   float length = 0;
   for (std::size_t i = 0; i < margin->points.size(); ++i)
     length += glm::distance(margin->points[i], margin->points[(i + 1) % margin->points.size()]);
-  // The margin's own points stay up to there, on both sides, and no farther.
+  // The margin's own points are unchanged up to there, on both sides, and no farther.
   std::size_t right = 0, left = 0;
   while (cut.points[right] == margin->points[right]) ++right;
   while (cut.points[cut.points.size() - 1 - left] == margin->points[margin->points.size() - 1 - left]) ++left;

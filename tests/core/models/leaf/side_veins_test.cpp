@@ -145,7 +145,7 @@ TEST_CASE("brochidodromous side veins keep off the margin and bend up along it t
     for (const glm::vec3& p : line)
       if (glm::distance(p, line.front()) > 0.12f) CHECK(leaf.outline.distance(p) > 0.45f * clear);
     if (line.size() < 4) continue;
-    // At its end it is on its way to the tip, below the vein above it or the midrib.
+    // At its end it points to the tip, below the vein above it or the midrib.
     const glm::vec3 way = glm::normalize(line.back() - line[line.size() - 3]);
     float next = 9;
     for (std::size_t other = 0; other < lines.size(); ++other)

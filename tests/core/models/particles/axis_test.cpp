@@ -34,7 +34,7 @@ TEST_CASE("a trunk sways, in one line of wood") {
   const auto largest_offset = [](float sway) {
     const Plant plant = grow_tree({.parameters = {{"particles", 1500}, {"sway", sway}}});
     check_sound(plant, 1);
-    // Half-way up the thickest is the trunk.
+    // The thickest segment half-way up is the trunk.
     float thickest = 0, off = 0;
     for (const Segment& segment : plant.segments) {
       if (segment.start.y > 3.5f || segment.end.y < 3.5f || segment.radius <= thickest) continue;

@@ -71,7 +71,7 @@ TEST_CASE("notes on a mesh name its open edges and its turned triangles") {
   Surface whole = box({0, 0, 0}, {1, 1, 1});
   note_on(whole, form, notes);
   CHECK(notes.empty());
-  // Points that stand in the list once for each triangle are the same points.
+  // Points listed once for each triangle count as the same points.
   Surface loose;
   for (const std::uint32_t corner_of : whole.triangles) {
     loose.triangles.push_back(static_cast<std::uint32_t>(loose.points.size()));

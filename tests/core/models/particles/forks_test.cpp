@@ -57,7 +57,7 @@ TEST_CASE("two places that are drawn towards each other never pass each other") 
 }
 
 TEST_CASE("forks do not move to places where an obstacle hides their twigs") {
-  // The twigs run along the top of a box, beside which the fork would come to stand.
+  // The twigs run along the top of a box, beside which the fork would be.
   const std::vector<Box> boxes{{{-0.9f, 2, -1}, {-0.1f, 3.9f, 1}}};
   const Obstacles obstacles(boxes, 0.01f, 0, 10);
   const Trunk guide(glm::vec3(0), {.ahead = 0.1f}, nullptr, &obstacles);

@@ -91,7 +91,7 @@ TEST_CASE("particles run evenly between places, independent of earlier queries")
 }
 
 TEST_CASE("a timeline counts the steps in which a particle visibly moves") {
-  // One goes home in 2 steps and another, that stood still in between, in steps 5 and 6; the crowd ran on until 9.
+  // One arrives in 2 steps and another, which waited in between, in steps 5 and 6; the crowd ran on until 9.
   const Trails whole{.places = {{0, 0, 0}, {0, 1, 0}, {0, 2, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 0}},
                      .next = {-1, 0, 1, 0, 3, 4},
                      .energy = {2, 1, 1, 1, 1, 1},

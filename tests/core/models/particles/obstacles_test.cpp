@@ -19,7 +19,7 @@ std::vector<Box> boxes_of(const std::vector<float>& rows) {
   return boxes;
 }
 
-// No way through one, and all energy at the target.
+// Checks that no trail passes an obstacle, and that all energy is at the target.
 void check_round(const Plant& plant, const std::vector<float>& rows) {
   const Obstacles obstacles(boxes_of(rows), 0, -100, 100);
   const auto energies = column_in<float>(plant, "segments.energy");
@@ -47,7 +47,7 @@ TEST_CASE("a trunk goes round an obstacle on its axis") {
 }
 
 TEST_CASE("behind a wall it is dark, and a crown is thinner") {
-  // The sun stands low at the right; a thin wall between it and the half of the crown in front.
+  // The sun is low at the right; a thin wall is between it and the front half of the crown.
   const std::vector<std::pair<std::string_view, float>> parameters{
       {"particles", 1500}, {"pattern", 3}, {"sky", 0}, {"sun", 90}, {"sun_height", 10}, {"by_light", 1}};
   const auto grown = [&](const std::vector<float>& obstacles) {

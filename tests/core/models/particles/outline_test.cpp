@@ -13,7 +13,7 @@ using namespace panicle::particles;
 
 namespace {
 
-// A star about the origin, of so many points in one sense or the other.
+// A star about the origin, in either sense.
 std::vector<glm::vec2> star(std::size_t points, float inner, bool clockwise) {
   std::vector<glm::vec2> all;
   for (std::size_t i = 0; i < 2 * points; ++i) {

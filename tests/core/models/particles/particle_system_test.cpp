@@ -55,7 +55,7 @@ TEST_CASE("all energy arrives and trails form one tree, for any shape, seed, rul
     const auto starts = scatter(region, static_cast<Pattern>(seed % 3), count, spacing, seed);
     Rules rules = rules_for(spacing);
     rules.step = spacing * (0.05f + 2 * chance(2));
-    rules.merge = spacing * 2 * chance(3);  // often less than ends by itself
+    rules.merge = spacing * 2 * chance(3);  // often less than the least that ends
     rules.pull = 3 * chance(4);
     rules.printed = seed % 5 == 0;
     rules.neighbourhood = seed % 7 == 0 ? spacing * 3 * chance(5) : 0;
@@ -151,7 +151,7 @@ TEST_CASE("the particle in front waits for one straight behind it") {
   CHECK(crowd.places()[0] == starts[0]);
   CHECK(crowd.places()[1].y == doctest::Approx(0.9f));
   crowd.run();
-  // It left no trail while it waited.
+  // A waiting particle adds no trail.
   const Trails trails = crowd.trails();
   CHECK(crowd.merges() == 1);
   for (std::size_t i = 1; i < trails.size(); ++i)
@@ -173,7 +173,7 @@ TEST_CASE("the heavier goes on from the mean by energy, and energies add") {
 }
 
 TEST_CASE("where their mean is outside, the heavier goes on from where it is") {
-  // A gap beside the middle, which is seen across.
+  // A gap beside the middle, with free sight across.
   class Gap final : public Guide {
    public:
     using Guide::Guide;
@@ -236,7 +236,7 @@ TEST_CASE("particles ignore neighbours behind a wall, walk round it, and never c
 }
 
 TEST_CASE("two particles with diverging ways draw each other back until the step budget is used up") {
-  // A ledge over the target, each half of which is left by its own end.
+  // A ledge over the target: particles leave each half by its own end.
   class Ledge final : public Guide {
    public:
     using Guide::Guide;

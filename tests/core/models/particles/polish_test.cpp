@@ -97,7 +97,7 @@ TEST_CASE("smoothing moves a place halfway to the mean of its neighbours, by the
                 .born = {0, 0, 0, 0},
                 .particle = {-1, -1, 0, 1}};
   smooth(trails, petiole);
-  // Where it stays: y = (0 + 2) / 2, x = (0 + 0.5) / 2.
+  // The fixed point: y = (0 + 2) / 2, x = (0 + 0.5) / 2.
   CHECK(trails.places[1].y == doctest::Approx(1));
   CHECK(trails.places[1].x == doctest::Approx(0.25));
 }

@@ -24,7 +24,7 @@ float closest(const std::vector<glm::vec3>& points) {
   return least;
 }
 
-// The widest gap: how far a place inside can be from every point.
+// The widest gap: the greatest distance of a place inside from all points.
 float widest_gap(const Region& region, const std::vector<glm::vec3>& points, float grid) {
   float widest = 0;
   const float deep = region.flat() ? 0 : region.high().z;

@@ -26,7 +26,7 @@ class Round final : public Region {
   float radius_, hole_;
 };
 
-// A half as dense as the other.
+// A region with one half as dense as the other.
 class Shaded final : public Region {
  public:
   glm::vec3 low() const override { return {-1, -1, 0}; }

@@ -35,7 +35,7 @@ struct SpaceOptions {
   std::vector<std::uint32_t> triangles = {};
   Surface hollow = {};
   Limits limits = {};
-  bool leaf = true;  // whether a tree's request brings one
+  bool leaf = true;  // whether a tree's request has a leaf
 };
 
 // The leaf of trees in tests: a lozenge with a petiole.

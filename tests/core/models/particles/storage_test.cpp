@@ -54,7 +54,7 @@ TEST_CASE("the main root swells over its reach; side roots do not, and stay on i
   }
   CHECK(thickest == doctest::Approx(0.03f));
   CHECK(swollen > 3);
-  // A young one is thin yet.
+  // A young root is thin.
   const auto collar = [](const Plant& each) {
     float radius = 0;
     for (const Segment& segment : each.segments) radius = std::max(radius, segment.radius);

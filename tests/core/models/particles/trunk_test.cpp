@@ -16,7 +16,7 @@ namespace {
 TEST_CASE("particles aim at the axis below them, as much lower as they are away") {
   const Trunk trunk({1, 0, 2}, {.slant = 0.5f, .ahead = 0.1f});
   CHECK(trunk.aim({3, 5, 2}) == glm::vec3(1, 4, 2));
-  CHECK(trunk.aim({1, 5, 2}).y == doctest::Approx(4.9f));  // on it, as far as it looks
+  CHECK(trunk.aim({1, 5, 2}).y == doctest::Approx(4.9f));  // on the axis: by the looking distance
   CHECK(trunk.aim({3, 0.5f, 2}) == glm::vec3(1, 0, 2));    // never below the target
   CHECK(trunk.way({3, 5, 2}) == doctest::Approx(std::sqrt(5.0f) + 4));
 }
@@ -157,7 +157,7 @@ TEST_CASE("trails down one axis become one trunk, with all that arrives") {
       CHECK(one.energy[i] == 3);
       CHECK(one.born[i] == 5);
     }
-    // Left by the one that came by before its own.
+    // Left by the particle that came by before its own.
     if (one.places[i].y == 1.5f) CHECK(one.born[i] == 6);
   }
   CHECK(one.born[0] == 8);

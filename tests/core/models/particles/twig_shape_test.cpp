@@ -112,7 +112,7 @@ TEST_CASE("branches wander within the crown, by the given length; ends and the w
     farthest = std::max(farthest, off);
   }
   CHECK(farthest > 0.05f);
-  // Nothing leaves a crown that it fills.
+  // No twig leaves a crown that it fills.
   const Solid flat(box({-5, 0, -5}, {5, 3.01f, 5}));
   Trails held = before;
   wander_branches(held, guide, flat, 0.2f, 0.5f, 7);

@@ -31,7 +31,7 @@ TEST_CASE("particles aim at the midrib, the farther below their foot the farther
   CHECK(near.x == doctest::Approx(0));
   CHECK(near.y == doctest::Approx(0.7));
   CHECK(far.y == doctest::Approx(0.4));
-  // On the rib, down it; at a slant of 0 to the foot itself, or as far as one always looks.
+  // On the rib the aim is down it; at a slant of 0 at the foot itself, or at the least looking distance.
   CHECK(guide.aim({0, 0.5f, 0}).y == doctest::Approx(0.46));
   CHECK(Venation(square(), ribs, 0, 0.001f).aim({0.4f, 0.8f, 0}).y == doctest::Approx(0.798));
   CHECK(guide.way({0.2f, 0.8f, 0}) == doctest::Approx(1.0));

@@ -54,7 +54,7 @@ TEST_CASE("the way leads to the nearest of several goals") {
   Waypoints ways(horseshoe(), {{0.15f, 0.95f, 0}, {0.85f, 0.95f, 0}}, 0.02f);
   CHECK(ways.next({0.1f, 0.5f, 0}).x < 0.5f);
   CHECK(ways.next({0.9f, 0.5f, 0}).x > 0.5f);
-  // As the crow flies the other arm is nearer; on foot it is not.
+  // In a straight line the other arm is nearer; along ways inside it is not.
   CHECK(ways.way({0.28f, 0.9f, 0}) < 0.2f);
 }
 

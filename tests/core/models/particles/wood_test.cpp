@@ -38,7 +38,7 @@ TEST_CASE("where the nearest target is unreachable, particles go to the nearest 
     const Segment& segment = plant.segments[i];
     root[i] = segment.parent < 0 ? segment.start.x : root[static_cast<std::size_t>(segment.parent)];
   }
-  // Half-way between the two lies −1.
+  // The boundary between both is at −1.
   std::uint32_t left = 0;
   for (const std::size_t tip : tips_of(plant)) {
     const float x = plant.segments[tip].end.x;

@@ -55,7 +55,7 @@ TEST_CASE("particles gather on the side of the sun") {
 glm::vec3 twigs_of(const Plant& plant) {
   glm::vec3 sum(0);
   for (const std::size_t tip : tips_of(plant)) {
-    // From where the branch is that carries it, a metre from there.
+    // From the place a metre down the twig.
     std::size_t at = tip;
     const glm::vec3 end = plant.segments[tip].end;
     while (glm::distance(plant.segments[at].start, end) < 1 && plant.segments[at].parent >= 0)
@@ -137,7 +137,7 @@ TEST_CASE("with age, grown parts stay and thicken, particles run on evenly, and 
       // Only particles on their way there have come farther.
       if (!fronts.contains(place(segment.start))) CHECK(found->second.start == segment.start);
     }
-    // Half a percent moves all, not those alone that come to a place just then.
+    // Half a percent of age moves all particles, not only those that reach a place.
     if (age == 10.5f)
       for (const auto& [front, ball] : fronts)
         CHECK_FALSE(std::ranges::count_if(plant.organs, [&](const Organ& organ) {
@@ -262,7 +262,7 @@ TEST_CASE("a ragged crown is inside its boundary, with hollows, and has as many 
     for (const std::size_t tip : tips_of(plant)) found.push_back(plant.segments[tip].end);
     return found;
   };
-  // By direction from the middle, how far the farthest is.
+  // The greatest distance from the middle, by direction.
   const auto reach = [](const std::vector<glm::vec3>& places) {
     std::vector<float> farthest(12 * 6, 0);
     for (const glm::vec3& place : places) {

@@ -109,7 +109,7 @@ TEST_CASE("no particle starts inside an inner boundary that is a mesh, and some 
   };
   CHECK(above(grow_tree({.parameters = parameters})) == 0);
   CHECK(above(grow_tree({.parameters = parameters, .hollow = half})) > 100);
-  // A triangle that has a corner which is no point is refused.
+  // A triangle with a corner that is no point is refused.
   Surface broken = half;
   broken.triangles.back() = 99;
   CHECK(request_tree({.parameters = parameters, .hollow = broken}).error().message.find("inner boundary") !=
@@ -210,7 +210,7 @@ TEST_CASE("each particle goes to the nearest target") {
 
 namespace {
 
-// How many tips each crown of a row has, and of these how many are at its left and in its lower half.
+// Number of tips of each crown of a row, and of those at its left and in its lower half.
 struct Tips {
   double all = 0, left = 0, low = 0;
 };
@@ -378,12 +378,12 @@ TEST_CASE("runs that are too long are stopped, and too many leaves are refused b
     CHECK(refused.error().reason == Reason::limit);
     CHECK(refused.error().message == words);
   }
-  // Before anything moves.
+  // Refused before particles move.
   SpaceOptions leafy{.parameters = {{"particles", 1000}, {"leaves", 6}}};
   leafy.limits.moves = 0;
   leafy.limits.copies = 5999;
   CHECK(request_tree(leafy).error().message.find("6000 leaves, more than 5999") != std::string::npos);
-  // Fewer, while it is small.
+  // A small tree has fewer.
   leafy.parameters.insert(leafy.parameters.end(), {{"life", 1}, {"age", 50}});
   CHECK(request_tree(leafy).error().message == "After 0" + words.substr(10));
 }

@@ -12,7 +12,8 @@ using namespace panicle::test;
 
 namespace {
 
-// Closed, sound, star-shaped, facing outwards; and its volume over that of its free form.
+// Checks that a surface is closed, sound, star-shaped and faces outwards; returns its volume over that of its free
+// form.
 double check_surface(const Mesh& mesh, const BerryBody& body, const BerryForm& form, double turned) {
   check_sound(mesh);
   const Surface surface = surface_of(mesh, 0, mesh.indices.size());
@@ -150,7 +151,7 @@ TEST_CASE("two balls meet in the plane of the circle they share: flat and marked
     face = std::max(face, position_of(large, i).x);
     other_face = std::min(other_face, position_of(small, i).x);
   }
-  // The overlap of 1 is split as 5 : 10, the small one gives way twice as far.
+  // The overlap of 1 is split as 5 : 10: the small one is dented twice as deep.
   CHECK(face == doctest::Approx(10 - 1 / 3.0).epsilon(1e-3));
   CHECK(other_face == doctest::Approx(face).epsilon(1e-3));
   for (std::uint32_t i = 0; i < each; ++i) {
@@ -179,7 +180,7 @@ TEST_CASE("a berry that is pressed bulges where it is free") {
 
 namespace {
 
-// A ball of radius 10 with six more about it, their centres so far off.
+// A ball of radius 10 with six more about it, their centres at that distance.
 std::vector<BerryBody> walled_in(float distance) {
   std::vector<BerryBody> bodies = {ball({0, 0, 0}, 10)};
   for (const float side : {-1.0f, 1.0f}) {
@@ -240,7 +241,7 @@ TEST_CASE("raisins fold and cave in unevenly: some of the skin stays, some lies 
   for (std::uint32_t id = 1; id <= 8; ++id) {
     body.id = id;
     const Mesh mesh = mesh_of(press_berries(std::vector{body}, {}, {}), 0);
-    // How rough each octant is.
+    // The roughness of each octant.
     std::array<double, 8> least, most;
     least.fill(99);
     most.fill(0);
@@ -268,7 +269,7 @@ TEST_CASE("raisins fold and cave in unevenly: some of the skin stays, some lies 
 TEST_CASE("bent berries bow sideways, keep their ends and their volume, and intersect no other") {
   const BerryForm straight{-0.2f, 0, Fruit::grape}, bent{-0.2f, 0, Fruit::grape, 1};
   const BerryBody body{{0, 0, 0}, {0, -1, 0}, 8, 19, 0, 3};
-  // How far from the axis the middle of a slice lies, over the half width.
+  // Distance of the middle of a slice from the axis, over the half width.
   const auto bow = [&](const BerryForm& form, double from, double to) {
     const Mesh mesh = mesh_of(press_berries(std::vector{body}, form, {}), 0);
     glm::dvec3 low(99), high(-99);

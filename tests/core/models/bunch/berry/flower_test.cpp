@@ -30,7 +30,7 @@ FlowerPiece piece_of(const FlowerMesh& flower, Kind kind) {
   return {};
 }
 
-// Where a piece lies: the lowest, the highest and the farthest from the axis, in radii of the ovary.
+// The extent of a piece: lowest and highest point, and distance from the axis, in radii of the ovary.
 struct Extent {
   double low = 99, high = -99, wide = 0;
 };

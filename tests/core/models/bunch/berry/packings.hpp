@@ -32,7 +32,7 @@ inline glm::vec3 between_cores(const BerryBody& a, const BerryBody& b) {
   const glm::vec3 u = a.direction * std::max(0.0f, a.half_length - a.half_width);
   const glm::vec3 v = b.direction * std::max(0.0f, b.half_length - b.half_width);
   glm::vec3 best = d;
-  constexpr int steps = 8;  // fine enough for a heap, and plain
+  constexpr int steps = 8;  // accurate enough for a heap
   for (int i = -steps; i <= steps; ++i) {
     for (int j = -steps; j <= steps; ++j) {
       const glm::vec3 way = d + v * (static_cast<float>(j) / steps) - u * (static_cast<float>(i) / steps);
@@ -106,8 +106,7 @@ class Star {
     }
   }
 
-  // How far along its ray from the centre a point lies within the surface; not
-  // above 0 without.
+  // Depth of a point below the surface along its ray from the centre; not above 0 outside.
   double depth(const glm::dvec3& point) const {
     const glm::dvec3 ray = point - centre_;
     const double distance = glm::length(ray);
@@ -131,8 +130,7 @@ class Star {
   double furthest_ = 0;
 };
 
-// How deep corners, middles of edges and of triangles of one mesh lie within
-// the other.
+// Greatest depth of corners, middles of edges and of triangles of one mesh within the other.
 inline double penetration(const Mesh& mesh, const Star& other) {
   double deepest = 0;
   for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {

@@ -33,7 +33,8 @@ std::vector<FoliagePart> parts_of(const Foliage& foliage, PartKind kind) {
   return parts;
 }
 
-// Sound, covered by its parts in order, each part's triangles its own, tubes closed, within the budget.
+// Checks that foliage is sound, its parts cover it in order, share no triangles, tubes are closed, and it is within the
+// budget.
 void check_foliage(const Foliage& foliage, std::uint32_t leaves) {
   check_sound(foliage.mesh);
   std::uint32_t vertex = 0, index = 0;
@@ -86,7 +87,7 @@ TEST_CASE("no foliage grows unless requested; leaves come with the cane") {
   check_foliage(grow_foliage({1, 0, true}), 0);
   check_foliage(grow_foliage({1, 3, false, 100, {0, 0.04f, 0}, 0, flat_leaf()}), 3);
   check_foliage(grow_foliage({1, 500, true, 100, {0, 0.04f, 0}, 0, flat_leaf()}), 5);
-  // Without a leaf to make them from there are none.
+  // There are no leaves without a leaf shape.
   check_foliage(grow_foliage({1, 3, false}), 0);
 }
 
@@ -227,7 +228,7 @@ TEST_CASE("NaN and numbers out of range are clamped") {
 
 TEST_CASE("numbers of a fixed shoot") {
   const Foliage foliage = grow_foliage(ripe);
-  Fingerprint fingerprint;  // changes when foliage is shaped anew, never between toolchains
+  Fingerprint fingerprint;  // the same on all toolchains
   fingerprint.add(std::span<const float>(foliage.mesh.positions));
   fingerprint.add(std::span<const float>(foliage.mesh.normals));
   fingerprint.add(std::span<const float>(foliage.mesh.uvs));

@@ -35,7 +35,7 @@ double mean_up(const Mesh& mesh) {
   return 3 * up / static_cast<double>(mesh.normals.size());
 }
 
-// Whether the flat leaf is seen in its mirror image: a point to its right comes to the left.
+// Whether the leaf is mirrored: a point at the right of the flat leaf is at the left.
 bool is_mirrored(const Mesh& leaf) {
   const auto right = static_cast<std::uint32_t>(1 + (flat_leaf_rings - 1) * (flat_leaf_parts + 1) + 40);
   return leaf.positions[3 * right] < 0;
@@ -163,7 +163,7 @@ TEST_CASE("numbers of a fixed leaf") {
   const LeafNumbers square{
       {0, 0, 0.5f, 0.5f, 0, 1, -0.5f, 0.5f}, {0, 1, 0, 1}, {0, 0, 1, 0, 1, 1, 0, 1}, {0, 1, 2, 0, 2, 3}};
   const Mesh leaf = make_leaf(square.view(), {1});
-  Fingerprint fingerprint;  // changes when leaves are shaped anew, never between toolchains
+  Fingerprint fingerprint;  // the same on all toolchains
   fingerprint.add(std::span<const float>(leaf.positions));
   fingerprint.add(std::span<const float>(leaf.normals));
   fingerprint.add(std::span<const std::uint32_t>(leaf.indices));

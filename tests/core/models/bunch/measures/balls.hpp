@@ -40,7 +40,7 @@ inline Envelope spindle(float half_width, float length, float pixel = 1) {
 
 inline std::vector<HungEnvelope> hung(const Envelope& envelope, float lean = 0) { return {{envelope, lean}}; }
 
-// Places of a cubic lattice that `inside` admits.
+// Points of a cubic lattice that are `inside`.
 template <typename Inside>
 std::vector<glm::vec3> lattice(float spacing, Inside inside) {
   std::vector<glm::vec3> places;

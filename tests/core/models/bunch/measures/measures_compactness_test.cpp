@@ -1,4 +1,4 @@
-// How dense a bunch is.
+// The density of a bunch.
 #include "models/bunch/measures/images/measures_compactness.hpp"
 
 #include <doctest/doctest.h>
@@ -17,7 +17,7 @@ namespace {
 
 bool in_box(const glm::vec3& p) { return std::abs(p.x) < 40 && std::abs(p.z) < 40 && p.y > -150; }
 
-// The note of density of balls, each looked at beside each other: docs/measuring.md in double.
+// The density note of balls from all pairs: docs/measuring.md in double.
 double note_of(const std::vector<glm::vec3>& centres, double radius, double seen) {
   const double d = 2 * radius;
   double gap = 0, contacts = 0, pressed = 0;

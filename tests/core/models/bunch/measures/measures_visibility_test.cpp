@@ -1,4 +1,4 @@
-// Which berries and pedicels are seen.
+// Visible berries and pedicels.
 #include <doctest/doctest.h>
 
 #include "models/bunch/measures/balls.hpp"

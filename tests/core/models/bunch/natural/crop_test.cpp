@@ -36,7 +36,7 @@ CropTarget target_of(float count) {
   return target;
 }
 
-// A rachis with pedicels all round it, far more than there is room for.
+// A rachis with pedicels all round it, more than have room.
 Sprout brush(std::uint32_t flowers) {
   Sprout sprout;
   const Profile profile{300, {{{60, 40}, {60, 40}, {60, 40}, {60, 40}}}};
@@ -97,8 +97,8 @@ TEST_CASE(
   const Crop crop = crop_of(sprout, target);
   const auto lost =
       static_cast<std::size_t>(std::count(crop.swollen.lost.begin(), crop.swollen.lost.end(), RemovalReason::no_room));
-  CHECK(lost > 0);                            // it is a crowd
-  CHECK(crop.fruitlets.size() > 84);          // so others have set
+  CHECK(lost > 0);  // some berries are lost
+  CHECK(crop.fruitlets.size() > 84);  // so stand-ins have set
   CHECK(crop.fruitlets.size() - lost >= 80);  // and found room
   CHECK(crop.fruitlets.size() == setting(crop.set));
   CHECK(crop.berries.size() == crop.fruitlets.size());

@@ -14,7 +14,7 @@ namespace {
 
 constexpr float size = 10;
 
-// Buds evenly at random in a box.
+// Uniformly random buds in a box.
 std::vector<Bud> cloud(std::size_t count, const glm::vec3& box, std::uint64_t seed) {
   std::vector<Bud> buds;
   for (std::size_t i = 0; i < count; ++i) {

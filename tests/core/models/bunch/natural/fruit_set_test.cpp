@@ -11,7 +11,7 @@ using namespace panicle::bunch;
 
 namespace {
 
-// Buds evenly at random in a cube.
+// Uniformly random buds in a cube.
 std::vector<Bud> cloud(std::size_t count, float edge, std::uint64_t seed) {
   std::vector<Bud> buds;
   for (std::size_t i = 0; i < count; ++i) {

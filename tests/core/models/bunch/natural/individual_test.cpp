@@ -1,4 +1,4 @@
-// One seed's bunch unlike the next.
+// Variation between seeds.
 #include "models/bunch/natural/individual.hpp"
 
 #include <doctest/doctest.h>
@@ -60,7 +60,7 @@ std::array<double, 11> ratios_of(std::uint64_t seed) {
   return ratios;
 }
 
-// Pearson's, of two columns.
+// Pearson's correlation of two columns.
 double correlation(const std::vector<std::array<double, 11>>& rows, std::size_t a, std::size_t b) {
   const auto n = static_cast<double>(rows.size());
   double sum_a = 0, sum_b = 0, aa = 0, bb = 0, ab = 0;
@@ -132,7 +132,7 @@ TEST_CASE("a seed changes every profile in the same proportion") {
     CHECK(other.length / profile.length == doctest::Approx(one.length / drawn.length).epsilon(1e-4));
     for (std::size_t i = 0; i < 4; ++i) {
       CHECK(other.sides[i].width >= 0);
-      CHECK((other.sides[i].width < 12.5f) == (profile.sides[i].width < 12.5f));  // a raceme stays one
+      CHECK((other.sides[i].width < 12.5f) == (profile.sides[i].width < 12.5f));  // a raceme stays a raceme
       if (profile.sides[i].width > 40)
         CHECK(other.sides[i].width / profile.sides[i].width ==
               doctest::Approx(one.sides[i].width / drawn.sides[i].width).epsilon(1e-4));

@@ -28,7 +28,7 @@ TEST_CASE("a requested count is met within 3 %, or a note has the reason") {
     if (!near) {
       REQUIRE(bunch.notes.size() == 1);
       CHECK(bunch.notes[0].find("found room") != std::string::npos);
-      // Only of a count that crowds the outline.
+      // Only for counts that crowd the outline.
       BunchRequest densest = natural_request(drawn_profile(seed));
       set(densest, Parameter::density, 9);
       std::vector<std::string> notes;

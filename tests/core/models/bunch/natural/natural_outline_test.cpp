@@ -1,4 +1,4 @@
-// How natural bunches keep to their outline.
+// Natural bunches within their outline.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -40,7 +40,7 @@ TEST_CASE("in flower a bunch has a quarter of a ripe one's triangles") {
     return bunch.surfaces->indices.size() / 3;
   };
   CHECK(triangles(0) < triangles(100) / 4);
-  // As many as are seen: a berry that is small still has more than an ovary.
+  // Segments follow the visible size: a small berry still has more than an ovary.
   CHECK(triangles(12) > triangles(0));
   CHECK(triangles(12) < triangles(100));
 }

@@ -60,7 +60,7 @@ TEST_CASE("axes bring their berries to the outline, and none is longer than that
         CHECK(row.profile().sides[round.nearest()].width < 12.5f);
         continue;
       }
-      if (plan.length - static_cast<float>(k + 1) * plan.spacing < 0.4f * plan.length) break;  // nodes draw together
+      if (plan.length - static_cast<float>(k + 1) * plan.spacing < 0.4f * plan.length) break;  // nodes get closer
       const float depth = static_cast<float>(k + 1) * plan.spacing;
       const SinCos way = sincos_degrees(plan.aim[k]);
       // The axis and a twig go straight on; the pedicel and most of its berry hang.

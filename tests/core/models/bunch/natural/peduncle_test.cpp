@@ -1,4 +1,4 @@
-// The stalk that bunches hang from.
+// The peduncle: the stalk that bunches hang from.
 #include "models/bunch/natural/peduncle.hpp"
 
 #include <doctest/doctest.h>
@@ -61,7 +61,7 @@ TEST_CASE(
     // Nearly straight: hardly longer than its ends are apart.
     std::vector<Internode> alone(internodes.begin(), internodes.begin() + moved);
     CHECK(length_to_first_branch(alone) < 1.02f * glm::length(internodes[0].start));
-    // Stoutest where it leaves the cane and at its node.
+    // Thickest where it leaves the cane and at its node.
     CHECK(internodes[0].radius > 1.3f * internodes[end].radius_end);
     float node = 0, beside = 1;
     for (std::size_t i = 1; i < end; ++i) {

@@ -83,7 +83,7 @@ TEST_CASE("axes grow up against their load: ripe, their berries hang where the t
   const std::vector<Branch> branches = level_axis(0.9f);
   const std::vector<Swelling> berries{berry_on(1), berry_on(2)};
   Sagging sagging(branches, berries);
-  // Where the ends of the axis's two parts are, in the mean.
+  // The mean of the ends of the axis's two parts.
   const auto mean = [&](float size) {
     const auto turned = sagging.turned(size);
     const glm::vec3 first = turned[1] * (branches[1].end - branches[1].start);

@@ -32,7 +32,7 @@ bool goes_on(const GrownBunch& bunch, std::size_t i) {
          bunch.internodes[static_cast<std::size_t>(one.parent)].kind == Kind::end;
 }
 
-// How many axes of second order there are on each first-order axis, by its number.
+// Number of axes of second order on each first-order axis, by its number.
 std::vector<int> laterals(const GrownBunch& bunch) {
   std::vector<int> counts;
   for (std::size_t i = 0; i < bunch.internodes.size(); ++i) {

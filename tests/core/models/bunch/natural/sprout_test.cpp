@@ -42,7 +42,7 @@ TEST_CASE("a second bunch as large as the first is another bunch, not its twin")
   for (std::size_t i = 0; i < common; ++i) alike += std::abs(bunches[0][i] - bunches[1][i]) < 1e-3f;
   CHECK(alike < common / 2);
   const auto first = lengths(sprouted(natural_request(table3[2].profile())));
-  CHECK(bunches[0] == first[0]);  // which the second leaves as it was
+  CHECK(bunches[0] == first[0]);  // unchanged by the second bunch
 }
 
 TEST_CASE("stems are in millimetres at both their ends, at any scale") {

@@ -72,7 +72,7 @@ TEST_CASE("fingers part by their sides, not by their middles") {
 TEST_CASE("a loaded branch gives way, a stiff one does not") {
   for (const float give : {0.0f, 0.8f}) {
     const std::vector<Branch> branches{{{0, 0, 0}, {0, -60, 0}, -1, 2, 0}, {{0, -60, 0}, {30, -60, 0}, 0, 1, give}};
-    // Two berries on two branches want one place: one presses the other down.
+    // Two berries on two branches hang at one place: one presses the other down.
     const std::vector<Branch> all{branches[0], branches[1], {{0, -60, 0}, {30, -64, 0}, 0, 1, give}};
     const std::vector<Swelling> berries{berry_at(1, {0, -1, 0}, 12), berry_at(2, {0, -1, 0}, 12)};
     const Swollen bent = swell(all, berries, roomy, ripe);
@@ -215,7 +215,7 @@ TEST_CASE("a branch stays where berries have pushed it: farther for a larger `gi
     const std::vector<Branch> branches{{{0, 0, 0}, {0, -60, 0}, -1, 2, 0},
                                        {{0, -60, 0}, {30, -60, 0}, 0, 1, give},
                                        {{26, -60, 1}, {26, -100, 1}, -1, 2, 0}};
-    // Its berry hangs where a stiff stem stands.
+    // Its berry hangs at a stiff stem.
     Swelling berry = berry_at(1, glm::normalize(glm::vec3(-0.2f, -1, 0)), 12);
     const Swollen bent = swell(branches, std::vector<Swelling>{berry}, roomy, ripe);
     moved.push_back(glm::length(bent.ends[1] - branches[1].end));

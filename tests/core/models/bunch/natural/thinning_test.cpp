@@ -16,8 +16,7 @@ TEST_CASE(
     "pressed of a neighbourhood") {
   const std::vector<SwollenSize> sizes(4, ball);
   CHECK(crowded_out(std::vector<PressedPair>{{0, 1, 2}, {1, 2, 2}}, sizes).empty());
-  // Caps half a radius high take 16 % of a ball's volume: one such contact may
-  // be, two may not.
+  // Caps half a radius high take 16 % of a ball's volume: one such contact is allowed, two are not.
   const std::vector<PressedPair> row{{0, 1, 4}, {1, 2, 4}, {2, 3, -1}};
   CHECK(crowded_out(row, sizes) == std::vector<std::uint32_t>{1});
   CHECK(crowded_out(std::vector<PressedPair>{{0, 1, 4}}, sizes).empty());

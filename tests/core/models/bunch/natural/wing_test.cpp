@@ -102,7 +102,7 @@ TEST_CASE("a wing of any shape hangs on its side, and OIV 209 counts it") {
     CHECK(out[side] > 0.02f);
     CHECK(std::abs(side < 2 ? middle.z : middle.x) < 0.01f);
     CHECK(one.measures[wings] == without + 1);
-    // Its outline hangs where it does.
+    // Its outline hangs at the same place.
     CHECK(one.measures[coverage] > 0.85f);
     CHECK(one.measures[spill] < 0.04f);
   }

@@ -1,4 +1,4 @@
-// How trunks stand on the ground, and roots under their stems.
+// The root flare: the foot of trunks on the ground, and of roots under their stems.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ struct Stand {
   float lowest = 1e9f, widest = 0, narrowest = 1e9f;
 };
 
-// How wide a tree's wood is on the ground, out from the foot.
+// Width of a tree's wood on the ground, out from the foot.
 Stand stand_of(const Plant& plant) {
   Stand stand;
   const std::vector<float>& at = plant.meshes[0].mesh.positions;
