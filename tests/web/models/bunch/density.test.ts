@@ -24,7 +24,7 @@ const byDensity = presetsInRun()
 	.filter(({ parameters }) => !parameters.count);
 
 it.each(byDensity.map((specimen) => [specimen.preset, specimen] as const))(
-	"%s is as dense as it says",
+	"%s has the density of its parameter",
 	(_, specimen) => {
 		for (const seed of [1, 2, 3, 4, 5])
 			expect(Math.abs(off({ ...specimen, seed })), `seed ${seed}`).toBeLessThan(AGREE);
@@ -56,7 +56,7 @@ it("any profile is", () => {
 		expect(Math.abs(off(withParameters(one, parameters))), JSON.stringify(parameters)).toBeLessThan(AGREE);
 });
 
-it("neither hand nor age changes which flowers set for it", () => {
+it("thinning by hand and age do not change which flowers set", () => {
 	const specimen = withParameters(specimenFromPreset("merlot"), { wing: 0 });
 	const ids = [...grow(specimen).berries.ids];
 	expect([...grow(thin(specimen, ids[3])).berries.ids]).toEqual(ids.filter((id) => id !== ids[3]));

@@ -38,10 +38,10 @@ function lastString(specimen: Specimen): TraceEntry[] {
 const words = ({ answer }: TraceEntry) => answer?.words ?? "";
 const withWords = (modules: TraceEntry[], pattern: RegExp) => modules.filter((each) => pattern.test(words(each)));
 
-describe("the paper's bunch, told", () => {
+describe("the trace of the paper's bunch", () => {
 	const crowded = () => withParameters(specimenFromPreset("cylindrical", 1), { rmin: 30, rmax: 40 });
 
-	it("says of each pedicel whether its berry found room, and of each internode whether it was cut", () => {
+	it("shows for each pedicel whether its berry found room, and for each internode whether it was cut", () => {
 		const specimen = crowded();
 		const { counts } = growBunch(core, specimen, bare);
 		const modules = lastString(specimen);
@@ -53,7 +53,7 @@ describe("the paper's bunch, told", () => {
 		expect(withWords(queries, /there is room/)).toHaveLength(counts.internodes - counts.withered);
 	});
 
-	it("tells the production that drew each answer, with what it was answered", () => {
+	it("shows the production that drew each query, with its response", () => {
 		const modules = lastString(crowded());
 		const withered = withWords(modules, /withers$/);
 		const set = withWords(modules, /there is room/).filter(({ text }) => text.startsWith("?E(1"));
@@ -67,7 +67,7 @@ describe("the paper's bunch, told", () => {
 		for (const { answer } of withered) expect(answer?.answered[3]).toBe("10");
 	});
 
-	it("names what stands in the way, which is there", () => {
+	it("names the existing obstacle", () => {
 		const specimen = crowded();
 		const { berries, trace } = growTraced(specimen);
 		const modules = lastString(specimen);
@@ -87,7 +87,7 @@ describe("the paper's bunch, told", () => {
 		}
 	});
 
-	it("tells how far what found room had to turn for it, and from what", () => {
+	it("shows how far internodes with room were turned, and from which direction", () => {
 		const turned = withWords(lastString(specimenFromPreset("long-conical", 1)), /^there is room after/);
 		expect(turned.length).toBeGreaterThan(2);
 		for (const module of turned)
@@ -96,7 +96,7 @@ describe("the paper's bunch, told", () => {
 			);
 	});
 
-	it("says nothing of a second bunch, and who it is that stands in the way", () => {
+	it("omits a second bunch, and the names of obstacles in it", () => {
 		const specimen = withParameters(crowded(), { wing: 0.7 });
 		const { internodes, trace, counts } = growTraced(specimen);
 		const drawn = trace.segments.filter((module) => module !== NOT_DRAWN);
@@ -107,8 +107,8 @@ describe("the paper's bunch, told", () => {
 	});
 });
 
-describe("the natural bunch, told", () => {
-	it("is the same bunch, and says what became of each flower", () => {
+describe("the trace of the natural bunch", () => {
+	it("leaves the bunch unchanged, and shows the outcome of each flower", () => {
 		const specimen = specimenFromPreset("long-conical");
 		const plain = growBunch(core, specimen, bare);
 		const modules = lastString(specimen);
@@ -124,7 +124,7 @@ describe("the natural bunch, told", () => {
 		expect(withWords(lastString(thinned), /by hand/)).toHaveLength(1);
 	});
 
-	it("knows which modules drew what hangs there", () => {
+	it("names the modules that drew berries and internodes", () => {
 		for (const name of ["long-conical", "riesling"]) {
 			const specimen = specimenFromPreset(name);
 			const { trace, internodes, berries } = growTraced(specimen);
@@ -137,7 +137,7 @@ describe("the natural bunch, told", () => {
 		}
 	});
 
-	it("grows to a step alone where that is asked for", () => {
+	it("grows up to a given step only", () => {
 		const specimen = specimenFromPreset("long-conical");
 		const three = growBunch(core, specimen, { ...bare, steps: 3, trace: { step: LAST } });
 		expect(three.trace?.step).toBe(3);

@@ -37,7 +37,7 @@ describe("growing", () => {
 		expect(Buffer.compare((await freshCore()).grow(request).columns.bytes, first)).toBe(0);
 	});
 
-	it("tells seeds and parameters apart", () => {
+	it("differs by seeds and parameters", () => {
 		const prints = [
 			specimenFromPreset(),
 			{ ...specimenFromPreset(), seed: 2 },
@@ -50,7 +50,7 @@ describe("growing", () => {
 		for (const print of prints) expect(print).toMatch(/^[0-9a-f]{16}$/);
 	});
 
-	it.each(PROCEDURES)("tells of every vertex how much of the sky it sees, by procedure=%s", (_, start) => {
+	it.each(PROCEDURES)("gives the sky visibility of every vertex, by procedure=%s", (_, start) => {
 		const specimen = withParameters(start(), { leaves: 2 });
 		const { berries, surfaces, berry, stem, foliage } = grow(specimen, true);
 		const skin = surfaces ?? berry;
@@ -92,12 +92,12 @@ describe("growing", () => {
 			});
 		});
 
-		it("says nothing about a specimen that is in range", () => {
+		it("adds no notes to a specimen that is in range", () => {
 			for (const { name } of PRESETS) expect(grow(start(name)).notes).toEqual([]);
 		});
 	});
 
-	it("bears a berry or withers on every pedicel of the paper's procedure", () => {
+	it("grows a berry or withers on every pedicel of the paper's procedure", () => {
 		for (const { name } of PRESETS) {
 			const { counts, plan, thinned } = grow(paper(name));
 			expect(counts.berries + counts.withered).toBe(counts.pedicels);
@@ -144,7 +144,7 @@ describe("growing", () => {
 });
 
 describe("meshes", () => {
-	it.each(PROCEDURES)("of procedure=%s come only when asked for, and change nothing else", (procedure, start) => {
+	it.each(PROCEDURES)("of procedure=%s exist only if requested, and change nothing else", (procedure, start) => {
 		const bare = grow(start());
 		expect([bare.stem, bare.berry, bare.surfaces, bare.meshFingerprint]).toEqual(Array(4).fill(undefined));
 		const { stem, berry, surfaces, meshFingerprint, ...rest } = grow(start(), true);
@@ -176,7 +176,7 @@ describe("meshes", () => {
 		expect(stem?.internode.length).toBe(vertex);
 	});
 
-	it("are as fine as asked for", () => {
+	it("have the requested resolution", () => {
 		const vertices = (stemSides: number, berrySegments: number) => {
 			const grown = growBunch(core, paper(), { stemSides, berrySegments });
 			return [grown.stem?.positions.length ?? 0, grown.berry?.positions.length ?? 0];

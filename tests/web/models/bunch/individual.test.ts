@@ -40,7 +40,7 @@ describe.each(presetsInRun(({ kind }) => kind !== "fruit"))("%s", (preset) => {
 		expect(Math.abs(spread(varied, "bunch_length").mean / spread(even, "bunch_length").mean - 1)).toBeLessThan(0.03);
 	});
 
-	it("spreads as bunches of one variety do; what is thinned to a count, in its form alone", () => {
+	it("varies like bunches of one variety; bunches with a fixed count vary in form only", () => {
 		const counted = specimenFromPreset(preset).parameters.count > 0;
 		expect(spread(even, "bunch_length").variation).toBeLessThan(0.04);
 		expect(spread(varied, "bunch_length").variation).toBeGreaterThan(0.1);
@@ -58,7 +58,7 @@ describe.each(presetsInRun(({ kind }) => kind !== "fruit"))("%s", (preset) => {
 	});
 });
 
-it("says whose outline it fills: the handles' without variability and for seed 1, else the seed's", () => {
+it("gives the outline that it fills: the handles' without variability and for seed 1, else the seed's", () => {
 	const { parameters } = specimenFromPreset("riesling");
 	const profileOf = (seed: number, variability: number) => bunch("riesling", seed, variability).profile;
 	expect(parameters).toMatchObject({ ...profileOf(1, 1) });
@@ -74,14 +74,14 @@ it("says whose outline it fills: the handles' without variability and for seed 1
 	expect(document.plan.sides[1].w).toBe(parameters.p4w);
 });
 
-it("the paper's procedure knows nothing of it", () => {
+it("the paper's procedure ignores variability", () => {
 	const paper = withParameters(specimenFromPreset("riesling"), { procedure: 0, variability: 1, peduncle: 80 });
 	const fingerprint = (specimen: typeof paper) => growBunch(core, specimen, { meshes: false }).fingerprint;
 	expect(fingerprint(paper)).toBe(fingerprint(withParameters(paper, { variability: 0, peduncle: 0, wing_side: 2 })));
 	expect(growBunch(core, paper, { meshes: false }).profile).toBeUndefined();
 });
 
-it("berries differ in width as the parameter's help says", () => {
+it("berries vary in width as the parameter's help describes", () => {
 	const stated =
 		/(\d+) measures about (\d+) %, (\d+) about (\d+) %/
 			.exec(entryOf("spread")?.help ?? "")

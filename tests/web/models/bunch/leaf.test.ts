@@ -31,7 +31,7 @@ describe("the leaf on the cane", () => {
 		expect(requestOf(leafy).has("leaf.points")).toBe(false);
 	});
 
-	it("where it did not come, the cane stands bare and a note says so", () => {
+	it("leaves the cane bare, with a note, if it could not be fetched", () => {
 		const { foliage, notes } = growBunch(core, leafy);
 		expect(foliage?.parts.map(({ kind }) => kind)).toEqual(["cane"]);
 		expect(notes).toEqual([expect.stringMatching(/^The cane has no leaves/)]);
@@ -112,7 +112,7 @@ describe("a leaf's material", () => {
 		for (let k = 0; k < 3; k++) expect(textured[k] / painted[k]).toBeCloseTo(1, 1);
 	});
 
-	it("is in files what it is in view: one material with the picture for all leaves", async () => {
+	it("is the same in files as in view: one material with the texture for all leaves", async () => {
 		await model.prepare(leafy);
 		const document = documentOf(await bunchGlb(growBunch(core, leafy), leafy));
 		const leaf = document.materials?.filter(({ name }) => name === "Leaf");

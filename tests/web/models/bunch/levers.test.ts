@@ -23,7 +23,7 @@ describe("the levers of a bunch", () => {
 	it.each([
 		["natural", specimenFromPreset()],
 		["paper", paper],
-	])("are there for all that can be asked of a %s one, and for nothing else", async (_, specimen) => {
+	])("exist for every possible target of a %s one, and for nothing else", async (_, specimen) => {
 		const keys = bunchTargets.measures(specimen);
 		expect(Object.keys((await bunchTargets.levers())(specimen, keys)).sort()).toEqual([...keys].sort());
 		for (const key of keys) expect(MEASURE_KEYS).toContain(key);
@@ -52,7 +52,7 @@ describe("the levers of a bunch", () => {
 		expect(wide.parameters).toMatchObject({ l: flat.parameters.l, unit: flat.parameters.unit });
 	});
 
-	it("leave the outline to what is asked of it", () => {
+	it("keep the outline for targets of the outline", () => {
 		const from = specimenFromPreset("riesling");
 		const lead = (requested: MeasureKey[]) => {
 			const [lever] = leversOf(from, requested).bunch_weight;

@@ -25,7 +25,7 @@ describe("the table", () => {
 });
 
 describe("measureOf", () => {
-	it("reads by key; NaN where nothing was measured", () => {
+	it("reads by key; returns NaN without measures", () => {
 		const measures = new Float32Array(MEASURE_KEYS.length);
 		measures[MEASURE_KEYS.indexOf("bunch_weight")] = 320;
 		expect(measureOf(measures, "bunch_weight")).toBe(320);

@@ -22,7 +22,7 @@ it("the names of choices are those of the table", () => {
 });
 
 describe("a natural bunch", () => {
-	it("says whose berries it has, and their form", () => {
+	it("gives the fruit of its berries, and their form", () => {
 		for (const { name } of PRESETS.filter(({ kind }) => kind === "fruit")) {
 			const { parameters } = specimenFromPreset(name);
 			const { form } = growBunch(core, specimenFromPreset(name), { meshes: false });
@@ -56,7 +56,7 @@ describe("a natural bunch", () => {
 		expect(Math.max(...surfaces.pressed)).toBeGreaterThan(0);
 	});
 
-	it("does without the berry that was taken off by hand, says so, and keeps the others' ids", () => {
+	it("omits the berry that was removed by hand, lists it, and keeps the others' ids", () => {
 		const whole = grow(small());
 		const [id] = whole.berries.ids;
 		const { berries, thinned } = grow(thin(small(), id));
@@ -72,7 +72,7 @@ describe("a natural bunch", () => {
 		expect(grow(odd).fingerprint).toBe(grow(small()).fingerprint);
 	});
 
-	it("measures only when asked", () => {
+	it("computes measures only on request", () => {
 		expect(growBunch(core, small(), { measures: false }).measures).toBeUndefined();
 		expect(growBunch(core, small(), { meshes: false }).fingerprint).toBe(grow(small()).fingerprint);
 	});

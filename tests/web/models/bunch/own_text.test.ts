@@ -8,7 +8,7 @@ import { freshCore } from "../../core/wasm";
 
 const STALK = "The stalk above the bunch is not the grammar's: Peduncle says how long it is, and 0 takes it away.";
 
-it("say that its stalk is the panel's, where there is one", async () => {
+it("explain that the panel controls its stalk, if it has one", async () => {
 	const core = await freshCore();
 	const notesOf = (specimen: Specimen) =>
 		model.read(core.grow(model.encode(specimen, { meshes: false })), specimen).notes;

@@ -12,7 +12,7 @@ const parameter = (specimen: Specimen, key: NumberKey) =>
 	columns(specimen).floats("parameters")[NUMBER_KEYS.indexOf(key)];
 
 describe("a request", () => {
-	it("names its model, its seed and what it wants", () => {
+	it("contains its model, its seed and its outputs", () => {
 		const fine = { meshes: false, measures: false, stemSides: 7, berrySegments: 20 };
 		const request = columns({ ...specimenFromPreset(), seed: 0xfffffffe }, fine);
 		expect(request.text("model")).toBe("bunch");

@@ -28,14 +28,14 @@ const records = (text: string) => {
 };
 
 describe("the CSV of berries", () => {
-	it("has one header row and one row a berry, each as long, with CRLF after every one and nothing before", () => {
+	it("has one header row and one row per berry, all of equal length, each ending with CRLF", () => {
 		const text = berriesCsv(grown, specimen);
 		expect(text.startsWith("preset,seed,berry,id,x_mm,y_mm,z_mm,width_mm,length_mm,")).toBe(true);
 		expect(text.split("\r\n")).toHaveLength(grown.berries.count + 2);
 		expect(new Set(parse(text).map((row) => row.length)).size).toBe(1);
 	});
 
-	it("says in millimetres what the growth says in metres, for any growth", () => {
+	it("gives the growth's metres in millimetres, for any growth", () => {
 		fc.assert(
 			fc.property(arbitrary.sketch, fc.boolean(), (sketch, natural) => {
 				const any = natural ? makeNatural(sketch) : makeGrown(sketch);
@@ -91,11 +91,11 @@ describe("the CSV of measures", () => {
 		expect([oiv, note, value, class_words]).toEqual(["225", String(found.note), String(found.note), found.words]);
 	});
 
-	it("is a header alone where none were asked for", () => {
+	it("has only a header without measures", () => {
 		expect(parse(measuresCsv({ ...grown, measures: undefined }, specimen))).toHaveLength(1);
 	});
 
-	it("quotes what would end a cell", () => {
+	it("quotes characters that would end a cell", () => {
 		const odd = sampleSpecimen({ preset: 'a "b", c' });
 		expect(berriesCsv(grown, odd)).toContain('"a ""b"", c",1,1,');
 		expect(records(berriesCsv(grown, odd))[0].preset).toBe('a "b", c');

@@ -40,7 +40,7 @@ it("every variety is looked after", () => {
 	expect(Object.keys(KNOWN).sort()).toEqual(varieties.sort());
 });
 
-it.each(Object.entries(KNOWN))("%s weighs and counts what it should", (name, known) => {
+it.each(Object.entries(KNOWN))("%s has the documented weight and count", (name, known) => {
 	const even = withParameters(specimenFromPreset(name), { variability: 0 });
 	const bunches = SEEDS.map((seed) => growBunch(core, { ...even, seed }, { meshes: false }));
 	const mean = (key: MeasureKey) => {

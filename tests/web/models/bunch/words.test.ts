@@ -9,7 +9,7 @@ const berries = (count: number) => {
 	return { procedure: "natural", counts: { berries: count }, berries: { count: 2, spheres } } as BunchPlant;
 };
 
-it("says a bunch in plain words, in the units of a ruler", () => {
+it("summarises a bunch in words, in everyday units", () => {
 	const conical = specimenFromPreset("long-conical");
 	expect(bunchInWords(berries(73), conical)).toBe("73 berries, 22 cm long");
 	expect(bunchInWords(berries(1), conical)).toBe("1 berry, 22 cm long");

@@ -27,7 +27,7 @@ describe("the life of a flower and of a tree", () => {
 		for (const stage of stages) expect(stageOf({ stages } as typeof LIFE, stage.at)).toBe(stage);
 	});
 
-	it("is told where the text says anything of age, in a word or in colours; elsewhere the panel has its slider", async () => {
+	it("is shown if the text depends on age, by its name or in colours; otherwise the panel has its slider", async () => {
 		await fetchTexts();
 		const deaf = PRESETS.filter(({ name }) => !usesAge(fromPreset(flower, name))).map(({ name }) => name);
 		expect(deaf).toEqual(["figure-16", "petal", "table-3"]);
@@ -73,7 +73,7 @@ describe("a flower that lives", () => {
 		};
 	});
 
-	it("is played whole where it stands open, in steps that its link holds, and on from where else it stands", () => {
+	it("is played from the start if it is open, in steps that its link can hold, and otherwise from its age on", () => {
 		const seen = play();
 		expect(seen[0]).toBe(0);
 		expect(age()).toBe(2);

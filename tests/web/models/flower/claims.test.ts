@@ -38,7 +38,7 @@ describe("a text without a name", () => {
 		expect(claims(read.text)).toBe(true);
 	});
 
-	it("is none where nothing says what a flower begins with, or all that does", () => {
+	it("is not a flower's without an axiom or without a flower's own statements", () => {
 		expect(claims("#define A(4,0,0,0,1,1,1,1)\naxiom: A\nA --> A[A]_{E}")).toBe(false);
 		expect(claims("#define STEP(x) x*2\n#define r 0.5\n#axiom: A\nA --> F[+A]F")).toBe(false);
 	});

@@ -23,7 +23,7 @@ const grow = (specimen: FlowerSpecimen, options?: FlowerRequestOptions): FlowerP
 	readFlowerPlant(core.grow(model.encode(specimen, options)));
 
 describe("a flower", () => {
-	it("has no note but on what stands unsewn, and on readings of what is printed, for every preset", () => {
+	it("has notes only about unsewn volumes and about readings of the printed grammars, for every preset", () => {
 		const allowed = /sewn to nothing|ten numbers|without numbers|becomes BASE/;
 		for (const { name } of model.presets.list) {
 			const { notes, counts } = grow(fromPreset(model, name), { meshes: false, map: false });
@@ -56,7 +56,7 @@ describe("a flower", () => {
 		expect(refused).toEqual([]);
 	});
 
-	it("is one map where its organs have as many sides as what bears them: all of a tulip by choices but its blades", () => {
+	it("is one connected map if organs have as many sides as their parents: all of a designed tulip but its blades", () => {
 		const { volumes } = grow(fromPreset(model, "designed-tulip"), { meshes: false });
 		const name = (volume: number) => volumes.labels[volumes.label[volume]];
 		const apart = [...volumes.attached.keys()].filter((volume) => volumes.attached[volume] === 1);
@@ -84,7 +84,7 @@ describe("a flower", () => {
 		expect(notes.join(" ")).not.toContain("never came about");
 	});
 
-	it("has the same measures, counts and notes where no meshes are asked for", () => {
+	it("has the same measures, counts and notes without meshes", () => {
 		const specimen = {
 			...fromPreset(model, "figure-16"),
 			grammar: "#define A(6,0,0,0,9,3,3,300)\n#axiom: A\nA -> A[A]_{E}",
@@ -96,7 +96,7 @@ describe("a flower", () => {
 		expect(without.notes?.join()).toContain("Line 1: A has m 300");
 	});
 
-	it("tells its map in the JSON document, whose αs are involutions as they must be", () => {
+	it("has its map in the JSON document, with involutions as αs", () => {
 		const specimen = fromPreset(model, "petal");
 		const grown = grow(specimen);
 		const {
@@ -147,7 +147,7 @@ describe("a flower", () => {
 		}
 	});
 
-	it("tells what stands attached, which is sewn to nothing", () => {
+	it("lists attached volumes, which are not sewn to their face", () => {
 		const grammar =
 			"#define A(6,0,0,0,9,3,3,1)\n#define B(5)\n#define C(4)\n#axiom: A\n#define finalStep=1\nA -> A[B]_{E,C2}[C]_{C4}";
 		const specimen = { ...fromPreset(model), grammar };
@@ -156,7 +156,7 @@ describe("a flower", () => {
 		for (const v of attached) expect(alpha[3][volume.indexOf(v)]).toBe(volume.indexOf(v));
 	});
 
-	it("has all segments on one first one, each behind the one that bears it, where volumes split, too", () => {
+	it("has one root segment and every other segment behind its parent, including split volumes", () => {
 		const grammar = "#define A(4,0,0,0,8,2,2,1)\n#axiom: A\n#define finalStep=3\nA -E-> A A";
 		const { segments } = grow({ ...fromPreset(model), grammar }, { meshes: false });
 		const parents = [...segments.parent];
@@ -176,7 +176,7 @@ describe("a flower", () => {
 		}
 	});
 
-	it("has another fingerprint where nothing but its petals is wider", () => {
+	it("has another fingerprint if only its petals are wider", () => {
 		const tulip = fromPreset(model, "tulip");
 		const text = fetchedText(tulip) ?? "";
 		const print = (grammar: string) => grow({ ...tulip, grammar }, { meshes: false, map: false }).fingerprint;
@@ -212,7 +212,7 @@ describe("a flower", () => {
 		expect([...met.values()].filter((left) => left !== 0)).toEqual([]);
 	});
 
-	it("goes from the colour of an organ's foot to that of its tip, as the text says", () => {
+	it("blends from the colour of an organ's foot to that of its tip, as in the text", () => {
 		const text = '#define A(4,0,0,0,5,5,5,3)\n#axiom: A\nA -> A[A]_{E}\n#material 3 petal "ff0000" "0000ff"';
 		const [{ name, shape }] = [...model.parts(grow({ ...fromPreset(model), grammar: text }))];
 		expect(name).toBe("Petal");

@@ -16,4 +16,4 @@ it.each([
 	["N", "sides"],
 	["H", "height, mm"],
 	["atx", "turn about x, °"],
-])("%s is told as “%s”", (name, words) => expect(describeNumber(TEXT, name)).toBe(words));
+])("%s is described as “%s”", (name, words) => expect(describeNumber(TEXT, name)).toBe(words));

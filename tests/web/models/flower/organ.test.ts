@@ -41,7 +41,7 @@ describe("the organ of a volume", () => {
 		of = (name) => [...label.keys()].filter((volume) => labels[label[volume]] === name);
 	});
 
-	it("is one call of its module, another for each face, and all of it wherever it is asked for", () => {
+	it("is one call of its module, another for each face, and the same for each of its volumes", () => {
 		const organs = of("X1").map((volume) => organOf(plant.volumes, volume));
 		const names = new Set(organs.map(({ volumes }) => [...volumes].join()));
 		expect(names.size).toBe(6);
@@ -57,7 +57,7 @@ describe("the organ of a volume", () => {
 		expect(own.segment).toBe(its.segment + 1);
 	});
 
-	it("is called as its material says, and told by its module's name, not by one in a comment", () => {
+	it("is named by its material and by its module, ignoring comments", () => {
 		const [blade, hair] = [of("X1")[0], of("X2")[0]];
 		expect(titleOfVolume(plant, blade)).toBe("Petal, upper epidermis");
 		expect(titleOfVolume(plant, hair)).toBe("Tepal, mesophyll");

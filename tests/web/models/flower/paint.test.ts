@@ -63,7 +63,7 @@ describe("the paint of organs", () => {
 		}
 	});
 
-	it("goes from foot to tip, to a margin, and has as many veins as the text says", () => {
+	it("blends from foot to tip and to a margin, and has the text's number of veins", () => {
 		expect(colourAt(PLAIN, 0, 0)).toEqual([1, 0, 0]);
 		expect(colourAt(PLAIN, 0.5, 0)).toEqual([0, 0, 1]);
 		const edged = { ...PLAIN, margin: { colour: [0, 1, 0] as Paint["base"], width: 0.2 } };
@@ -81,7 +81,7 @@ describe("the paint of organs", () => {
 		expect(blues[0]).toBe(0);
 	});
 
-	it("has veins that leave a rib where the text says that they are feathered", () => {
+	it("has veins that branch off a rib if feathered", () => {
 		const veins = { colour: [0, 0, 0] as Paint["base"], count: 6, strength: 1, feathered: true };
 		const blue = (u: number, v: number) => colourAt({ ...PLAIN, base: PLAIN.tip, veins }, u, v)[2];
 		for (const u of [0.03, 0.3, 0.6]) expect(blue(u, 0)).toBe(0);
@@ -112,7 +112,7 @@ describe("the paint of organs", () => {
 		expect(pictureOf({ ...PLAIN, foot: 0.3 }).picture).not.toBe(pictureOf(PLAIN).picture);
 	});
 
-	it("is called what the text calls it, in a file too: three layers are three primitives", async () => {
+	it("has the text's name, in files too: three layers are three primitives", async () => {
 		await model.prepare(fromPreset(model));
 		expect(parts('petal "ff0000" name "upper epidermis"').map(({ name }) => name)).toEqual(["Upper epidermis"]);
 		expect(parts('petal "ff0000"').map(({ name }) => name)).toEqual(["Petal"]);
@@ -158,7 +158,7 @@ describe("the paint of organs", () => {
 		}
 	});
 
-	it("lets light through petals, and as much as the text says", () => {
+	it("transmits light through petals, as much as in the text", () => {
 		const through = (material: string) => parts(material)[0].shape?.material.sheet?.through[0];
 		expect(through('petal "ff0000" light 0.8')).toBeCloseTo(2 * (through('petal "ff0000" light 0.4') ?? 0));
 		expect(through('petal "ff0000"')).toBeGreaterThan(through('leaf "00ff00"') ?? 0);
@@ -188,7 +188,7 @@ describe("the paint of organs", () => {
 		expect(materials[0].extensions).toHaveProperty("KHR_materials_diffuse_transmission");
 	});
 
-	it("reads what the core says of it", () => {
+	it("is read from the core's columns", () => {
 		const [paint] = paintsOf(
 			Uint32Array.of(0xff0000, 0x0000ff, 0xffffff, 0x000000),
 			Float32Array.of(0.5, 0.25, 7, 0.5, 1, 1),

@@ -33,7 +33,7 @@ const linesOf = (text: string, origin: Parameters<typeof numberGroupsOf>[1]) =>
 		return `${title}: ${tokens.map(({ name, text: written }) => `${name} ${written}`).join(", ")}`;
 	});
 
-describe("what a text says of a volume", () => {
+describe("numbers of a text that define a volume", () => {
 	it("is figures of its definition, of where it grows, and of variables; no sums", () => {
 		expect(named({ label: "STEM", module: 0, line: 4, call: 0 })).toEqual({
 			"Every STEM": ["N 12", "atx 0", "aty -3.5", "atz 0", "H 20", "L 7", "m 1"],
@@ -50,7 +50,7 @@ describe("what a text says of a volume", () => {
 		});
 	});
 
-	it("is nothing of a definition that every growth gives otherwise", () => {
+	it("excludes a definition's numbers that every production overrides", () => {
 		const text = (more: string) => `#define STEM(4,0,0,0,9,3,3,1)
 #define LOBE(4,0,0,0,1,2,3,4)
 #axiom: STEM
@@ -112,7 +112,7 @@ A -> A[&A(,7)]_{C3}
 		expect(linesOf(text, { label: "A", module: 0, line: 5, call: 0 })).toHaveLength(1);
 	});
 
-	it("is what may have grown on its face where one line grows or calls one thing twice", () => {
+	it("lists what may have grown on its face if one line grows or calls one name twice", () => {
 		const text = `#define A(8,1,0,0,0,1,1,1,1)
 #axiom: A
 A -> A[A(,,5)]_{E}[A(,,7)]C1,C2
@@ -143,7 +143,7 @@ A -> A[A(,,2,3,,,7,8)]_{E}[A(,,9,,,,,,,6)]_{C1}`;
 		]);
 	});
 
-	it("is read in the form of what the module begins with where that is called", () => {
+	it("uses the form of the module's axiom in calls", () => {
 		const text = `#define S(4)
 #axiom: S
 S -> S[&M(,5)]_{E}
@@ -169,14 +169,14 @@ A -> A[A(,,5)]_{E}
 		]);
 	});
 
-	it("is nothing of what the text does not have", () => {
+	it("is empty for names that the text does not have", () => {
 		expect(numberGroupsOf("", { label: "A", module: 3, line: 9, call: 9 })).toEqual([]);
 		expect(numberGroupsOf("#define A(", { label: "A", module: 0, line: 1, call: 0 })).toEqual([]);
 	});
 });
 
 describe("how far a figure is slid", () => {
-	it("is as far as what it says goes", () => {
+	it("depends on the number's name", () => {
 		expect(rangeFor("N", 6)).toMatchObject({ min: 3, max: 24, step: 1 });
 		expect(rangeFor("atx", -20)).toMatchObject({ min: -90, max: 90, step: 1 });
 		expect(rangeFor("len", 66)).toMatchObject({ min: 1, max: 132, step: 1 });
@@ -186,7 +186,7 @@ describe("how far a figure is slid", () => {
 		expect(rangeFor("t", 0.5).written(7)).toBe("1.00");
 	});
 
-	it("is as far as the text says, or its slider among the constants goes", () => {
+	it("is the range in the text, or of its slider among the constants", () => {
 		const text = "#define sides=12 /* 3 … 24 step 3, of the stem */\n#define A(sides,5)\n#axiom: A\n";
 		const [whole] = numberGroupsOf(text, { label: "A", module: 0, line: 0, call: 0 }).filter(
 			({ title }) => title !== "Every A",
@@ -195,7 +195,7 @@ describe("how far a figure is slid", () => {
 		expect(statedRange({ min: 0, max: 1, step: 0.1 }).written(0.72)).toBe("0.7");
 	});
 
-	it("stays as it is while the hand is within", () => {
+	it("is constant while the value is within it", () => {
 		const range = rangeFor("H", 10);
 		expect(within(range, 19)).toBe(range);
 		expect(within(range, 21)).toBeUndefined();

@@ -27,7 +27,7 @@ const split = (link: string): [string, string] => [link.replace(/#.*$/, ""), /#.
 const taller = { ...tulip, constants: { length: 500 } };
 
 describe("values of a flower's text", () => {
-	it("are in its link by name, short, and in what is written", async () => {
+	it("are in its link by name, in short form, and in written texts", async () => {
 		const link = await encodeLink(model, taller);
 		expect(link).toBe("?v=2&model=flower&define=length:500");
 		expect((await decodeLink(model, link, "")).specimen).toEqual(taller);
@@ -35,7 +35,7 @@ describe("values of a flower's text", () => {
 		expect(await encodeLink(model, tulip)).toBe("?v=2&model=flower");
 	});
 
-	it("are what the text itself calls so, not its modules", async () => {
+	it("are the text's own variables, not its modules'", async () => {
 		expect(await variablesIn(tulip)).toEqual(["length", "bend", "scale", "tall", "size", "open", "wilt", "shed"]);
 		const grammar =
 			"@\n#define no=1\n@ /*\n#define nor=1\n*/\n #define a=2\n# define b =3\n#define C\n#define finalStep=3\n#axiom: C";
@@ -67,7 +67,7 @@ describe("values of a flower's text", () => {
 describe("a value", () => {
 	const bluebell = { ...fromPreset(model, "bluebell"), constants: { bells: 5 } };
 
-	it("of what is worked out is in the text that is shown, as it is in what grows", async () => {
+	it("of an expression is written into the shown text, as in the grown one", async () => {
 		const text = textOf(source, bluebell, () => {}) ?? "";
 		expect(text).toMatch(/^#define bells=5(?= |$)/m);
 		expect(writtenText(fetchedText(bluebell) ?? "", bluebell)).toBe(text);
@@ -83,7 +83,7 @@ describe("a value", () => {
 		expect(withText(source, bluebell, text)).toEqual({ details: { grammar: text, constants: {} } });
 	});
 
-	it("of finalStep is none: it has no slider, and stands in no text", async () => {
+	it("excludes finalStep: it has no slider, and is in no text", async () => {
 		const poppy = { ...fromPreset(model, "poppy"), constants: { finalStep: 5 } };
 		const text = fetchedText(poppy) ?? "";
 		expect(text).toMatch(/^#define finalStep=\d+/m);
@@ -97,7 +97,7 @@ describe("a value", () => {
 		expect(writtenText(text, poppy)).toBe(text);
 	});
 
-	it("goes in front of modules and beside comments, over all lines of what it stands for", () => {
+	it("is written before modules and beside comments, replacing all lines of its definition", () => {
 		const written = (text: string, constants: Record<string, number>, steps = 0) =>
 			writtenText(text, { constants, parameters: { ...tulip.parameters, steps } });
 		expect(written("@ old:\n#define a=1\n@\n#define a=2\n", { a: 9 })).toBe("@ old:\n#define a=1\n@\n#define a=9\n");
@@ -185,7 +185,7 @@ describe("a series", () => {
 		]);
 	});
 
-	it("refuses names that the text does not have, and what is no number", async () => {
+	it("rejects names that the text does not have, and invalid numbers", async () => {
 		const unknown = readVary(model, "lenght=200..400", tulip);
 		await expect(checkVaried(model, unknown, tulip)).rejects.toThrow("lenght: no parameter has that key, and the text");
 		// Other unknown names are reported there.
@@ -201,14 +201,14 @@ describe("a series", () => {
 });
 
 describe("a slider of a constant", () => {
-	it("gives the preset's text a value, and takes it back where the text says so itself", () => {
+	it("sets a value of the preset's text, and drops it if the text has it already", () => {
 		const moved = withValues(source, tulip, { length: 400, bend: 0 });
 		expect(moved).toEqual({ details: { constants: { length: 400 } } });
 		expect(textOf(source, taller, () => {})).toContain("#define length=500 /*");
 		expect(withValues(source, taller, { length: 325 })).toEqual({ details: { constants: {} } });
 	});
 
-	it("writes into a text of one's own, which then says it alone", () => {
+	it("writes into a custom text, which then has the value", () => {
 		const own = {
 			...tulip,
 			grammar: "#define length=3\n#define A(4,0,0,0,length,1,1,1)\n#axiom: A",
@@ -242,7 +242,7 @@ describe("a slider of a constant", () => {
 		expect(withText(source, typed, own)).toEqual({ details: { grammar: own, constants: {} } });
 	});
 
-	it("is kept by its link, or else by its text", async () => {
+	it("is stored in its link, or else in its text", async () => {
 		for (const [values, held] of [
 			[{ length: 1e9 }, true],
 			[{ length: 2e9 }, false],
@@ -256,7 +256,7 @@ describe("a slider of a constant", () => {
 		}
 	});
 
-	it("is kept by its text where its name is longer than links hold", async () => {
+	it("is stored in its text if its name is too long for links", async () => {
 		const name = "n".repeat(65);
 		const long: GrammarSource = { ...source, builtIn: () => `#define ${name}=1\n` };
 		expect(withValues(long, tulip, { [name]: 2 })).toEqual({

@@ -73,7 +73,7 @@ describe("a flower's grammar as XML", () => {
 		expect(grown(textOfXml(TABLE_4)).counts.volumes).toBe(11);
 	});
 
-	it("says every text of the shelf, and back it is the same flower", () => {
+	it("converts every preset's text, and back to the same flower", () => {
 		for (const { name } of model.presets.list) {
 			const text = fetchedText(fromPreset(model, name)) ?? "";
 			const back = textOfXml(xmlOf(text));
@@ -82,7 +82,7 @@ describe("a flower's grammar as XML", () => {
 		}
 	});
 
-	it("says the organs of a design, each before its section, wherever their lines stand", () => {
+	it("writes the organs of a design, each before its section, wherever their lines are", () => {
 		const text = assembled([usual("petal", { outline: "cordate", count: 7 })]);
 		const back = designOf(textOfXml(xmlOf(text)));
 		expect(back?.sections.map(({ description }) => description)).toEqual(
@@ -93,7 +93,7 @@ describe("a flower's grammar as XML", () => {
 		expect(textOfXml(xmlOf(none))).toBe("A -> A[A]_{E}\n");
 	});
 
-	it("reads what a design wrote as the design has it, and what was edited by hand as that", () => {
+	it("recognises a design's own text, and edits made by hand in it", () => {
 		const text = assembled([usual("petal", { outline: "cordate", count: 7 })]);
 		expect(grammarOfXml(xmlOf(text))).toBe(text);
 		const edited = text.replace("STIGMA -> STIGMA[LOBE]", "STIGMA -> STIGMA[LOBE(,20)]");
@@ -104,7 +104,7 @@ describe("a flower's grammar as XML", () => {
 		expect(grammarOfXml(TABLE_4)).toBe(textOfXml(TABLE_4));
 	});
 
-	it("says what lists leave out as their definitions' form has it", () => {
+	it("spells out omitted numbers in the form of their definitions", () => {
 		const text = `#define A(4,1,5,0,0,2,2,2,1)\n#define B(4,5,0,0,2,2,2,1)\n#define C\n#axiom: A\n#define finalStep=3
 A{}{step < 1}{} -> A[B(, <10 & 3>, , ,
 	3)]_{E}
@@ -135,7 +135,7 @@ A -> A[A(,,<9>)]_{E}`;
 		expect(grown(textOfXml(xmlOf(text)))).toEqual(grown(text));
 	});
 
-	it("tells mistakes with line and column, and resolves nothing from elsewhere", () => {
+	it("reports errors with line and column, and resolves no external entities", () => {
 		expect(mistake('<!DOCTYPE x [<!ENTITY e SYSTEM "file:///etc/passwd">]><axiom>&e;</axiom>')).toContain(
 			"Line 1, column 1: A document type",
 		);
@@ -154,7 +154,7 @@ A -> A[A(,,<9>)]_{E}`;
 		expect(mistake("<axiom x='1>")).toContain("never closed");
 	});
 
-	it("reads a file that is one line, however long, and still tells the place of a mistake", () => {
+	it("reads a file of one long line, and still reports an error's place", () => {
 		const axioms = "<axiom>A</axiom>".repeat(2 ** 14);
 		expect(textOfXml(axioms)).toBe("#axiom: A\n".repeat(2 ** 14));
 		expect(mistake("<axiom/>".repeat(2 ** 15))).toContain("Line 1, column 1: <axiom> is empty.");

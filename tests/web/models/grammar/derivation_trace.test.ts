@@ -31,8 +31,8 @@ const traceOf = (grammar: string, request: TraceRequest) => {
 
 const TWIGS = "axiom: A(1)\nA(n) : {m = n/2} n<3 --> F(m) [ +(40) A(n+1) ] A(n+1)\n";
 
-describe("a derivation that a text's plant tells", () => {
-	it("is told module by module", () => {
+describe("the trace of a text's plant", () => {
+	it("lists module by module", () => {
 		const trace = traceOf(TWIGS, { step: 1, module: 9 });
 		expect([...trace.counts]).toEqual([1, 6, 16]);
 		expect(trace.modules.map(({ text }) => text)).toEqual(["F(0.5)", "[", "+(40)", "A(2)", "]", "A(2)"]);
@@ -69,7 +69,7 @@ describe("a derivation that a text's plant tells", () => {
 		expect(twig).not.toHaveProperty("refusals");
 	});
 
-	it("tells what drew the lines", () => {
+	it("names the modules that drew the lines", () => {
 		const trace = traceOf(TWIGS, { step: 1, module: 9 });
 		expect([...trace.segments]).toEqual([0, 3, 10]);
 		const [axiom] = traceOf(TWIGS, { step: 0 }).modules;
@@ -77,7 +77,7 @@ describe("a derivation that a text's plant tells", () => {
 		expect(axiom.production).toBeUndefined();
 	});
 
-	it("tells the chances of what is drawn, and nothing of modules that are not there", () => {
+	it("shows the probabilities of stochastic productions, and nothing for missing modules", () => {
 		const trace = traceOf("axiom: A\nA --> B : 3\nA --> C : 1\n", { step: 0, module: 1 });
 		const { total, weight, drawn } = trace.modules[0].chance ?? { total: 0, weight: 0, drawn: 0 };
 		expect(total).toBe(4);
@@ -86,7 +86,7 @@ describe("a derivation that a text's plant tells", () => {
 		expect(traceOf(TWIGS, { step: 1, first: 6 }).modules).toEqual([]);
 	});
 
-	it("tells what the environment was asked and answered", () => {
+	it("shows queries to the environment and its responses", () => {
 		const hedge = [
 			"derivation length: 4",
 			"axiom: F A ?E(0.9, 0)",
@@ -123,14 +123,14 @@ describe("a derivation that a text's plant tells", () => {
 		}
 	});
 
-	it("grows to a step alone where that is asked for, and refuses windows that are too long", () => {
+	it("grows up to a given step only, and rejects windows that are too long", () => {
 		const one = grow(of(TWIGS), { step: 1 }, 1);
 		expect(one.string).toBe("F(0.5)[+(40)A(2)]A(2)");
 		expect(one.trace?.step).toBe(1);
 		expect(() => grow(of(TWIGS), { step: 0, count: 2001 })).toThrow(/At most 2000 modules/);
 	});
 
-	it("stands in the JSON document", () => {
+	it("is in the JSON document", () => {
 		const specimen = of(TWIGS);
 		const grown = grow(specimen, { step: 2, count: 1 });
 		const json = exportJson(model, grown, specimen);

@@ -30,7 +30,7 @@ describe("the document of a grammar", () => {
 		expect(restore(model, writtenSpecimen(model, specimen))).toEqual({ specimen, notes: [] });
 	});
 
-	it("is its preset's name alone where nothing else is said, and takes back what a preset sets", async () => {
+	it("is only its preset's name if nothing else is set, and can unset a preset's values", async () => {
 		expect(await encodeLink(model, standard)).toBe("?v=2&model=grammar");
 		const { specimen } = restore(model, { define: "" }, { ...standard, constants: { a: 1 } });
 		expect(specimen.constants).toEqual({});
@@ -49,7 +49,7 @@ describe("the document of a grammar", () => {
 		["2a:1", "“2a” is not a constant’s name"],
 		[7, "“” is not a constant’s name"],
 		[Array.from({ length: MOST_CONSTANTS + 1 }, (_, i) => `a${i}:1`).join(), `more than ${MOST_CONSTANTS} constants`],
-	])("notes what cannot be used of define=%s", (define, problem) => {
+	])("reports invalid parts of define=%s", (define, problem) => {
 		const { specimen, notes } = restore(model, { define });
 		expect(notes[0].problem).toBe(problem);
 		expect(Object.keys(specimen.constants).length).toBeLessThanOrEqual(MOST_CONSTANTS);
@@ -63,7 +63,7 @@ describe("the document of a grammar", () => {
 });
 
 describe("presets", () => {
-	it("are the texts of their folder, without what their headers say to the gallery alone", async () => {
+	it("are the texts of their folder, without the gallery's part of their headers", async () => {
 		for (const { name, text } of PRESETS) {
 			const file = readFileSync(`wasm-core/grammars/grammar/${text}.lsys`, "utf8");
 			const shown = await presetText(name);
@@ -80,7 +80,7 @@ describe("presets", () => {
 		expect(new Set(PRESETS.map(({ title }) => title)).size).toBe(PRESETS.length);
 	});
 
-	it("grow by a text of one's own where there is one, which says what it is called", async () => {
+	it("grow by a custom text if there is one, which gives the title", async () => {
 		const own = { ...standard, grammar: "/* Fern\n kind: plants */\naxiom: F" };
 		expect(await textOf(own)).toBe(own.grammar);
 		expect(fetchedText(own)).toBe(own.grammar);

@@ -31,7 +31,7 @@ const ALLOWED = /polygons? shows? nothing/;
 const TWIGS = "#define spread 40\naxiom: F [ +(spread) F S(0.3) ] [ -(spread) F S(0.2) ] F";
 
 describe("a plant that a text grows", () => {
-	it("has a note only where there is something to say, for every preset", () => {
+	it("has notes only if there is something to report, for every preset", () => {
 		const wrong = model.presets.list.flatMap(({ name }) => {
 			const { notes: all, counts } = grow(fromPreset(model, name), { meshes: false });
 			const notes = all.filter((note) => !ALLOWED.test(note));
@@ -40,7 +40,7 @@ describe("a plant that a text grows", () => {
 		expect(wrong).toEqual([]);
 	});
 
-	it("tells its modules, steps and string in the JSON document", () => {
+	it("has its modules, steps and string in the JSON document", () => {
 		const specimen = of(TWIGS);
 		const grown = grow(specimen, { string: true });
 		const json = exportJson(model, grown, specimen);
@@ -66,14 +66,14 @@ describe("a plant that a text grows", () => {
 		expect(coarse.fingerprint).toBe(fine.fingerprint);
 	});
 
-	it("isActive constants and steps", () => {
+	it("uses constants and steps", () => {
 		const wide = grow(of(TWIGS, { constants: { spread: 90 } }));
 		expect(wide.segments.ends[6 + 4]).toBeCloseTo(0.01);
 		expect(wide.segments.ends[6 + 3]).toBeCloseTo(-0.01);
 		expect(grow(of("axiom: F\nF --> F F", { steps: 5 })).counts.segments).toBe(32);
 	});
 
-	it("says in words how much there is", () => {
+	it("summarises its counts in words", () => {
 		expect(model.words(grow(of(TWIGS)))).toBe("12 modules, 4 segments, 2 organs");
 		expect(model.words(grow(of("axiom: F")))).toBe("1 module, 1 segment");
 	});
@@ -87,7 +87,7 @@ describe("a plant that a text grows", () => {
 		expect(parts[1].shape?.instances?.each?.(1)).toEqual({ name: "Ball 2", extras: { segment: 2, module: 9 } });
 	});
 
-	it("refuses what has no text", () => {
+	it("rejects specimens without a text", () => {
 		expect(() => model.encode({ ...fromPreset(model), preset: "none" })).toThrow(
 			"The preset's text could not be fetched.",
 		);

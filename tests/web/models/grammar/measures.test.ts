@@ -74,7 +74,7 @@ describe("measures of published texts", () => {
 });
 
 describe("growth areas", () => {
-	it("are told with what grows in them, in the JSON document and in the page", () => {
+	it("are listed with their contents, in the JSON document and in the page", () => {
 		const specimen = { ...fromPreset(model, "topiary-two-cubes"), constants: { part: 12 } };
 		const grown = grow(specimen, { meshes: false });
 		const json = exportJson(model, grown, specimen);
@@ -97,7 +97,7 @@ describe("growth areas", () => {
 describe("a leaf with a thickness", () => {
 	const leaf = (constants: Record<string, number> = {}) => ({ ...fromPreset(model, "leaf-ovate"), constants });
 
-	it("is a closed blade a quarter of a millimetre thick, and its sheet's area is what is measured", () => {
+	it("is a closed blade a quarter of a millimetre thick, measured by its sheet's area", () => {
 		const [thick, thin] = [grow(leaf()), grow(leaf({ thick: 0 }))].map((grown) => {
 			const mesh = grown.meshes.find(({ name }) => name === "blades");
 			if (!mesh) throw new Error("There are no blades.");
@@ -120,7 +120,7 @@ describe("a leaf with a thickness", () => {
 		expect(thick.indices.length / 3).toBe(4 * corners - 4);
 	});
 
-	it("becomes a GLB that Khronos' validator has nothing to say to, with the triangles that are shown", async () => {
+	it("becomes a valid GLB with the shown triangles", async () => {
 		const specimen = leaf();
 		const grown = grow(specimen);
 		const about = await aboutPlant(model, grown, specimen);

@@ -23,8 +23,8 @@ const cubes = (): GrammarSpecimen => {
 };
 const of = (grammar: string): GrammarSpecimen => ({ ...fromPreset(model), grammar, constants: {} });
 
-describe("what a plant lacks", () => {
-	it("is nothing for the presets as they grow", () => {
+describe("warnings about a plant", () => {
+	it("are none for the presets", () => {
 		const presets = model.presets.list.filter(({ kind }, i) => kind === "topiary" || i % inRun(8, 1) === 0);
 		const wrong = presets.flatMap(({ name }) =>
 			warningsFor(fromPreset(model, name)).map((words) => `${name}: ${words}`),
@@ -54,7 +54,7 @@ describe("what a plant lacks", () => {
 		expect(warningsFor(none)).toEqual([expect.stringContaining("There is no growth area")]);
 	});
 
-	it("is what a limit cut off, with the steps that were asked for", () => {
+	it("report a derivation that a limit stopped, with the requested steps", () => {
 		const text = "derivation length: 60\naxiom: F\nF --> F [ +F ] F";
 		const words = "What grew so far is shown. ";
 		const plant = grow(of("axiom: F"));
@@ -81,7 +81,7 @@ describe("what a plant lacks", () => {
 		expect(readFileSync("wasm-core/src/models/grammar/model.cpp", "utf8")).toContain(`"${words}"`);
 	});
 
-	it("is all, where a text draws nothing", () => {
+	it("report a text that draws nothing", () => {
 		expect(warningsFor(of("axiom: A"))).toEqual(["The grammar draws nothing."]);
 	});
 

@@ -46,7 +46,7 @@ it("figure 5: its tree has leaves that are about to fall, and shaken loses some 
 	expect(many("fallen") / (many("fallen") + many("falling"))).toBeLessThan(0.7);
 });
 
-it("figure 6: its tree has a child trunk as it stands in the gallery, from 1 m to half as high as its parent", () => {
+it("figure 6: the gallery's tree has a child trunk, from 1 m to half as high as its parent", () => {
 	const specimen = fromPreset(model, "figure-6");
 	const { columns } = core.grow(model.encode(specimen, { meshes: false }));
 	const child = columns.uint8("volumes.child");

@@ -20,7 +20,7 @@ const grown = (options: Parameters<typeof encodeGrowth>[1], surroundings?: numbe
 	core.grow(encodeGrowth({ ...specimen, surroundings }, options)).columns;
 
 describe("levels of a tree", () => {
-	it("are four meshes of three runs each, and nothing else where no other mesh is asked for", () => {
+	it("are four meshes of three runs each, and the only meshes if no others are requested", () => {
 		const columns = grown({ levels: true, meshes: false, measures: false });
 		expect(columns.lines("meshes")).toEqual(["level0", "level1", "level2", "level3"]);
 		const tolerance = [...columns.floats("levels.tolerance")];
@@ -33,7 +33,7 @@ describe("levels of a tree", () => {
 		}
 	});
 
-	it("are as many as are asked for, each the same whatever others are", () => {
+	it("have the requested number, each independent of the others", () => {
 		const all = grown({ levels: true, meshes: false });
 		for (const levelCount of [1, 3]) {
 			const some = grown({ levels: true, levelCount, meshes: false });
@@ -49,7 +49,7 @@ describe("levels of a tree", () => {
 		for (const levelCount of [0, 5]) expect(() => grown({ levels: true, levelCount })).toThrow("one to four levels");
 	});
 
-	it("change nothing else of the plant, and are left out where they are not asked for", () => {
+	it("change nothing else of the plant, and are absent if not requested", () => {
 		const [without, beside] = [grown({}), grown({ levels: true })];
 		expect(without.lines("meshes")).toEqual(["stems", "leaves"]);
 		expect(beside.lines("meshes").slice(0, 2)).toEqual(["stems", "leaves"]);
@@ -57,7 +57,7 @@ describe("levels of a tree", () => {
 	});
 });
 
-describe("what stands about a tree", () => {
+describe("the surroundings of a tree", () => {
 	it("changes how it grows, where there is something", () => {
 		const alone = grown({ meshes: false }).uint32("fingerprint");
 		const about = (numbers: number[]) => grown({ meshes: false }, numbers);

@@ -65,7 +65,7 @@ const speciesInRun = namesInRun(
 describe.each(speciesInRun)("%s", (name) => {
 	const evergreen = EVERGREEN.includes(name);
 
-	it("is as large as its text says", () => {
+	it("has the size in its text", () => {
 		const about = SPECIES.find((each) => each.name === name)?.about ?? "";
 		const stated = /([\d.]+) m high(?: and|, ([\d.]+) m) wide/.exec(about);
 		if (name === "grapevine") return;
@@ -91,7 +91,7 @@ describe.each(speciesInRun)("%s", (name) => {
 		}
 	});
 
-	it("goes through the year: leaves unfold, fall where nothing hangs any more, and stay where they are till then", () => {
+	it("goes through the year: leaves unfold, fall, and stay where they fell", () => {
 		const summer = grown(name, { season: 0.4 });
 		const [all, most] = [placesOf(summer, "leaf"), summer.counts.leaves];
 		let lying = new Set<string>();
@@ -184,7 +184,7 @@ it("an oak’s leaves are as long as an oak’s, several on a twig, and all of t
 	expect(share(plant) / share(alone)).toBeCloseTo(1, 2);
 });
 
-it("what has fallen lies thinner and thinner outwards, without an edge", () => {
+it("fallen leaves thin out with distance, without an edge", () => {
 	const { organs, segments } = grown("oak", { season: 1 });
 	const shed = organs.tags.indexOf("shed");
 	const crown = Math.max(...segments.ends.filter((_, i) => i % 3 === 0).map(Math.abs));

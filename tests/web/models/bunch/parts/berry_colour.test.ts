@@ -29,7 +29,7 @@ const light = ([red, green, blue]: number[]) => 0.2126 * red + 0.7152 * green + 
 const middle = (v: number) => Math.abs(v - 0.5) < 0.2;
 
 describe("paintedBerries", () => {
-	it("hide the skin behind so much wax as its depth says: on the face, about a sixth of it in full bloom", () => {
+	it("hide the skin behind wax by its depth: on the face, about a sixth of it in full bloom", () => {
 		const look = { skin: "101010", unripe: "101010" };
 		const shown = (bloom: number) => {
 			const { mean, v } = one({ ...look, bloom });
@@ -43,7 +43,7 @@ describe("paintedBerries", () => {
 		expect(shown(0.5)).toBeLessThan(shown(0) + 0.75 * (shown(1) - shown(0)));
 	});
 
-	it("lie in the shade of what presses on them", () => {
+	it("are shaded by berries that press on them", () => {
 		const grown = pressedBunch({ count: 1 });
 		const surfaces = grown.surfaces as BerrySurfaces;
 		const vertices = surfaces.pressed.length;
@@ -174,7 +174,7 @@ describe("paintedBerries", () => {
 });
 
 describe("scarShare", () => {
-	it("is nothing on the skin, all at the tip, and half-way on its edge", () => {
+	it("is 0 on the skin, 1 at the tip, and in between on its edge", () => {
 		expect([scarShare(0.9, 0.98), scarShare(0.97, 0.98), scarShare(0.98, 0.98), scarShare(1, 0.98)]).toEqual([
 			0,
 			expect.closeTo(0.5, 6),

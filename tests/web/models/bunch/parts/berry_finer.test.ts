@@ -69,7 +69,7 @@ describe("a berry's skin, finer than its vertices", () => {
 		}
 	});
 
-	it("is pictures of a GLB, of which the validator has nothing to say; of normals only where there is a relief", async () => {
+	it("becomes textures of a valid GLB; of normals only where there is a relief", async () => {
 		for (const shrivel of [0, 1]) {
 			const grown = pressedBunch({ count: 2, shrivel });
 			const surfaces = grown.surfaces as BerrySurfaces;

@@ -9,7 +9,7 @@ const of = (skin: string, bloom = 0.3) => skinOf({ ...LOOK, skin, bloom }, "grap
 
 describe("berryTint", () => {
 	const skin = of("43264f");
-	it("gives a berry the same tint for ever, and its neighbour another", () => {
+	it("always gives a berry the same tint, and its neighbour another", () => {
 		expect(berryTint(skin, 17, RIPE)).toEqual(berryTint(of("43264f"), 17, RIPE));
 		expect(berryTint(skin, 17, RIPE)).not.toEqual(berryTint(skin, 18, RIPE));
 	});
@@ -26,7 +26,7 @@ describe("berryTint", () => {
 		}
 	});
 
-	it("is the look's own colour, in sun and shade alike, where nothing is uneven", () => {
+	it("is the look's colour, in sun and shade, if nothing is uneven", () => {
 		const even = skinOf({ ...LOOK, uneven: 0 });
 		for (const exposure of [0, 1]) {
 			const { ripe, unripe } = berryTint(even, 5, { ...RIPE, exposure });
@@ -71,7 +71,7 @@ describe("berryTint", () => {
 });
 
 describe("tintOf", () => {
-	it("reads a natural berry's sun, age and drying; the paper's stand half in the sun", () => {
+	it("uses a natural berry's sun, age and drying; the paper's berries get half the sun", () => {
 		const pale = of("a9b04e");
 		const natural = pressedBunch({ count: 2, exposure: 1, set: 0.5, shrivel: 0.25 });
 		const id = natural.berries.ids[1];

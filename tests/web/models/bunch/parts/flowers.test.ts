@@ -56,7 +56,7 @@ describe("flowersOf", () => {
 		expect(countOf(flowersOf(enough), "pistil")).toBe(0);
 	});
 
-	it("keeps them as others fall: those that have set nothing and are gone still count", () => {
+	it("keeps them as others fall: fallen flowers that set no berry still count", () => {
 		const grown = blooming({ count: 100, opened: 1, set: 0 });
 		const gone = Array.from({ length: 100 }, (_, id) => ({ id, why: "not set" as const, place: [0, 0, 0] as Place }));
 		const beside = (thinned: BunchPlant["thinned"]) => countOf(flowersOf({ ...grown, thinned }), "pistil");

@@ -154,7 +154,7 @@ describe("the GLB", () => {
 		expect(await complaints(glb)).toEqual([]);
 	});
 
-	it("leaves out what a growth does not have", async () => {
+	it("omits parts that a growth does not have", async () => {
 		const bare = documentOf(await bunchGlb(makeGrown({ axes: [] }), specimen, { instancing: true }));
 		expect(bare.nodes.map(({ name }) => name)).toEqual(["Bunch short-conical", "Rachis"]);
 		expect(bare.materials).toHaveLength(1);
@@ -179,7 +179,7 @@ describe("the GLB", () => {
 });
 
 describe("the GLB with instances", () => {
-	it("asks readers for EXT_mesh_gpu_instancing and has one node Berries", async () => {
+	it("requires EXT_mesh_gpu_instancing and has one node Berries", async () => {
 		const document = documentOf(await bunchGlb(grown, specimen, { instancing: true }));
 		expect(document.extensionsRequired).toEqual(["EXT_mesh_gpu_instancing"]);
 		expect(document.nodes.map(({ name }) => name)).toEqual([

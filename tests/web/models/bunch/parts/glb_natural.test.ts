@@ -17,7 +17,7 @@ const grown = makeNatural(SKETCH);
 const FORMS: GlbOptions[] = [{}, { compact: true }, { instancing: true }, { compact: true, instancing: true }];
 
 describe("the GLB of a natural bunch", () => {
-	it("gives Khronos' validator nothing to say, in any form, for any growth, age and look", async () => {
+	it("passes Khronos' validator without messages, in any form, for any growth, age and look", async () => {
 		const trait = evenly(0, 1);
 		const traits = fc.record({ exposure: trait, turned: trait, opened: trait, set: trait, shrivel: trait });
 		const fruit = fc.constantFrom("grape", "currant", "bramble", "lychee", "longan", "duku") as fc.Arbitrary<
@@ -80,7 +80,7 @@ describe("the GLB of a natural bunch", () => {
 		});
 	});
 
-	it("stands each berry's node at its centre, so that it can be moved", async () => {
+	it("places each berry's node at its centre, so that it can be moved", async () => {
 		for (const compact of [false, true]) {
 			const { nodes } = documentOf(await bunchGlb(grown, specimen, { compact }));
 			nodes
@@ -103,7 +103,7 @@ describe("the GLB of a natural bunch", () => {
 		expect((one.index as BufferAttribute).array.buffer).toBe((other.index as BufferAttribute).array.buffer);
 	});
 
-	it("says of each berry what is known of it", async () => {
+	it("contains the data of each berry", async () => {
 		const { named } = await read(grown);
 		named("Berry ").forEach(({ userData }, i) => {
 			const pedicel = grown.berries.parent[i];
@@ -120,7 +120,7 @@ describe("the GLB of a natural bunch", () => {
 		expect(extras).toMatchObject({ procedure: "natural", fingerprint: grown.fingerprint });
 	});
 
-	it("is much smaller when compact, and says that readers must know how", async () => {
+	it("is much smaller when compact, and lists the required extensions", async () => {
 		const fine = makeNatural({ ...SKETCH, segments: 24, sides: 7 });
 		const [full, compact] = await Promise.all([bunchGlb(fine, specimen), bunchGlb(fine, specimen, { compact: true })]);
 		const { extensionsRequired } = documentOf(compact);
@@ -130,7 +130,7 @@ describe("the GLB of a natural bunch", () => {
 		expect(full.length - compact.length).toBeGreaterThan(10 * vertices);
 	});
 
-	it("cannot be drawn as instances of one berry, and is written as ever where that is asked for", async () => {
+	it("ignores the option of instances, since its berries differ", async () => {
 		expect(await bunchGlb(grown, specimen, { instancing: true })).toEqual(await bunchGlb(grown, specimen));
 	});
 });

@@ -43,7 +43,7 @@ describe("the colours of a natural bunch", () => {
 		expect(brightness(turning)).toBeLessThan(brightness(unripe));
 	});
 
-	it("turn from the tip, and in patches where that is asked for", async () => {
+	it("turn from the tip, and in patches if uneven", async () => {
 		const turning = where(() => ({ turned: 0.5 }));
 		const reds = async (uneven: number) => {
 			const [berry] = (await read(turning, looking({ bloom: 0, uneven }))).named("Berry ");
@@ -67,7 +67,7 @@ describe("the colours of a natural bunch", () => {
 		expect(mean(false)).toBeGreaterThan(1.5 * mean(true));
 	});
 
-	it("differ from berry to berry, and by sun; not where evenness is asked for", async () => {
+	it("differ from berry to berry, and by sun, unless the look is even", async () => {
 		const sunned = where((i) => ({ exposure: i / 2 }));
 		const means = async (uneven: number) =>
 			(await read(sunned, looking({ bloom: 0, uneven, skin: "c9a25a" }))).named("Berry ").map((mesh) => {

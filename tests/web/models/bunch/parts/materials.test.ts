@@ -7,7 +7,7 @@ import { LOOK } from "../sample_bunch";
 const skin = (look: Partial<typeof LOOK>, fruit: keyof typeof FRUIT_SKINS = "grape") =>
 	naturalSkin({ ...LOOK, ...look }, FRUIT_SKINS[fruit], linear(look.skin ?? LOOK.skin), 0.018);
 
-describe("what berries are made of", () => {
+describe("materials of berries", () => {
 	it("is duller under bloom, dullest under a rind", () => {
 		const [clean, half, bloomed] = [0, 0.5, 1].map((bloom) => skin({ bloom }).roughness);
 		expect(clean).toBeCloseTo(0.34);

@@ -143,7 +143,7 @@ describe("a natural bunch", () => {
 		);
 	});
 
-	it("keeps what was taken off by hand", async () => {
+	it("keeps berries removed by hand", async () => {
 		const whole = natural("short-conical");
 		const [first, second] = grow(whole, { meshes: false }).berries.ids;
 		const specimen = { ...whole, thinned: [second, first] };

@@ -36,7 +36,7 @@ describe("the OBJ of a natural bunch", () => {
 		expect(box.min.distanceTo(expected.min) + box.max.distanceTo(expected.max)).toBeLessThan(4e-6);
 	});
 
-	it("tells ripeness in steps of a quarter, each with its berries' own mean colour", () => {
+	it("has a material per quarter of ripeness, each with its berries' mean colour", () => {
 		const berries = read(grown).filter(({ name }) => name.startsWith("Berry"));
 		expect(berries.map((mesh) => material(mesh).name)).toEqual(["Skin_0", "Skin_50", "Skin"]);
 		const [unripe, , ripe] = berries.map((mesh) => material(mesh).color);

@@ -18,7 +18,7 @@ function mean(grown: BunchPlant, wanted: (internode: number) => boolean) {
 }
 
 describe("stemColours", () => {
-	it("has what has withered brown and dark, be the rest ever so green", () => {
+	it("colours withered pedicels brown and dark, however green the rest", () => {
 		const grown = at(0);
 		const { state, kind } = grown.internodes;
 		const [red, green] = mean(grown, (i) => state[i] === 1);
@@ -46,7 +46,7 @@ describe("stemColours", () => {
 });
 
 describe("the nodes of a ripe stalk", () => {
-	it("are brown where they stand apart, and no rings where internodes are as short as they are thick", () => {
+	it("are brown if distant from each other, and not visible on internodes as short as they are thick", () => {
 		const grown = at(1);
 		const { ends, radii, kind } = grown.internodes;
 		const stout = { ...grown, internodes: { ...grown.internodes, radii: radii.slice() } };

@@ -48,7 +48,7 @@ describe("handle positions", () => {
 		expect(handlePosition(shape, "p6")).toEqual({ x: -9, y: 10 });
 	});
 
-	it("are told in words", () => {
+	it("are described in words", () => {
 		expect(handleLabel(DEFAULTS, "p3")).toBe("p3, right: 64.7 mm wide, 64.7 mm down");
 		expect(handleLabel({ ...DEFAULTS, unit: 0.5 }, "p4")).toBe("p4, left: 129.3 mm wide, 87.9 mm down");
 		expect(handleLabel(DEFAULTS, "p2")).toBe("p2, length: 220.7 mm");
@@ -73,7 +73,7 @@ describe("dragHandle", () => {
 		);
 	});
 
-	it("moves nothing but its own handle, and its opposite where that is locked", () => {
+	it("moves its own handle only, and its opposite if locked", () => {
 		fc.assert(
 			fc.property(anyShape, anyHandle, anyPoint, anyLocks, (shape, handle, to, locks) => {
 				const allowed = handleKeys(handle);
@@ -108,7 +108,7 @@ describe("dragHandle", () => {
 		expect(dragHandle({ ...DEFAULTS, l: 100 }, "p5", { x: 60, y: 300 })).toMatchObject({ p5r: 300, l: 100 });
 	});
 
-	it("keeps every other parameter and does not touch what it was given", () => {
+	it("keeps every other parameter and does not modify its input", () => {
 		const before = Object.freeze({ ...DEFAULTS, seed: 7 });
 		const after = dragHandle(before, "p6", { x: -20, y: 30 });
 		expect(after).toEqual({ ...before, p6w: 20, p6r: 30 });
@@ -116,7 +116,7 @@ describe("dragHandle", () => {
 });
 
 describe("setShapeValue", () => {
-	it("is what a slider does: clamped, and the locked side too", () => {
+	it("does the same as a slider: clamps, and sets the locked side too", () => {
 		expect(setShapeValue(DEFAULTS, "p4r", 700)).toEqual({ ...DEFAULTS, p4r: 580 });
 		expect(setShapeValue(DEFAULTS, "p4r", 33, { locks: bothLocked })).toEqual({ ...DEFAULTS, p4r: 33, p3r: 33 });
 		expect(setShapeValue(DEFAULTS, "l", Number.NaN)).toBe(DEFAULTS);
@@ -148,12 +148,12 @@ describe("nudgeHandle", () => {
 		expect(nudgeHandle(shape, "p6", "ArrowDown", 1, { locks: bothLocked })).toEqual({ ...shape, p5r: 151, p6r: 151 });
 	});
 
-	it("answers nothing to other keys and to arrows along which p2 cannot move", () => {
+	it("returns undefined for other keys and for arrows along which p2 cannot move", () => {
 		expect(nudgeHandle(DEFAULTS, "p2", "ArrowLeft", 1)).toBeUndefined();
 		expect(nudgeHandle(DEFAULTS, "p3", "Enter", 1)).toBeUndefined();
 	});
 
-	it("there and back is nothing, away from the ends of the range", () => {
+	it("there and back restores the profile, away from the ends of the range", () => {
 		const inner = fc.constantFrom("p3", "p4", "p5", "p6", "p2") as fc.Arbitrary<Handle>;
 		fc.assert(
 			fc.property(inner, fc.constantFrom(1, 10), (handle, step) => {
@@ -165,7 +165,7 @@ describe("nudgeHandle", () => {
 });
 
 describe("mirrors", () => {
-	it("swap a pair, and twice are nothing", () => {
+	it("swap a pair; twice restores it", () => {
 		fc.assert(
 			fc.property(anyShape, (shape) => {
 				for (const [mirror, a, b] of [

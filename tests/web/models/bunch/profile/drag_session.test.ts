@@ -37,7 +37,7 @@ function view(handles: Handle[] = ["p2", "p3", "p4"], locks: Locks = { leftRight
 const events = (received: [string, Shape][]) => received.map(([what]) => what);
 
 describe("a drag", () => {
-	it("is told live once a frame, with the newest place, and once at its end", () => {
+	it("reports the newest position once a frame, and once at its end", () => {
 		const { page, drags } = view();
 		drags.begin(1, "p3", { x: 150, y: 150 });
 		for (let x = 151; x <= 170; x++) drags.move(1, { x, y: 150 });
@@ -51,7 +51,7 @@ describe("a drag", () => {
 		expect(page.parameters).toEqual({ ...DEFAULTS, p3w: 180, p3r: 160 });
 	});
 
-	it("applies what the last frame has not seen before it ends", () => {
+	it("applies the last position before it ends", () => {
 		const { page, drags } = view();
 		drags.begin(1, "p2", { x: 3, y: 515 });
 		drags.move(1, { x: 9, y: 415 });
@@ -62,7 +62,7 @@ describe("a drag", () => {
 		expect(page.received).toHaveLength(2);
 	});
 
-	it("that changes nothing is not told: a click is no undo step", () => {
+	it("that changes nothing is not reported: a click is no undo step", () => {
 		const { page, drags } = view();
 		drags.begin(1, "p3", { x: 160, y: 140 });
 		drags.move(1, { x: 190, y: 140 });
@@ -71,7 +71,7 @@ describe("a drag", () => {
 		expect(page.received).toEqual([]);
 	});
 
-	it("that was seen on its way but ends where it began is told as over, once", () => {
+	it("that ends where it began reports its end once", () => {
 		const { page, drags } = view();
 		drags.begin(1, "p3", { x: 150, y: 150 });
 		drags.move(1, { x: 190, y: 140 });
@@ -93,7 +93,7 @@ describe("a drag", () => {
 		expect(page.received).toEqual([]);
 	});
 
-	it("called off gives back what was before, and nothing comes after", () => {
+	it("restores the original when cancelled, and reports nothing afterwards", () => {
 		const { page, drags } = view();
 		drags.begin(1, "p3", { x: 150, y: 150 });
 		drags.move(1, { x: 250, y: 50 });
@@ -108,7 +108,7 @@ describe("a drag", () => {
 		expect(drags.active).toBe(false);
 	});
 
-	it("of two fingers, called off, gives back what was before the first of them", () => {
+	it("of two fingers restores the state before the first of them when cancelled", () => {
 		const { page, drags } = view();
 		drags.begin(1, "p3", { x: 150, y: 150 });
 		drags.move(1, { x: 200, y: 150 });
@@ -121,7 +121,7 @@ describe("a drag", () => {
 		expect(page.parameters).toEqual(DEFAULTS);
 	});
 
-	it("called off keeps what another view changed meanwhile", () => {
+	it("keeps changes of another view when cancelled", () => {
 		const { page, drags } = view(["p2", "p3", "p4"]);
 		drags.begin(1, "p3", { x: 150, y: 150 });
 		drags.move(1, { x: 250, y: 50 });
@@ -141,7 +141,7 @@ describe("a drag", () => {
 });
 
 describe("two fingers", () => {
-	it("drag two handles; the change is told when the last lets go", () => {
+	it("drag two handles; the change is reported when the last is released", () => {
 		const { page, drags } = view();
 		expect(drags.begin(1, "p3", { x: 150, y: 150 })).toBe(true);
 		expect(drags.begin(2, "p4", { x: -150, y: 102 })).toBe(true);

@@ -141,7 +141,7 @@ describe("visibleFreedom", () => {
 		expect(rayToView(DEFAULTS, "p5", "level", ray, UNIT)).toEqual({ x: expect.closeTo(80, 1), y: 150 });
 	});
 
-	it("has nothing to say of a handle behind the eye or a line seen end-on", () => {
+	it("is undefined for a handle behind the camera or a line seen end-on", () => {
 		const away: Ray = { origin: [0, 0, 0.6], direction: [0, 0, 1] };
 		expect(rayToView(DEFAULTS, "p3", "plane", away, UNIT)).toBeUndefined();
 		expect(rayToView(DEFAULTS, "p2", "plumb", { origin: [0, 1, 0], direction: [0, -1, 0] }, UNIT)).toBeUndefined();

@@ -92,7 +92,7 @@ describe("the octahedron's handles", () => {
 		expect(host.change).toHaveBeenCalledTimes(1);
 	});
 
-	it("lengthen it downwards, whichever way the pointer goes aside", () => {
+	it("lengthen it downwards, ignoring sideways movement", () => {
 		drag("p2", 40, 25);
 		const [live] = host.input.mock.lastCall as [typeof DEFAULTS];
 		expect(live.l).toBeGreaterThan(DEFAULTS.l + 5);
@@ -106,7 +106,7 @@ describe("the octahedron's handles", () => {
 		expect(host.setControlsEnabled.mock.calls).toEqual([[false], [true]]);
 	});
 
-	it("go back where they were at Escape, which nobody else hears", () => {
+	it("return to their places at Escape, without passing the key on", () => {
 		const end = drag("p3", 30, 10);
 		const pressed = { key: "Escape", preventDefault: vi.fn(), stopPropagation: vi.fn() };
 		page.send("keydown", { ...pressed, key: "a" });
@@ -132,7 +132,7 @@ describe("the octahedron's handles", () => {
 		expect(host.setControlsEnabled).toHaveBeenCalledWith(false);
 	});
 
-	it("stand where the profile has them", () => {
+	it("are at the profile's positions", () => {
 		const p5 = handles.object.getObjectByName("p5");
 		expect(p5?.position.toArray()).toEqual([...handleVector(DEFAULTS, "p5", DEFAULTS.unit)]);
 		handles.update({ ...DEFAULTS, p5w: DEFAULTS.p5w + 50 });
@@ -146,7 +146,7 @@ describe("the octahedron's handles", () => {
 		expect(canvas.style.cursor).toBe("");
 	});
 
-	it("cannot be held while hidden, let go when hidden, and leave nothing behind", () => {
+	it("cannot be grabbed while hidden, are released when hidden, and clean up", () => {
 		drag("p3", 30, 0);
 		handles.setVisible(false);
 		expect(host.input.mock.lastCall).toEqual([DEFAULTS]);

@@ -39,7 +39,7 @@ describe("a photograph's place", () => {
 		expect(nudged(larger, { key: "-", shiftKey: false })?.scale).toBeCloseTo(0.5);
 	});
 
-	it("keeps what is under the pointer there when it is scaled, and never gets lost", () => {
+	it("keeps the point under the pointer in place when scaled, within limits", () => {
 		const about = { x: 30, y: 90 };
 		const under = ({ x, y, scale }: Pick<Photo, "x" | "y" | "scale">) => [(about.x - x) / scale, (about.y - y) / scale];
 		const larger = zoomed(placed, 1.7, about);
@@ -72,7 +72,7 @@ describe("the photograph's tool", () => {
 		vi.stubGlobal("createImageBitmap", bitmaps);
 	});
 
-	it("lays a picture behind the front view; it stays through undo, is in no link, and goes when it is told to", async () => {
+	it("places a picture behind the front view, which survives undo, is in no link, and can be removed", async () => {
 		const { studio, services } = await studioWith(specimenFromPreset());
 		const context = bunchContext(studio);
 		const first = picture();
@@ -107,7 +107,7 @@ describe("the photograph's tool", () => {
 		expect(large.close).toHaveBeenCalled();
 	});
 
-	it("says what is wrong with a file", async () => {
+	it("reports an invalid file", async () => {
 		const { studio } = await studioWith(specimenFromPreset());
 		bitmaps.mockRejectedValue(new Error("not decodable"));
 		await placePhoto(bunchContext(studio), new Blob());

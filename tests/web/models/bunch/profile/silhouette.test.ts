@@ -42,7 +42,7 @@ function expectNear(found: readonly object[], expected: readonly object[]): void
 }
 
 describe("silhouette", () => {
-	it("shows the front view from +Z: p3's side (+X) at the right, what is far first", () => {
+	it("shows the front view from +Z: p3's side (+X) at the right, farthest first", () => {
 		const { berries, stems } = silhouette(bunch, "front", 0.25);
 		expectNear(berries, [
 			{ x: -50, y: 200, rx: 15, ry: 15, turn: 0 },
@@ -51,7 +51,7 @@ describe("silhouette", () => {
 		expectNear(stems, [[0, 0, 3, 29]]);
 	});
 
-	it("shows the side view from −X: p5's side (+Z) at the right, what is far first", () => {
+	it("shows the side view from −X: p5's side (+Z) at the right, farthest first", () => {
 		const { berries, stems } = silhouette(bunch, "side", 0.25);
 		expectNear(berries, [
 			{ x: 40, y: 100, rx: 12, ry: 12, turn: Math.PI / 2 },

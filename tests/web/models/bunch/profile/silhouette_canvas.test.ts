@@ -54,7 +54,7 @@ function recorder() {
 }
 
 describe("inkSilhouette", () => {
-	it("draws stems, then berries from the farthest, each of which takes away what is behind it", () => {
+	it("draws stems, then berries from the farthest, each of which erases those behind it", () => {
 		const { pen, notes } = recorder();
 		inkSilhouette(pen, scene);
 		expect(notes.slice(1)).toEqual([
@@ -80,7 +80,7 @@ describe("inkSilhouette", () => {
 });
 
 describe("sameScene", () => {
-	it("tells every ingredient's change, and nothing else", () => {
+	it("detects the change of every input", () => {
 		expect(sameScene(scene, { ...scene, frame: { ...scene.frame } })).toBe(true);
 		const others = [
 			{ bunch: { ...bunch } },

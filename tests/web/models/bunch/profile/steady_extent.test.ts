@@ -10,7 +10,7 @@ describe("SteadyExtent", () => {
 		expect(steady.extent).toBe(150);
 	});
 
-	it("stands still while changes follow each other, and catches up when they have stopped", () => {
+	it("is constant while changes follow each other, and catches up when they have stopped", () => {
 		const steady = new SteadyExtent();
 		steady.follow(600, "moved", 0);
 		let later: number | undefined;
@@ -22,7 +22,7 @@ describe("SteadyExtent", () => {
 		expect(steady.extent).toBe(500);
 	});
 
-	it("does not move under a hand that rests, but when it has let go", () => {
+	it("is constant while a handle is held, and follows after its release", () => {
 		const steady = new SteadyExtent();
 		steady.follow(600, "moved", 0);
 		expect(steady.follow(500, "held", 1000)).toBeUndefined();
@@ -41,7 +41,7 @@ describe("SteadyExtent", () => {
 		expect(steady.extent).toBe(500);
 	});
 
-	it("asks for nothing when the drag came back", () => {
+	it("schedules no update if the drag came back", () => {
 		const steady = new SteadyExtent();
 		steady.follow(600, "moved", 0);
 		expect(steady.follow(500, "moved", 16)).toBe(300);

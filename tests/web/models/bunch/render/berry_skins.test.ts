@@ -53,7 +53,7 @@ describe("surfacesOf", () => {
 		);
 	});
 
-	it("has nothing to draw where only the skeleton was asked for", () => {
+	it("is undefined if only the skeleton was requested", () => {
 		expect(surfacesOf({ ...sampleBunch(3), berry: undefined })).toBeUndefined();
 	});
 });
@@ -81,7 +81,7 @@ describe("packVertices", () => {
 		}
 	});
 
-	it("takes all of the sky to be open where nobody has looked", () => {
+	it("treats all of the sky as visible if it was not computed", () => {
 		const words = new Uint32Array(4 * surfaces.pressed.length);
 		packVertices({ ...surfaces, sky: undefined }, bunch.berries, words);
 		expect(words[1] >>> 24).toBe(255);
@@ -94,7 +94,7 @@ describe("skiesOf", () => {
 	const { surfaces } = bunch;
 	const vertices = surfaces.uvs.length / 2;
 
-	it("tells each berry's mean", () => {
+	it("returns each berry's mean", () => {
 		const sky = new Uint8Array(3 * vertices);
 		sky.fill(51, vertices, 2 * vertices);
 		sky[vertices] = 255;

@@ -41,7 +41,7 @@ function staged(grown: BunchPlant) {
 const bunch = pressedBunch({ count: 60 });
 const shadows = ({ root }: PaperShadow) => (root.children[0] as Part).geometry.instanceCount;
 
-describe("the bunch's figure", () => {
+describe("the bunch's renderer", () => {
 	it("shows berries and stems, and flowers and leaves where there are any", () => {
 		const { part } = staged(bunch);
 		expect(["berries", "stems", "foliage"].map((name) => part(name).visible)).toEqual([true, true, false]);
@@ -71,7 +71,7 @@ describe("the bunch's figure", () => {
 		expect(figure.pick(ray)).toBeUndefined();
 	});
 
-	it("leaves the berries and their shadows away where stems are asked for, of later bunches too", () => {
+	it("hides the berries and their shadows in the mode of stems, for later bunches too", () => {
 		const { stage, figure, part } = staged(bunch);
 		const whole = shadows(stage.shadow);
 		figure.setMode("stems");
@@ -98,7 +98,7 @@ describe("the bunch's figure", () => {
 		expect(away(30)).toBeLessThan(away(59));
 	});
 
-	it("lays the veins on leaves as files do, anew only where they or the season are others", () => {
+	it("paints veins on leaves as in files, again only when they or the season change", () => {
 		const green = makeNatural(SKETCH);
 		const { foliage } = green;
 		if (!foliage) throw new Error("no foliage");
@@ -127,7 +127,7 @@ describe("the bunch's figure", () => {
 		expect(leaf().map).toBeNull();
 	});
 
-	it("draws what files say: the same colours of stems and leaves, the same rules of skins, the same values", () => {
+	it("draws the same colours of stems and leaves, rules of skins and values as files have", () => {
 		const grown = makeNatural(SKETCH, { traits: () => ({ opened: 1, set: 0, shrivel: 0.8 }) });
 		const { part } = staged(grown);
 		const parts = [...everyPart(bunchParts(grown, { look: LOOK }))];
@@ -166,7 +166,7 @@ describe("the bunch's figure", () => {
 			expect(fragmentShader).toContain(String(number));
 	});
 
-	it("tells the shader where the sun stands, as it tells the files", () => {
+	it("gives the shader the same direction of the sun as files", () => {
 		const grown = pressedBunch({ count: 3, exposure: 0.25 });
 		const look = { ...LOOK, skin: "c4bd66" };
 		const parameters = { sun: 90, sun_height: 30, sunlight: 0.5 };
@@ -183,7 +183,7 @@ describe("the bunch's figure", () => {
 		expect(part("berries").geometry.getAttribute("nature").getZ(0)).toBe(0.25);
 	});
 
-	it("marks withered pedicels where stems stand bare, under an open sky", () => {
+	it("marks withered pedicels on bare stems, under an open sky", () => {
 		const grown = { ...bunch, internodes: { ...bunch.internodes, state: bunch.internodes.state.slice() } };
 		const withered = grown.internodes.count - 1;
 		grown.internodes.state[withered] = 1;

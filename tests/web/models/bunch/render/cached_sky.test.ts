@@ -34,21 +34,21 @@ describe("KeptSky", () => {
 		expect(sky.of(whole)).toBe(whole);
 	});
 
-	it("gives each berry in passing the sky it had, by its id, and a new one the mean", () => {
+	it("gives each berry of a preview its previous sky, by its id, and a new one the mean", () => {
 		const sky = new CachedSky();
 		sky.of(whole);
 		const reused = sky.of(bunch({ ids: [9, 8, 7], kinds: [RACHIS] }));
 		expect([...(reused.surfaces?.sky ?? [])]).toEqual([30, 40, 25, 25, 10, 20]);
 	});
 
-	it("gives stems what those of their kind had, in their order, and more of them what the last had", () => {
+	it("gives stems the previous sky of their kind, in order, and further ones that of the last", () => {
 		const sky = new CachedSky();
 		sky.of(whole);
 		const kinds = [PEDICEL, RACHIS, RACHIS, PEDICEL, PEDICEL];
 		expect([...(sky.of(bunch({ ids: [7], kinds })).stem?.sky ?? [])]).toEqual([90, 200, 200, 60, 60]);
 	});
 
-	it("keeps what was told, not what was made of it", () => {
+	it("caches computed values, not reused ones", () => {
 		const sky = new CachedSky();
 		sky.of(whole);
 		sky.of(bunch({ ids: [8], kinds: [RACHIS] }));

@@ -61,7 +61,7 @@ describe("Casters", () => {
 		}
 	});
 
-	it("hides so much as the spheres' own geometry says: all, half, a small share, none", () => {
+	it("hides as much as geometry predicts: all, half, a small share, none", () => {
 		const along = (by: number, lateral = 0): Sphere => [
 			by * key.direction[0] + lateral * across[0],
 			by * key.direction[1] + lateral * across[1],
@@ -79,7 +79,7 @@ describe("Casters", () => {
 		expect(share(along(3), along(4, 1))).toBeCloseTo(0, 6);
 	});
 
-	it("finds what stands aside of the column but within the penumbra, on every side", () => {
+	it("finds spheres beside the column but within the penumbra, on every side", () => {
 		const towards = new Vector3(...unit(key.direction));
 		const place = (by: number, lateral: Vector3): Sphere => {
 			const at = towards.clone().multiplyScalar(by).add(lateral);
@@ -106,7 +106,7 @@ describe("Casters", () => {
 		expect([listed(0.5), listed(-0.5), listed(-1.5)]).toEqual([true, true, false]);
 	});
 
-	it("works again only for what has changed", () => {
+	it("recomputes only after changes", () => {
 		const casters = new Casters();
 		const fresh = records.slice().fill(7);
 		expect(casters.cast(receivers, key, rim, fresh)).toBe(true);

@@ -13,7 +13,7 @@ describe("DepthOrder", () => {
 		expect(order.indices).toEqual([1, 2, 0]);
 	});
 
-	it("has nothing to do again for the same eye, and all of it for other things", () => {
+	it("sorts again only for another eye or other spheres", () => {
 		const order = new DepthOrder();
 		order.reset(spheres);
 		expect([order.sort({ x: 0, y: 0, z: 10 }), order.sort({ x: 0, y: 0, z: 10 })]).toEqual([true, false]);

@@ -32,23 +32,20 @@ describe("receiversOf", () => {
 		[1.34, 1],
 		[1.5, 2],
 		[2.5, 3],
-	])(
-		"lets a berry %f times as long as wide stand in the light as %i spheres, along its length",
-		(elongation, spheres) => {
-			const bunch = pressedBunch({ count: 1, elongation });
-			const { owner, index } = receiversOf(bunch);
-			expect([...owner]).toEqual(new Array(spheres).fill(0));
-			const [width, length] = bunch.berries.traits;
-			for (let i = 0; i < spheres; i++) {
-				const away = [0, 1, 2].map((k) => index.spheres[4 * i + k] - bunch.berries.spheres[k]);
-				const along = away.reduce((sum, value, k) => sum + value * bunch.berries.directions[k], 0);
-				// On the axis, and within the berry.
-				expect(Math.hypot(...away)).toBeCloseTo(Math.abs(along), 7);
-				expect(Math.abs(along) + index.spheres[4 * i + 3]).toBeLessThanOrEqual(Math.max(length, width) / 2 + 1e-6);
-			}
-			const owners = [...receiversOf(pressedBunch({ count: 3, elongation })).owner];
-			expect(owners).toEqual([0, 1, 2].flatMap((berry) => new Array(spheres).fill(berry)));
-			if (spheres > 1) expect(Math.max(...index.spheres.subarray(3, 4))).toBeCloseTo(0.48 * width, 7);
-		},
-	);
+	])("represents a berry %f times as long as wide by %i spheres, along its length", (elongation, spheres) => {
+		const bunch = pressedBunch({ count: 1, elongation });
+		const { owner, index } = receiversOf(bunch);
+		expect([...owner]).toEqual(new Array(spheres).fill(0));
+		const [width, length] = bunch.berries.traits;
+		for (let i = 0; i < spheres; i++) {
+			const away = [0, 1, 2].map((k) => index.spheres[4 * i + k] - bunch.berries.spheres[k]);
+			const along = away.reduce((sum, value, k) => sum + value * bunch.berries.directions[k], 0);
+			// On the axis, and within the berry.
+			expect(Math.hypot(...away)).toBeCloseTo(Math.abs(along), 7);
+			expect(Math.abs(along) + index.spheres[4 * i + 3]).toBeLessThanOrEqual(Math.max(length, width) / 2 + 1e-6);
+		}
+		const owners = [...receiversOf(pressedBunch({ count: 3, elongation })).owner];
+		expect(owners).toEqual([0, 1, 2].flatMap((berry) => new Array(spheres).fill(berry)));
+		if (spheres > 1) expect(Math.max(...index.spheres.subarray(3, 4))).toBeCloseTo(0.48 * width, 7);
+	});
 });

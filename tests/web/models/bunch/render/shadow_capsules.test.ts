@@ -18,7 +18,7 @@ const foliage = {
 };
 
 describe("leafDiscs", () => {
-	it("lays discs over each leaf, within its extent, and none over the cane", () => {
+	it("places discs over each leaf, within its extent, and none over the cane", () => {
 		const discs = leafDiscs(foliage);
 		expect(discs).toHaveLength(4 * 4);
 		expect(discs[0]).toBe(3);

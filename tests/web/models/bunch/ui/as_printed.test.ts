@@ -5,7 +5,7 @@ import { specimenFromPreset } from "../../../bunch";
 
 const opened = specimenFromPreset("grape-15c");
 
-it("switches to the paper's letter and back to what was before", async () => {
+it("switches to the printed method and back to the previous values", async () => {
 	const { studio } = await studioWith(opened);
 	const context = bunchContext(studio);
 	studio.set({ parameters: { fit: 0.5, vary: 0.7 } });
@@ -15,7 +15,7 @@ it("switches to the paper's letter and back to what was before", async () => {
 	expect(studio.state.specimen.parameters).toMatchObject({ fit: 0.5, vary: 0.7 });
 });
 
-it("goes back to the preset's where nothing is remembered, and does not remember the letter itself", async () => {
+it("restores the preset's values if none were stored, and never stores the printed method's", async () => {
 	const { studio } = await studioWith(opened);
 	const context = bunchContext(studio);
 	studio.set({ parameters: { fit: 0, vary: 0 } });

@@ -28,13 +28,13 @@ describe("berry places", () => {
 		[2, "in the middle, right"],
 		[3, "at the tip, back"],
 		[4, "in the middle, inside"],
-	])("tells where berry %d is", (berry, words) => expect(placeInWords(berries, berry)).toBe(words));
+	])("describes where berry %d is", (berry, words) => expect(placeInWords(berries, berry)).toBe(words));
 
 	it("has words for a bunch of one", () => {
 		expect(placeInWords(berriesAt([0, -1, 0, 10]), 0)).toMatch(/^at the top, /);
 	});
 
-	it("tells small widths finer", () => {
+	it("gives small widths with more digits", () => {
 		expect(widthInWords(berries, 0)).toBe("18 mm");
 		expect(widthInWords(berries, 1)).toBe("8.4 mm");
 	});

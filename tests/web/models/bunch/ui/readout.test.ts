@@ -11,7 +11,7 @@ function textOf(drawn: unknown): string {
 	return strings.map((text, i) => text + textOf(values?.[i])).join("");
 }
 
-it("says lengths of the outline in millimetres", () => {
+it("shows lengths of the outline in millimetres", () => {
 	const specimen = withParameters(specimenFromPreset("riesling"), { l: 400, unit: 0.5 });
 	const grown = makeGrown(SKETCH);
 	const words = textOf(readout(grown, specimen)).replaceAll(/<[^>]*>/g, " ");

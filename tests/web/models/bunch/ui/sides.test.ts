@@ -38,7 +38,7 @@ describe("the two sides of a pair", () => {
 		expect(studio.state.specimen).toEqual(opened);
 	});
 
-	it("carry along what a change leaves out, and leave alone what it names", () => {
+	it("complete a change of one side, and leave a change of both alone", () => {
 		studio.setToolState(sides, { leftRight: true, frontBack: true });
 		studio.set({ parameters: { p4w: 77, p5r: 88 } });
 		expect([parameters().p3w, parameters().p4w, parameters().p5r, parameters().p6r]).toEqual([77, 77, 88, 88]);

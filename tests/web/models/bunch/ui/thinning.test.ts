@@ -7,7 +7,7 @@ import { MOST_THINNED, specimenFromPreset, thin, unthin } from "../../../bunch";
 
 const opened = specimenFromPreset("grape-15c");
 
-it("takes berries off by hand, one step each, and puts them all back as one", async () => {
+it("removes berries one step each, and restores them all as one step", async () => {
 	const { studio, services } = await studioWith(opened);
 	const context = bunchContext(studio);
 	const thinned = () => context.state.specimen.thinned;
@@ -109,7 +109,7 @@ it("marks the berry under the pointer, and a click takes it off", async () => {
 	expect(view.mark).toHaveBeenLastCalledWith(undefined);
 });
 
-it("takes nothing when the pointer has moved, when another is down, or when a handle holds it", async () => {
+it("removes nothing when the pointer has moved, when another is down, or when a handle is held", async () => {
 	const { context, view, send } = await armed();
 	send("pointerdown");
 	send("pointermove", { clientX: 160, buttons: 1 });

@@ -75,7 +75,7 @@ const numberOf = (descriptions: readonly Description[], organ: Organ, key: strin
 	Number(descriptions.find((each) => each.organ === organ)?.values[key]);
 
 describe("an assembled flower", () => {
-	it("grows whatever is chosen: as many organs as were asked for, a whole map, and nothing to note", () => {
+	it("grows for any choices: the requested number of organs, a valid map, and no notes", () => {
 		fc.assert(
 			fc.property(anyFlower, (flower) => {
 				const grown = grow(assembled(flower), true);
@@ -126,7 +126,7 @@ describe("an assembled flower", () => {
 		}
 	});
 
-	it("has leaves on stalks as long as is said, which rise in their stead", () => {
+	it("has leaves on stalks of the given length, which have the leaf's rise", () => {
 		const leaf = (values: Description["values"]) => grow(assembled([usual("leaf", { count: 3, ...values })]));
 		expect(counted(leaf({}), "STALK", () => true)).toBe(0);
 		const grown = leaf({ stalk: 40, angle: 30 });

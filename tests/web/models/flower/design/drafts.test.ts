@@ -49,7 +49,7 @@ describe("drafts of a design", () => {
 		expect(design && describedIn(design, "petal").values.count).toBe(5);
 	});
 
-	it("hold against values that stand beside the text, and leave those that they say nothing of", () => {
+	it("override slider values, and keep those that they do not change", () => {
 		const tulip = fromPreset(model, "designed-tulip");
 		const beside = { ...tulip, constants: { length: 600, bend: 2 } };
 		const { context, state, notify } = contextWith(undefined, beside);
@@ -64,7 +64,7 @@ describe("drafts of a design", () => {
 		expect(state.specimen.grammar).toMatch(/^#define length=600 /m);
 	});
 
-	it("go on through a gesture where there were values, and back leave what was there", () => {
+	it("continue through a gesture with slider values, and restore them when reverted", () => {
 		const beside = { ...fromPreset(model, "designed-tulip"), constants: { length: 600 } };
 		const { context, state } = contextWith(undefined, beside);
 		const drafts = new Drafts();
@@ -76,7 +76,7 @@ describe("drafts of a design", () => {
 		expect(state.specimen).toEqual(beside);
 	});
 
-	it("leave nothing of what a gesture passes", () => {
+	it("keep nothing of a gesture's intermediate states", () => {
 		const { context, state } = contextWith(EDITED);
 		const drafts = new Drafts();
 		const before = withNumber(
@@ -91,7 +91,7 @@ describe("drafts of a design", () => {
 		expect(state.specimen.grammar).toBe(EDITED);
 	});
 
-	it("keep the edited lines where the text still is what the choice wrote, and else say that it has changed", () => {
+	it("retain the edited lines if the text is still the choice's, and otherwise report that it has changed", () => {
 		const lost = () => {
 			const all = contextWith(EDITED);
 			const design = designOf(EDITED)!;

@@ -8,7 +8,7 @@ import { merged } from "../../../../../web/src/models/flower/design/merge";
 const words: fc.Arbitrary<string[]> = fc.array(fc.constantFrom("a", "b", "c", "d"), { maxLength: 8 });
 
 describe("two changes of a text", () => {
-	it("come to the one that there is, where the other changed nothing", () => {
+	it("result in the one change, if the other changed nothing", () => {
 		fc.assert(
 			fc.property(words, words, (base, changed) => {
 				expect(merged(base, base, changed)).toMatchObject({ lines: changed, retained: changed, lost: [] });
@@ -24,7 +24,7 @@ describe("two changes of a text", () => {
 		expect(merged(lines, mine, made)).toEqual({ lines: [..."abXcdefYh"], retained: [..."abXcdefYh"], lost: [] });
 	});
 
-	it("come to what the choice makes and to what was done by hand, or tell what was lost", () => {
+	it("result in the choice and the edits, or report lost lines", () => {
 		fc.assert(
 			fc.property(words, words, words, (base, mine, made) => {
 				const { lines, lost, retained } = merged(base, mine, made);
@@ -49,7 +49,7 @@ describe("two changes of a text", () => {
 		});
 	});
 
-	it("are both there in lines of one name, however many stand about them", () => {
+	it("are both retained in lines of one name, however many lines are around them", () => {
 		const base = ["#define a=1", "#define b=2", "#define c=3"];
 		const mine = ["#define a=1", "/* Mine */", "#define b=7", "#define c=3"];
 		const lines = ["#define a=9", "/* Mine */", "#define b=7"];
@@ -74,7 +74,7 @@ describe("two changes of a text", () => {
 		expect(merged([line], [longer], [made])).toEqual({ lines: [made], retained: [longer], lost: [longer] });
 	});
 
-	it("are the choice's where they are in one place, and what is lost is told and can be kept", () => {
+	it("conflict in one place: the choice wins, and lost lines are reported and can be retained", () => {
 		const { lines, retained, lost } = merged([..."abc"], [..."aXc"], [..."aYc"]);
 		expect([lines, retained, lost]).toEqual([[..."aYc"], [..."aXc"], ["X"]]);
 		// Lines deleted by hand that the choice changed.
@@ -95,7 +95,7 @@ describe("changes of a text that is longer than anyone writes", () => {
 		expect([lines[50_000], lines[50_002], lines.at(-1)]).toEqual(["mine", "line 50000", "made"]);
 	});
 
-	it("that have no line in common are told apart, and what is lost is told", () => {
+	it("without a common line are merged separately, and lost lines are reported", () => {
 		const mine = ["a", ...numbered("mine"), "z"];
 		const { lines, retained, lost } = merged(["a", ...numbered("base"), "z"], mine, ["a", ...numbered("made"), "z"]);
 		expect([lines.length, retained.length, lost.length]).toEqual([MANY + 2, MANY + 2, MANY]);
@@ -154,7 +154,7 @@ describe("a choice", () => {
 		expect(text.replace(own, "")).toBe(assembled([chosen]).replace(was, ""));
 	});
 
-	it("tells what it does not leave, and can be had without losing it", () => {
+	it("reports the lines that it overwrites, and can be applied without losing them", () => {
 		const own = "#define long=99";
 		const mine = assembled().replace(/#define long=.*/, own);
 		const design = designed(mine);

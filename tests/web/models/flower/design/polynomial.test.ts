@@ -26,7 +26,7 @@ describe("a fit of degree 6", () => {
 				expect(squares(found.map((value, j) => (j === k ? value + by : value)))).toBeGreaterThan(squares(found));
 	});
 
-	it("says the largest distance", () => {
+	it("returns the largest distance", () => {
 		expect(
 			errorOf(
 				[1],

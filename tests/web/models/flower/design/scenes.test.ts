@@ -22,7 +22,7 @@ const handleIn = ({ handles }: Scene, id: string): SceneHandle => {
 };
 
 describe("handles of the flat views", () => {
-	it("stand where their organ is as it is: taken to their own place they change nothing", () => {
+	it("are at their organ's values: dragged to their own place they change nothing", () => {
 		for (const { name, descriptions } of [...shelf, { name: "usual", descriptions: usually }])
 			for (const organ of ORGANS)
 				for (const scene of [floralDiagram(descriptions, organ), elevation(descriptions, organ)])
@@ -90,7 +90,7 @@ describe("handles of the flat views", () => {
 		expect(Number(bent.bend)).toBeLessThan(Number(before.bend));
 	});
 
-	it("make an outline a drawn one, whose points keep their order", () => {
+	it("turn an outline into a drawn one, whose points keep their order", () => {
 		const scene = outlineScene(usually[3]);
 		const point = handleIn(scene, "point-4");
 		const drawn = point.pull({ x: point.at.x / 2, y: -1000 });
@@ -111,7 +111,7 @@ describe("handles of the flat views", () => {
 		);
 	});
 
-	it("keep their order where a hand has written them near to each other", () => {
+	it("keep their order if edited text has them close to each other", () => {
 		const margin = readMargin("0:0,0.5:1,0.51:0.9,0.5122:0.8,1:0") ?? [];
 		for (const index of margin.keys())
 			for (const along of [0, 0.5, 1]) {
@@ -128,7 +128,7 @@ describe("handles of the flat views", () => {
 });
 
 describe("a floral formula", () => {
-	it("tells whorls, what has grown together and what is irregular", () => {
+	it("contains whorls, fused organs and irregular symmetry", () => {
 		expect(floralFormula(usually)).toBe("✶ K5 C5 A5 G(3)");
 		const set = (organ: Organ, values: Description["values"]) =>
 			usually.map((each) => (each.organ === organ ? described(each, values) : each));

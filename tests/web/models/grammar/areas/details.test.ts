@@ -26,7 +26,7 @@ describe("growth areas and path of a document", () => {
 		expect(await decodeLink(GRAMMAR, link)).toEqual({ specimen, notes: [] });
 	});
 
-	it("go into files, a mesh too, in whose place a link brings an ellipsoid and says so", async () => {
+	it("are stored in files with their meshes, which links replace by an ellipsoid with a note", async () => {
 		const specimen = { ...bush, areas: [cone, meshed] };
 		const written = JSON.parse(JSON.stringify(writtenSpecimen(GRAMMAR, specimen)));
 		expect(restore(GRAMMAR, written)).toEqual({ specimen, notes: [] });
@@ -58,7 +58,7 @@ describe("growth areas and path of a document", () => {
 		]);
 	});
 
-	it("have one form only: fitting what is fitted changes nothing", () => {
+	it("are normalised: normalising twice changes nothing", () => {
 		for (let i = 0; i < 200; i++) {
 			const any = (k: number) => Math.sin(12.9898 * (i + 1) * (k + 1)) * 3;
 			const fitted = fittedArea({
@@ -71,7 +71,7 @@ describe("growth areas and path of a document", () => {
 		}
 	});
 
-	it("are what the core is asked, each with its own mesh", () => {
+	it("are sent to the core, each with its own mesh", () => {
 		expect(areaBlocks({})).toEqual([]);
 		const blocks = new Map(
 			areaBlocks({ areas: [cone, meshed], path: [1, 2, 3] }).map(({ name, data }) => [name, data]),

@@ -37,7 +37,7 @@ const close = (found: readonly number[] | undefined, wanted: readonly number[]) 
 	for (const [i, value] of wanted.entries()) expect(found?.[i]).toBeCloseTo(value, 2);
 };
 
-describe("what hands do to growth areas", () => {
+describe("edits of growth areas", () => {
 	it("adds, orders and removes them", () => {
 		const more = made(edits.added(start, "sphere"));
 		expect(more.areas?.map(({ kind }) => kind)).toEqual(["box", "cone", "sphere"]);
@@ -55,7 +55,7 @@ describe("what hands do to growth areas", () => {
 		expect(made(handle.nudge(0, 1, false)).areas?.[0]).toEqual(start.areas?.[0]);
 	});
 
-	it("widens a turned area by a side, whose opposite stays where it is", () => {
+	it("widens a rotated area by a side, keeping the opposite one", () => {
 		const cone = start.areas?.[1] as Area;
 		const handle = handleOf(start, "side-1", 1);
 		const [along] = handle.along;
@@ -107,7 +107,7 @@ describe("what hands do to growth areas", () => {
 		expect(made(edits.withPath(undefined), more).path).toBeUndefined();
 	});
 
-	it("draws one more branch from the nearest place, and keeps who comes after whom while places come and go", () => {
+	it("adds a branch from the nearest place, and keeps the order as places are added and removed", () => {
 		const led = made(edits.withPath([0, 0.5, 0, 0, 1, 0, 0, 2, 0]));
 		const forked = made(
 			edits.strokeFork(led, [
@@ -189,7 +189,7 @@ describe("the handles of an area", () => {
 	};
 	const box: GrammarSpecimen = { ...start, areas: [area("box", [0, 1, 0], [2, 2, 2])] };
 
-	it("stand clear of one another as the page first looks", () => {
+	it("do not overlap in the first view", () => {
 		const places = areaHandles(box, { area: 0 }).handles.map(({ at }) => seen(at));
 		expect(places).toHaveLength(7);
 		for (const [i, [x, y]] of places.entries())
@@ -209,7 +209,7 @@ describe("the handles of an area", () => {
 		}
 	});
 
-	it("remove it where they may, and nothing in pages without a way back", () => {
+	it("remove it if allowed, and nothing on pages without undo", () => {
 		const more: GrammarSpecimen = { ...box, areas: [...(box.areas ?? []), area("cone", [0, 3, 0])] };
 		const { handles } = areaHandles(more, { area: 1, removable: true });
 		for (const { id, remove } of handles) {

@@ -53,7 +53,7 @@ describe.each(presets.filter((_, i) => i % inRun(3, 1) === 0))("%s", (name) => {
 	});
 });
 
-describe("a topiary is what its text says", () => {
+describe("a topiary follows its text", () => {
 	const text = async () => (await textOf(own("topiary-one-cube"))).replace("#define part 15", "#define part 8.5");
 	const ofText = async (change: (text: string) => string, changes: Partial<GrammarSpecimen> = {}) => {
 		const before = await text();
@@ -63,7 +63,7 @@ describe("a topiary is what its text says", () => {
 	};
 	const plain = async () => grow(own("topiary-one-cube", { constants: {}, grammar: await text() }));
 
-	it("has laterals as long as it says, and as many", async () => {
+	it("has laterals of the given length and number", async () => {
 		const [before, younger] = [
 			await plain(),
 			await ofText((each) => each.replace("#define oldest 26", "#define oldest 4")),
@@ -91,7 +91,7 @@ describe("a topiary is what its text says", () => {
 		expect(one.notes).toEqual([expect.stringContaining("Nothing grows in area 2")]);
 	});
 
-	it("grows out of its area where it does not ask", async () => {
+	it("grows out of its area if the text does not use it", async () => {
 		const wild = await ofText((each) =>
 			each.replaceAll("reach(x,y,z,u,v,w,a,3*l)", "(3*l)").replace("#define oldest 26", "#define oldest 9"),
 		);
@@ -99,7 +99,7 @@ describe("a topiary is what its text says", () => {
 		expect(lateralTips(wild).filter(({ at }) => !holds(box, at)).length).toBeGreaterThan(50);
 	});
 
-	it("draws the leaves that it says", async () => {
+	it("draws the given leaves", async () => {
 		const bare = await ofText((each) => each.replaceAll("~elliptic(l/0.85)", ""));
 		expect(leafBases(bare)).toEqual([]);
 		expect(bare.segments.count).toBe((await plain()).segments.count);
@@ -107,7 +107,7 @@ describe("a topiary is what its text says", () => {
 });
 
 describe("the main branch", () => {
-	it("is one line from the ground, through the areas in their order, across what lies between", () => {
+	it("is one line from the ground, through the areas in their order, across the gaps", () => {
 		const specimen = own("topiary-three-spheres");
 		const { segments, belongs } = grow(specimen);
 		const main = Array.from({ length: segments.count }, (_, i) => i).filter((i) => belongs?.main[i] === 1);
@@ -118,7 +118,7 @@ describe("the main branch", () => {
 		expect(passed).toEqual([0, 1, 0, 2, 0, 3]);
 	});
 
-	it("follows the path that a hand has drawn", () => {
+	it("follows a drawn path", () => {
 		const path = [0.6, 0.5, 0, 0.8, 1, 0.1, 0.2, 1.4, 0, 0, 2, 0];
 		const { segments, belongs } = grow(own("topiary-two-cubes", { path }));
 		for (let place = 0; place < path.length - 3; place += 3) {
@@ -159,7 +159,7 @@ describe("the main branch", () => {
 		for (const [k, i] of single.slice(1).entries()) expect(line.parent[i]).toBe(single[k]);
 	});
 
-	it("moves with its areas: a moved area bears where it stands now", () => {
+	it("moves with its areas: a moved area has branches at its new place", () => {
 		const before = own("topiary-two-cubes");
 		const areas = before.areas?.map((area, i) =>
 			i === 1 ? { ...area, centre: [0.9, 1.9, 0.2] as const } : area,
@@ -169,7 +169,7 @@ describe("the main branch", () => {
 		expect(clothed(surfacePlaces(areas[1], 800), leafBases(plant), 1 / before.constants.part)).toBeGreaterThan(0.85);
 	});
 
-	it("tells areas and what is the main branch's in the JSON document", () => {
+	it("has areas and the main branch's segments in the JSON document", () => {
 		const specimen = own("topiary-two-cubes");
 		const json = exportJson(model, grow(specimen), specimen);
 		expect(json).toMatchObject({ areas: specimen.areas });

@@ -6,7 +6,7 @@ import type { GrowthVolume } from "../../../../../web/src/models/growth/volumes/
 const ONE: GrowthVolume = { id: 1, base: 4, height: 10, top: 2.5, middle: 3.25, gradient: 0, towards: 0, at: [0, 0] };
 
 describe("the growth volumes of a text", () => {
-	it("are read where they are numbers, with what is said by name", () => {
+	it("are read if they are numbers, with named arguments", () => {
 		expect(writtenVolumes("footprint -> GrowVol(1, 1, 4, 10, 2.5, 0)\n")).toEqual([ONE]);
 		const text =
 			"gs = 8\nfootprint -> GrowVol(1, 1, 4, 10, 2.5, 0)\n   GrowVol(1, 2, 3, 6, .5, 10°, towards(-90), wm(5), at(1, -2.5))";
@@ -31,12 +31,12 @@ describe("the growth volumes of a text", () => {
 			expect(writtenVolumes(text), text).toBeUndefined();
 	});
 
-	it("lean to where the core has it, where nobody says", () => {
+	it("lean in the core's default direction if none is given", () => {
 		const text = "footprint -> GrowVol(1, 1, 4, 10, 2, 9)\nfootprint -> GrowVol(1, 2, 4, 10, 2, 9, at(3, 0))";
 		expect(writtenVolumes(text)?.map(({ towards }) => towards)).toEqual([0, 137.5]);
 	});
 
-	it("take the place of those before, and nothing else of the text changes", () => {
+	it("replace the previous ones, and change nothing else of the text", () => {
 		const text =
 			'gs = 7 /* footprint -> GrowVol(9) */\n\nfootprint -> GrowVol(cnt.rand(3), size(4, (1 + 9), 2, 0)),\n GrowVol(1)\ntree -> DivFunc("sigma1"){branches}\n';
 		expect(

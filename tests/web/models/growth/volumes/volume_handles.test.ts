@@ -27,7 +27,7 @@ const near = (one: readonly number[], other: readonly number[]) =>
 	});
 
 describe("a growth volume", () => {
-	it("stands where it stands and leans where it leans to", () => {
+	it("has its position and lean", () => {
 		near(axisOf(TWO), [0, Math.cos(Math.PI / 6), 0.5]);
 		near(placeIn(ONE, 1), [1, 10, 2]);
 		near(placeIn(TWO, 1), [-3, 6 * Math.cos(Math.PI / 6), 3]);
@@ -71,7 +71,7 @@ describe("a growth volume", () => {
 });
 
 describe("handles of growth volumes", () => {
-	it("stand at each foot, and on the chosen one's height, lean and widths", () => {
+	it("are at each foot, and on the chosen volume's height, lean and widths", () => {
 		const { handles } = volumeHandles([ONE, TWO], 1, put);
 		expect(handles.map(({ label, value }) => `${label}: ${value}`)).toEqual([
 			"Growth volume 1: x 1.0, z 2.0",
@@ -85,7 +85,7 @@ describe("handles of growth volumes", () => {
 		expect(handles.map(({ kind }) => kind)).toEqual([undefined, "chosen", "size", "turn", "size", "size", "size"]);
 	});
 
-	it("make what they are pulled to, and leave the other volumes alone", () => {
+	it("change the volume as dragged, and leave the others alone", () => {
 		expect(left(handle("volume-0").pull([5, 9, -1]))).toEqual([{ ...ONE, at: [5, -1] }, TWO]);
 		expect(left(handle("height").pull([1, 7, 2]))).toEqual([{ ...ONE, height: 7 }, TWO]);
 		expect(left(handle("height").pull([1, -7, 2]))[0].height).toBe(0.5);
