@@ -4,38 +4,38 @@ import { BUNCH, encodeLink, specimenFromPreset } from "../bunch";
 
 const place = { pathname: "/panicle/", search: "?v=2", hash: "" };
 const bunch = specimenFromPreset("duku");
-/** A browser's history that writes down what is done to it. */
+/** A browser's history that records calls. */
 const past = () => ({ replaceState: vi.fn(), pushState: vi.fn() });
 
 describe("the address bar", () => {
-	it("holds what is at rest, in place of the one before", async () => {
+	it("replaces its entry by the specimen at rest", async () => {
 		const history = past();
 		await new AddressBar(place, history).write(BUNCH, bunch);
 		expect(history.pushState).not.toHaveBeenCalled();
 		expect(history.replaceState).toHaveBeenCalledExactlyOnceWith(null, "", "/panicle/?v=2&preset=duku");
 	});
 
-	it("is left alone where it says so already", async () => {
+	it("is not written if the link is the same", async () => {
 		const history = past();
 		await new AddressBar({ ...place, search: "?v=2&preset=duku" }, history).write(BUNCH, bunch);
 		expect(history.replaceState).not.toHaveBeenCalled();
 	});
 
-	it("never holds an older specimen after a newer: packing a text takes its time", async () => {
+	it("never holds an older specimen after a newer one, though packing a text is asynchronous", async () => {
 		const history = past();
 		const bar = new AddressBar(place, history);
 		await Promise.all([bar.write(BUNCH, { ...bunch, grammar: "axiom: F(1)\n" }), bar.write(BUNCH, bunch)]);
 		expect(history.replaceState.mock.calls.map((call) => call[2])).toEqual(["/panicle/?v=2&preset=duku"]);
 	});
 
-	it("is one of its own: another page's does not hold it up", async () => {
+	it("is independent of the address bars of other pages", async () => {
 		const [one, other] = [past(), past()];
 		const first = new AddressBar(place, one).write(BUNCH, { ...bunch, grammar: "axiom: F(1)\n" });
 		await Promise.all([first, new AddressBar(place, other).write(BUNCH, bunch)]);
 		expect([one, other].map(({ replaceState }) => replaceState.mock.calls.length)).toEqual([1, 1]);
 	});
 
-	it("gives another preset an entry of its own, and what is changed of one the same entry", async () => {
+	it("adds a history entry for another preset, and replaces it for changes", async () => {
 		const history = past();
 		const bar = new AddressBar(place, history);
 		await bar.write(BUNCH, bunch);
@@ -52,7 +52,7 @@ describe("the address bar", () => {
 		]);
 	});
 
-	it("adds no entry where the browser has gone to another preset's by itself", async () => {
+	it("adds no entry after Back or Forward to another preset", async () => {
 		const history = past();
 		const bar = new AddressBar(place, history);
 		await bar.write(BUNCH, bunch);
@@ -62,7 +62,7 @@ describe("the address bar", () => {
 		expect(history.replaceState).toHaveBeenLastCalledWith(null, "", "/panicle/?v=2&preset=lychee");
 	});
 
-	it("bears a browser that forbids too many writes", async () => {
+	it("ignores errors of browsers that limit writes", async () => {
 		const replaceState = () => {
 			throw new Error("SecurityError");
 		};
@@ -71,19 +71,19 @@ describe("the address bar", () => {
 });
 
 describe("an address", () => {
-	it("is read at once but for what is packed, which follows", async () => {
+	it("is read synchronously, except the packed text in the fragment", async () => {
 		const { search, hash } = new URL(await encodeLink({ ...bunch, grammar: "axiom: F(1)\n" }), "https://example.org/");
 		expect(readAddress(BUNCH, { search, hash })).toEqual({ specimen: bunch, notes: [], whole: false });
 		expect(readAddress(BUNCH, { search, hash: "" }).whole).toBe(true);
 		expect((await readWholeAddress(BUNCH, { search, hash })).specimen.grammar).toBe("axiom: F(1)\n");
 	});
 
-	it("tells a text of ours in a fragment from a place in the page and from nonsense", () => {
+	it("distinguishes packed texts in fragments from other fragments", () => {
 		expect(["#controls", "#x=1", "#?v=2"].map((hash) => isForeign(BUNCH, { hash }))).toEqual([true, true, true]);
 		expect(["", "#", "#g=abc", "#x=1&g=abc"].map((hash) => isForeign(BUNCH, { hash }))).toEqual(Array(4).fill(false));
 	});
 
-	it("says whose it is, if anyone's", () => {
+	it("names the model, if any", () => {
 		expect(modelInAddress({ search: "?v=2&model=leaf" })).toBe("leaf");
 		expect(modelInAddress({ search: "?v=2" })).toBeUndefined();
 	});

@@ -15,7 +15,7 @@ class Worker extends EventTarget {
 	}
 }
 
-/** A registration whose worker answers for the page already. */
+/** A registration whose worker controls the page already. */
 class Registration extends EventTarget {
 	scope = folder;
 	active: Worker | null = new Worker("activated");
@@ -65,7 +65,7 @@ async function started(): Promise<AppUpdater> {
 	return updater;
 }
 
-/** The next version comes: what becomes of it when it has all it needs. */
+/** Installs the next version. @param become its state afterwards */
 async function arrives(become: (worker: Worker) => void): Promise<Worker> {
 	const worker = new Worker("installing");
 	registration.installing = worker;
@@ -78,7 +78,7 @@ async function arrives(become: (worker: Worker) => void): Promise<Worker> {
 	return worker;
 }
 
-it("has the app kept, unless a person is to be spared data", async () => {
+it("stores the app, unless the browser saves data", async () => {
 	await started();
 	expect(registration.active?.postMessage).toHaveBeenLastCalledWith({ type: "opened", keep: true });
 	vi.stubGlobal("navigator", { onLine: true, serviceWorker: workers, connection: { saveData: true } });
@@ -86,7 +86,7 @@ it("has the app kept, unless a person is to be spared data", async () => {
 	expect(registration.active?.postMessage).toHaveBeenLastCalledWith({ type: "opened", keep: false });
 });
 
-it("offers a version that waits, and goes over to it when that is taken", async () => {
+it("offers a waiting version, and switches to it on request", async () => {
 	await started();
 	const next = await arrives((worker) => {
 		registration.waiting = worker;
@@ -101,7 +101,7 @@ it("offers a version that waits, and goes over to it when that is taken", async 
 	expect(reload).toHaveBeenCalledOnce();
 });
 
-it("leaves a page alone when another tab goes over to the new version", async () => {
+it("does not reload a page when another tab switches to the new version", async () => {
 	await started();
 	await arrives((worker) => {
 		registration.waiting = worker;
@@ -114,7 +114,7 @@ it("leaves a page alone when another tab goes over to the new version", async ()
 	expect(reload).toHaveBeenCalledOnce();
 });
 
-it("offers nothing where the next version has failed, or had nothing to wait for", async () => {
+it("offers nothing if the next version failed or became active at once", async () => {
 	await started();
 	await arrives((worker) => worker.become("redundant"));
 	await arrives((worker) => {
@@ -126,7 +126,7 @@ it("offers nothing where the next version has failed, or had nothing to wait for
 
 const newer = async () => new Response('<script src="./assets/index-2.js">');
 
-it("looks for a newer page when part of this one did not come", async () => {
+it("checks for a newer page when a script could not be fetched", async () => {
 	const updater = await started();
 	const look = () => Promise.all([updater.look(), vi.runAllTimersAsync()]);
 	await look();
@@ -140,7 +140,7 @@ it("looks for a newer page when part of this one did not come", async () => {
 	expect(offer).toHaveBeenCalledOnce();
 });
 
-it("leaves what it keeps for a newer page that cannot be kept", async () => {
+it("unregisters the worker for a newer page that it cannot store", async () => {
 	page = newer;
 	await caches.open(`panicle ${folder} 1`);
 	await started();
@@ -154,7 +154,7 @@ it("leaves what it keeps for a newer page that cannot be kept", async () => {
 	expect(reload).toHaveBeenCalledOnce();
 });
 
-it("keeps a newer page that waits", async () => {
+it("retains the worker if a newer version waits", async () => {
 	page = newer;
 	registration.waiting = new Worker("installed");
 	await started();
@@ -164,7 +164,7 @@ it("keeps a newer page that waits", async () => {
 	expect(registration.unregister).not.toHaveBeenCalled();
 });
 
-it("asks for a new version when it is turned to, once an hour at the most", async () => {
+it("checks for a new version when it becomes visible, at most once an hour", async () => {
 	await started();
 	const turnTo = () => document.dispatchEvent(new Event("visibilitychange"));
 	turnTo();

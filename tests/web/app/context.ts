@@ -11,7 +11,7 @@ import type { EditorContext } from "../../../web/src/ui/editor_context";
 
 export const bunchModel = bunch as unknown as PageModel;
 
-/** A studio with a specimen of a model before it, the model's tools included, and what it does outside itself. */
+/** A studio with a specimen and its model's tools, and its mocked services. */
 export async function studioWith(specimen: Specimen, model: PageModel = bunchModel, ui = FIRST_VISIT) {
 	const services = {
 		grow: vi.fn(),
@@ -23,10 +23,10 @@ export async function studioWith(specimen: Specimen, model: PageModel = bunchMod
 	};
 	const studio = new Studio({ model, specimen, ui, systemDark: false }, services);
 	await vi.waitFor(() => {
-		if (!studio.state.modelUi) throw new Error("The tools have not come yet.");
+		if (!studio.state.modelUi) throw new Error("The tools are not loaded yet.");
 	});
 	return { studio, services };
 }
 
-/** The same as what the bunch's tools know it as. */
+/** The studio as the context of the bunch's tools. */
 export const bunchContext = (studio: Studio) => studio as EditorContext as unknown as BunchContext;

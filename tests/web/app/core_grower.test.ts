@@ -9,8 +9,8 @@ import { toy } from "../toy";
 const model = toy as unknown as PageModel;
 const address = (file: string) => (file === "toy.wasm" ? "/cores/toy.wasm" : undefined);
 
-describe("the cores", () => {
-	it("grow a specimen by its model's core, in its model's words both ways", async () => {
+describe("the core grower", () => {
+	it("grows a specimen by its model's core, with the model's encoding and reading", async () => {
 		const columns = new Columns(writeContainer([{ name: "fingerprint", data: "0123" }]));
 		const grow = vi.fn(async () => ({ columns, milliseconds: 7 }));
 		const { signal } = new AbortController();
@@ -32,7 +32,7 @@ describe("the cores", () => {
 		);
 	});
 
-	it("wait for what a specimen needs besides, and grow without it where it does not come", async () => {
+	it("waits for a specimen's files, and grows without those that cannot be fetched", async () => {
 		const columns = new Columns(writeContainer([{ name: "fingerprint", data: "0123" }]));
 		for (const comes of [true, false]) {
 			let there = false;
@@ -51,7 +51,7 @@ describe("the cores", () => {
 		}
 	});
 
-	it("wait for the sketch alone where that does, of models that have one", async () => {
+	it("waits only for the sketch when sketched, for models that have one", async () => {
 		const columns = new Columns(writeContainer([{ name: "fingerprint", data: "0123" }]));
 		const client = { grow: async () => ({ columns, milliseconds: 7 }), warm: vi.fn(), among: vi.fn() };
 		const [prepare, sketch] = [vi.fn(async () => {}), vi.fn(async () => {})];
@@ -63,7 +63,7 @@ describe("the cores", () => {
 		expect([prepare, sketch].map(({ mock }) => mock.calls.length)).toEqual([2, 1]);
 	});
 
-	it("do not begin an older growth after a newer one that had less to wait for", async () => {
+	it("does not start an older growth after a newer one", async () => {
 		const columns = new Columns(writeContainer([{ name: "fingerprint", data: "0123" }]));
 		const grow = vi.fn(async (_order: { blocks: readonly unknown[] }) => ({ columns, milliseconds: 7 }));
 		const cores = new CoreGrower(address, { grow, warm: vi.fn(), among: vi.fn() });
@@ -77,7 +77,7 @@ describe("the cores", () => {
 		expect(grow.mock.calls[0][0].blocks).toContainEqual({ name: "seed", data: Uint32Array.of(2) });
 	});
 
-	it("are warmed by their files, where there is one of that name", () => {
+	it("starts fetching cores by known file names only", () => {
 		const warm = vi.fn();
 		const cores = new CoreGrower(address, { grow: vi.fn(), warm, among: vi.fn() });
 		cores.warm("plum.wasm");
@@ -86,7 +86,7 @@ describe("the cores", () => {
 		expect(warm).toHaveBeenCalledExactlyOnceWith("/cores/toy.wasm");
 	});
 
-	it("say where one is missing", async () => {
+	it("rejects with the model's name if its core is missing", async () => {
 		const cores = new CoreGrower(() => undefined, { grow: vi.fn(), warm: vi.fn(), among: vi.fn() });
 		await expect(cores.grow(model, fromPreset(model))).rejects.toThrow(
 			"The core of the pole is not part of this page.",

@@ -38,7 +38,7 @@ function tagsOf(html: string) {
 	}));
 }
 
-describe("code to be copied", () => {
+describe("embed code", () => {
 	it("is one script and one tag with the whole link", () => {
 		expect(tagsOf(embedCode(of, choice))).toEqual([
 			{ tag: "script", type: "module", src: "https://plants.example/app/panicle.js" },
@@ -46,7 +46,7 @@ describe("code to be copied", () => {
 		]);
 	});
 
-	it("is a frame, its keys before the link’s fragment", () => {
+	it("is a frame, with its keys before the link’s fragment", () => {
 		const [frame, ...others] = tagsOf(
 			embedCode(of, { ...choice, form: "frame", wind: true, controls: true, lazy: true }),
 		);
@@ -63,7 +63,7 @@ describe("code to be copied", () => {
 		});
 	});
 
-	it("is a viewer of others with a file beside the page", () => {
+	it("is model-viewer with a file beside the page", () => {
 		expect(tagsOf(embedCode(of, { ...choice, form: "model-viewer", controls: true, autorotate: true }))).toEqual([
 			{ tag: "script", type: "module", src: MODEL_VIEWER },
 			expect.objectContaining({
@@ -76,7 +76,7 @@ describe("code to be copied", () => {
 		]);
 	});
 
-	it("says each choice, by names that the element and the frame know", () => {
+	it("contains each option by the names of the element and the frame", () => {
 		for (const key of ["autorotate", "controls", "handles"] as const) {
 			expect(OWN_ATTRIBUTES).toContain(key);
 			expect(FRAME_KEYS).toContain(key);
@@ -87,7 +87,7 @@ describe("code to be copied", () => {
 			expect(tagsOf(embedCode(of, { ...choice, form, lazy: true })).at(-1)).toHaveProperty("loading", "lazy");
 	});
 
-	it("lets no text out of its attribute", () =>
+	it("escapes all texts in attributes", () =>
 		fc.assert(
 			fc.property(
 				fc.constantFrom(...EMBED_FORMS),

@@ -29,13 +29,13 @@ const format: Format = {
 	make: async (_, { preset }, link) => `${preset} ${link}`,
 };
 
-it("names files after what grew", () => {
+it("names files after preset and seed", () => {
 	expect(fileName({ ...specimenFromPreset("grape-15a"), seed: 7 })).toBe("grape-15a-7");
 	expect(fileName({ ...specimenFromPreset("grape-15a"), seed: 7 }, true)).toBe("grape-15a-altered-7");
 });
 
 describe("what can be downloaded", () => {
-	it("is what every plant has, and a picture where there is a view", () => {
+	it("is the formats of every plant, and pictures if there is a view", () => {
 		const keys = (picture?: () => Promise<Blob>) => downloadFormats(shown([]), picture).map(({ key }) => key);
 		expect(keys()).toEqual(["glb", "glb-web", "glb-low", "glb-wind", "usdz", "ply", "3mf", "stl", "obj", "json"]);
 		expect(keys(async () => new Blob())).toEqual([
@@ -54,11 +54,11 @@ describe("what can be downloaded", () => {
 		]);
 	});
 
-	it("is nothing of the wind where it leaves plants alone, as in a stand", () => {
+	it("does not include wind animations for models that do not sway", () => {
 		expect(downloadFormats({ ...shown([]), model: stand }, undefined).map(({ key }) => key)).not.toContain("glb-wind");
 	});
 
-	it("is pictures as high as is asked for, with the paper behind or nothing", async () => {
+	it("includes pictures of the requested height, with or without background", async () => {
 		const take = vi.fn(async () => new Blob());
 		const pictures = downloadFormats(shown([]), take).filter(({ key }) => key.startsWith("png"));
 		const request = { plant: shown([]), link: "", name: "a", options: {} };
@@ -67,7 +67,7 @@ describe("what can be downloaded", () => {
 		expect(take.mock.calls).toEqual([[{ height: 300 }], [{ height: 300, alone: true }], [{ alone: true }]]);
 	});
 
-	it("is pictures that carry the plant’s link", async () => {
+	it("includes pictures that contain the plant’s link", async () => {
 		const taken = new Blob([png({ width: 1, height: 1, pixels: new Uint8Array(3) })]);
 		const pictures = downloadFormats(shown([]), async () => taken).filter(({ key }) => key.startsWith("png"));
 		for (const { make } of pictures) {
@@ -76,7 +76,7 @@ describe("what can be downloaded", () => {
 		}
 	});
 
-	it("is its growth where it has an age and a core that is part of the page", () => {
+	it("includes its growth if it has an age and its core is part of the page", () => {
 		const from = specimenFromPreset("riesling");
 		const keys = (wasm: string) =>
 			downloadFormats({ model: { ...bunchModel, wasm }, grown: EMPTY_PLANT, from }, undefined).map(({ key }) => key);
@@ -84,7 +84,7 @@ describe("what can be downloaded", () => {
 		expect(keys("nowhere.wasm")).not.toContain("glb-growth");
 	});
 
-	it("is a file with instances where parts share meshes", () => {
+	it("includes a file with instances if parts share meshes", () => {
 		const organs = { ...EMPTY_PLANT.organs, count: 1, mesh: Int32Array.of(0) };
 		const keys = (model: Partial<PageModel>, grown: Plant = { ...EMPTY_PLANT, organs }) =>
 			downloadFormats({ ...shown([]), model: { ...shown([]).model, ...model }, grown }, undefined).map(
@@ -95,7 +95,7 @@ describe("what can be downloaded", () => {
 		expect(keys({ instanced: () => true }, EMPTY_PLANT)).toContain("glb-instanced");
 	});
 
-	it("is what the model makes besides, of what suits it", async () => {
+	it("includes the model's own formats that apply", async () => {
 		const plant = shown([format, { ...format, key: "no", applies: () => false }]);
 		const write = vi.fn((model: PageModel, request: FileRequest) => makeFile(model, request));
 		const [own, ...others] = downloadFormats(plant, undefined, write).filter(

@@ -52,7 +52,7 @@ describe("growing", () => {
 	});
 	afterEach(() => vi.useRealTimers());
 
-	it("hands over what grew, with what it grew from", async () => {
+	it("passes the plant and its specimen to the studio", async () => {
 		const done = growing.grow(bunchModel, specimen(1));
 		calls[0].resolve(bunch("a"));
 		await done;
@@ -61,7 +61,7 @@ describe("growing", () => {
 		expect(studio.setGrowing).not.toHaveBeenCalledWith(true);
 	});
 
-	it("makes do with sketches until the first picture, and then grows again what had one", () => {
+	it("uses sketches until the first picture, then grows again models with a sketch", () => {
 		for (const sketched of [true, false]) {
 			void growing.grow(bunchModel, specimen(1));
 			expect(calls.at(-1)?.sketched).toBe(sketched);
@@ -73,7 +73,7 @@ describe("growing", () => {
 		expect(studio.growAgain).toHaveBeenCalledOnce();
 	});
 
-	it("shows every answer of a drag, but never an older one after a newer", async () => {
+	it("shows every response of a drag, but never an older one after a newer one", async () => {
 		const all = [
 			growing.grow(bunchModel, specimen(1)),
 			growing.grow(bunchModel, specimen(2)),
@@ -89,7 +89,7 @@ describe("growing", () => {
 		expect(studio.caughtUp.mock.invocationCallOrder[0]).toBeGreaterThan(studio.grew.mock.invocationCallOrder[1]);
 	});
 
-	it("says that it grows when an answer takes long, not when a drag does", async () => {
+	it("shows progress when one response takes long, not when a drag does", async () => {
 		for (let seed = 1; seed <= 10; seed++) {
 			void growing.grow(bunchModel, specimen(seed));
 			await vi.advanceTimersByTimeAsync(100);
@@ -105,7 +105,7 @@ describe("growing", () => {
 		expect(studio.setGrowing).toHaveBeenLastCalledWith(false);
 	});
 
-	it("cancels, says so once, and grows again afterwards", async () => {
+	it("cancels with one notice, and grows again afterwards", async () => {
 		const first = growing.grow(bunchModel, specimen(1));
 		const second = growing.grow(bunchModel, specimen(2));
 		growing.cancel();
@@ -120,7 +120,7 @@ describe("growing", () => {
 		expect(studio.grew).toHaveBeenCalledOnce();
 	});
 
-	it("keeps quiet about what was superseded, and about the failure of what is no longer wanted", async () => {
+	it("does not report superseded growths, nor errors of outdated ones", async () => {
 		const first = growing.grow(bunchModel, specimen(1));
 		const second = growing.grow(bunchModel, specimen(2));
 		calls[0].reject(new CoreError("limit", "too large"));
@@ -136,7 +136,7 @@ describe("growing", () => {
 		[new CoreTrap("unreachable"), "notify", "The last bunch stays"],
 		[new UnsupportedError("fetch", "no core"), "fail", "no core"],
 		[new Error("odd"), "fail", "odd"],
-	] as const)("explains %o where a bunch stands", async (error, how, words) => {
+	] as const)("reports %o while a bunch is in view", async (error, how, words) => {
 		const done = growing.grow(bunchModel, specimen(1));
 		calls[0].reject(error);
 		await done;
@@ -144,7 +144,7 @@ describe("growing", () => {
 		expect(JSON.stringify(studio[how].mock.lastCall)).toContain(words);
 	});
 
-	it("speaks of the model that is asked for, and of the one that stays", async () => {
+	it("names the requested model, or the model of the plant that stays", async () => {
 		const failing = () => calls[calls.length - 1].reject(new CoreTrap("unreachable"));
 		const beside = growing.grow(toy as unknown as PageModel, specimen(1));
 		failing();
@@ -161,7 +161,7 @@ describe("growing", () => {
 		[new CoreError("syntax", "unexpected )", 3, 7), ["other"], "Line 3, column 7 of the grammar: unexpected )"],
 		[new CoreTrap("unreachable"), ["again", "other"], "There is no bunch yet"],
 		[new UnsupportedError("fetch", "no core"), ["again"], "no core"],
-	] as const)("says in place of the first bunch why there is none: %o", async (error, remedies, words) => {
+	] as const)("shows a failure in place of the first bunch: %o", async (error, remedies, words) => {
 		studio.state.shown = undefined;
 		const done = growing.grow(bunchModel, specimen(1));
 		calls[0].reject(error);
@@ -173,7 +173,7 @@ describe("growing", () => {
 		expect(message).not.toContain("last bunch");
 	});
 
-	it("has no last bunch to speak of when the first growth is cancelled", async () => {
+	it("does not mention a last bunch when the first growth is cancelled", async () => {
 		studio.state.shown = undefined;
 		const done = growing.grow(bunchModel, specimen(1));
 		growing.cancel();

@@ -18,7 +18,7 @@ async function opening() {
 }
 
 describe("a link that is unpacked late", () => {
-	it("opens where nothing was changed meanwhile, without a step to undo", async () => {
+	it("opens if nothing was changed meanwhile, without an undo step", async () => {
 		const { studio, come, opened } = await opening();
 		studio.setUi({ theme: "dark" });
 		come(linked);
@@ -37,7 +37,7 @@ describe("a link that is unpacked late", () => {
 				studio.undo();
 			},
 		],
-	])("leaves the document alone where %s, and opens when it is asked to, as one step", async (_, act) => {
+	])("leaves the document unchanged where %s, and opens on request as one undo step", async (_, act) => {
 		const { studio, come, opened } = await opening();
 		act(studio);
 		const { specimen, history } = studio.state;
@@ -52,14 +52,14 @@ describe("a link that is unpacked late", () => {
 		expect(studio.state.specimen).toBe(specimen);
 	});
 
-	it("says so where the script that unpacks it did not come", async () => {
+	it("shows a notice if the script that unpacks it cannot be fetched", async () => {
 		const { studio, fail, opened } = await opening();
 		fail(new TypeError("Failed to fetch"));
 		await opened;
 		expect(studio.state.notices[0].title).toBe("The link could not be read to its end");
 	});
 
-	it("does not report a fault while opening as a failed fetch", async () => {
+	it("rejects with an error of opening, without reporting a failed fetch", async () => {
 		const { studio, come, opened } = await opening();
 		const fault = new Error("a fault of the page");
 		vi.spyOn(studio, "open").mockImplementation(() => {

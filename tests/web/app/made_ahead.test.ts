@@ -19,7 +19,7 @@ function format(key: string, make: DownloadFormat["make"], sized = true): Downlo
 	return { key, title: key, about: "", suffix: `.${key}`, sized, make };
 }
 
-it("makes one file after the other, and each once", async () => {
+it("makes one file after the other, each once, slow ones last", async () => {
 	const order: string[] = [];
 	const named = (key: string) =>
 		format(key, async () => {
@@ -39,7 +39,7 @@ it("makes one file after the other, and each once", async () => {
 	expect(ahead.file(unsized, request)).toBeUndefined();
 });
 
-it("has a file for what it was made of alone", async () => {
+it("returns a file only for the request and plant that it was made from", async () => {
 	const one = format("one", async () => new Blob(["one"]));
 	const ahead = new MadeAhead(() => undefined);
 	await ahead.start([one], request);
@@ -52,7 +52,7 @@ it("has a file for what it was made of alone", async () => {
 	expect(ahead.file(one, request)).toBeUndefined();
 });
 
-it("goes on after what fails, and stops when it is told to", async () => {
+it("continues after a failed file, and stops on request", async () => {
 	const broken = format("broken", async () => Promise.reject(new Error("no")));
 	const ahead = new MadeAhead(() => undefined);
 	const last = vi.fn(async () => new Blob(["last"]));
@@ -68,14 +68,14 @@ it("goes on after what fails, and stops when it is told to", async () => {
 	expect(last).toHaveBeenCalledOnce();
 });
 
-it("gives up where the script that makes files cannot be fetched", async () => {
+it("stops if the script that makes files cannot be fetched", async () => {
 	const last = vi.fn(async () => new Blob(["last"]));
 	const ahead = new MadeAhead(() => undefined);
 	await ahead.start([format("far", async () => Promise.reject(new NotFetched())), format("last", last)], request);
 	expect(last).not.toHaveBeenCalled();
 });
 
-it("says sizes as downloads are counted", () => {
+it("formats file sizes in decimal units", () => {
 	expect([1, 41_400, 999_400, 999_600, 2_927_000, 9_960_000, 28_461_000].map(sizeInWords)).toEqual([
 		"1 kB",
 		"41 kB",

@@ -6,7 +6,7 @@ import { EMPTY_PLANT } from "../../../web/src/plant/plant";
 import { specimenFromPreset } from "../bunch";
 import { bunchModel } from "./context";
 
-it("offers of many what a series can make, and so no life", () => {
+it("offers the formats of a series for a batch, without growth animations", () => {
 	const shown = { model: bunchModel, grown: EMPTY_PLANT, from: specimenFromPreset("riesling") };
 	const keys = formatsOfMany(shown).map(({ key }) => key);
 	expect(downloadFormats(shown, undefined).map(({ key }) => key)).toContain("glb-growth");

@@ -19,13 +19,13 @@ const [leafModel, treeModel] = [leaf, tree] as unknown as PageModel[];
 const BALL = ["1 0 0", "-1 0 0", "0 1 0", "0 -1 0", "0 0 1", "0 0 -1"].map((point) => `v ${point}`);
 const FACES = ["1 3 5", "3 2 5", "2 4 5", "4 1 5", "3 1 6", "2 3 6", "4 2 6", "1 4 6"].map((face) => `f ${face}`);
 
-/** A studio with a model's standard preset, and what it says once a file has been brought to it. */
+/** A studio with a model's default preset, its messages, and a function that opens a file in it. */
 async function brought(model: PageModel) {
 	const { studio } = await studioWith(fromPreset(model), model);
 	const messages = () => studio.state.notices.map(({ title, details }) => [title, ...details].join(" "));
 	const bring = async (file: File) => {
 		await openFile(studio, file);
-		// Tools fetch what reads the file.
+		// Tools fetch the script that reads the file.
 		await vi.waitFor(() => expect(messages().join()).not.toBe(""));
 		await new Promise((resolve) => setTimeout(resolve, 50));
 		return messages();
@@ -33,26 +33,26 @@ async function brought(model: PageModel) {
 	return { studio, messages, bring };
 }
 
-describe("a file brought to the page", () => {
+describe("a file that is opened or dropped", () => {
 	beforeAll(() => {
 		const bitmap = () => Promise.reject(new Error("no picture"));
 		vi.stubGlobal("createImageBitmap", bitmap);
 	});
 
-	it("goes to the tool that takes it, where no plant is in it: a picture is traced on a leaf", async () => {
+	it("goes to the tool that takes it if it holds no plant: a picture is traced on a leaf", async () => {
 		const { bring, studio } = await brought(leafModel);
 		expect(dropsOf(studio).map(({ words }) => words)).toEqual(["a picture of a leaf is traced"]);
 		const notices = await bring(new File([Uint8Array.of(0xff, 0xd8, 0xff)], "oak.jpg", { type: "image/jpeg" }));
 		expect(notices).toEqual([expect.stringMatching(/^The picture was not traced The file is no picture/)]);
 	});
 
-	it("is refused in the page's words where no tool takes it", async () => {
+	it("is refused with a notice if no tool takes it", async () => {
 		const { bring } = await brought(treeModel);
 		const notices = await bring(new File([Uint8Array.of(0xff, 0xd8, 0xff)], "oak.jpg", { type: "image/jpeg" }));
 		expect(notices).toEqual([expect.stringContaining("oak.jpg is neither a GLB nor readable JSON")]);
 	});
 
-	it("is told of the models whose tools would take it", async () => {
+	it("is refused with a list of the models whose tools would take it", async () => {
 		const picture = await (await brought(treeModel)).bring(
 			new File([Uint8Array.of(0xff)], "oak.jpg", { type: "image/jpeg" }),
 		);
@@ -67,7 +67,7 @@ describe("a file brought to the page", () => {
 		);
 	});
 
-	it("becomes a tree's boundary where it is a mesh; other kinds of mesh are told which ones do", async () => {
+	it("becomes a tree's boundary if it is a mesh of a supported format; others are refused with the formats", async () => {
 		const { bring, studio } = await brought(treeModel);
 		expect(await bring(new File(["ply"], "ball.ply"))).toEqual([
 			expect.stringContaining("ball.ply is neither an OBJ nor a GLB nor an STL: save the mesh as one of them."),
@@ -81,7 +81,7 @@ describe("a file brought to the page", () => {
 		]);
 	});
 
-	it("is opened by the link in a picture, whatever tools take pictures; one without goes to them", async () => {
+	it("is opened by the link in a picture; a picture without a link goes to the tools", async () => {
 		const { studio, bring, messages } = await brought(leafModel);
 		const bare = png({ width: 1, height: 1, pixels: Uint8Array.of(1, 2, 3) });
 		const picture = async (link: string) =>
@@ -89,7 +89,7 @@ describe("a file brought to the page", () => {
 		await openFile(studio, await picture("https://else.example/app/?v=2&model=tree&preset=birch&seed=5"));
 		expect(studio.state.specimen).toMatchObject({ model: "tree", preset: "birch", seed: 5 });
 		expect(messages()).toEqual([]);
-		// From outside: what it says is brought into range, and told.
+		// A link from outside is not trusted: values are limited to their ranges, with a note.
 		await openFile(studio, await picture("javascript:alert(1)?v=9&model=leaf&seed=-3&__proto__=x"));
 		expect(studio.state.specimen).toMatchObject({ model: "leaf", seed: 0 });
 		expect(messages()).toEqual([
@@ -100,7 +100,7 @@ describe("a file brought to the page", () => {
 		]);
 	});
 
-	it("grows as a grammar where it is text; XML may be longer than the text that it becomes", async () => {
+	it("grows if it is a grammar's text; XML may be longer than the text in it", async () => {
 		const { bring, studio, messages } = await brought(leafModel);
 		const axiom = "<axiom>A</axiom>".padEnd(300_000);
 		await openFile(studio, new File([axiom], "a.xml"));
@@ -112,7 +112,7 @@ describe("a file brought to the page", () => {
 		expect(await bring(new File([axiom.padEnd(8_400_000)], "a.xml"))).toContain(
 			"The file was not opened a.xml is longer than 8192 KiB.",
 		);
-		// The plant stays where it is the text that is too long.
+		// The plant stays if the text in the XML is too long.
 		const before = studio.state.specimen;
 		const long = `<axiom>${"A".repeat(300_000)}</axiom>`;
 		expect(await bring(new File([long], "long.xml"))).toContain(
@@ -121,7 +121,7 @@ describe("a file brought to the page", () => {
 		expect(studio.state.specimen).toBe(before);
 	});
 
-	it("takes back what was said of the one before when it is opened", async () => {
+	it("removes the notice about the file before", async () => {
 		const { bring, studio, messages } = await brought(leafModel);
 		expect(await bring(new File(["?"], "notes.txt"))).toHaveLength(1);
 		const specimen = writtenSpecimen(treeModel, { ...fromPreset(treeModel), seed: 5 });

@@ -11,13 +11,13 @@ const entriesOf = (groups: ReturnType<typeof groupsFor>) =>
 	groups.flatMap(({ entries }) => entries.map(({ key }) => key));
 
 describe("the panel's groups", () => {
-	it("hold what the specimen isActive, in the table's order, and no group without anything", () => {
+	it("hold the active parameters in the table's order, and no empty group", () => {
 		expect(entriesOf(groupsFor(toy.table, fromPreset(toy), []))).toEqual(["height", "flag", "paint"]);
 		expect(entriesOf(groupsFor(toy.table, fromPreset(toy, "märz"), []))).toEqual(["height", "flag", "wind", "paint"]);
 		expect(keysOf(groupsFor(toy.table, fromPreset(toy), []))).toEqual(["pole"]);
 	});
 
-	it("leave to tools what is theirs, and give them their place", () => {
+	it("leave out parameters of tools, and place the tools above or below", () => {
 		const above: Tool = {
 			name: "a",
 			initial: 0,
@@ -31,7 +31,7 @@ describe("the panel's groups", () => {
 		expect([rest.entries, rest.below]).toEqual([[], [below]]);
 	});
 
-	it("of tools stand before the table's, or at the end", () => {
+	it("of tools come before the table's, or at the end", () => {
 		const brought = (key: string, last: boolean): Tool => ({
 			name: key,
 			initial: 0,
@@ -41,7 +41,7 @@ describe("the panel's groups", () => {
 		expect(keysOf(groupsFor(toy.table, fromPreset(toy), tools))).toEqual(["front", "pole", "end"]);
 	});
 
-	it("of a bunch show what its procedure isActive; the age stands below the view", async () => {
+	it("of a bunch show the parameters of its procedure; the age is in the bar below the view", async () => {
 		const { studio } = await studioWith(specimenFromPreset());
 		const shown = (version: number) => {
 			const specimen = specimenFromPreset(undefined, version);

@@ -22,7 +22,7 @@ describe("what is saved", () => {
 		expect(from).toEqual({ ...opened, look: { ...opened.look, skin: "ffffff" } });
 	});
 
-	it("is awaited where it still grows: never one plant's shape in another's look", async () => {
+	it("is awaited while it grows: never one plant's shape in another's look", async () => {
 		const studio = await studioWithPlant();
 		studio.choosePreset("lychee");
 		const saved = plantToSave(studio);
@@ -32,7 +32,7 @@ describe("what is saved", () => {
 		expect(await saved).toMatchObject({ grown: { fingerprint: "second" }, from: lychee });
 	});
 
-	it("is in the look it had when it was asked for", async () => {
+	it("has the look of the time of the request", async () => {
 		const studio = await studioWithPlant();
 		studio.set({ parameters: { l: 400 } });
 		const requested = studio.state.specimen;
@@ -43,7 +43,7 @@ describe("what is saved", () => {
 		expect((await saved).from).toEqual(requested);
 	});
 
-	it("is the plant that stays, in its own look, where the awaited one fails", async () => {
+	it("is the plant in view, in its own look, if the awaited growth fails", async () => {
 		const studio = await studioWithPlant();
 		studio.choosePreset("lychee");
 		const saved = plantToSave(studio);
@@ -51,7 +51,7 @@ describe("what is saved", () => {
 		expect(await saved).toMatchObject({ grown: { fingerprint: "first" }, from: opened });
 	});
 
-	it("is not waited for any more when it is cancelled", async () => {
+	it("rejects when it is cancelled", async () => {
 		const studio = await studioWithPlant();
 		studio.choosePreset("lychee");
 		const cancel = new AbortController();

@@ -1,7 +1,7 @@
 import { readFileSync } from "node:fs";
 import { expect, it } from "vitest";
 
-it("allows the page what it does and nothing else", () => {
+it("the content security policy allows exactly what the page needs", () => {
 	const page = readFileSync(new URL("../../../web/index.html", import.meta.url), "utf8");
 	const policy = /<meta http-equiv="Content-Security-Policy" content="([^"]+)">/.exec(page)?.[1];
 	expect(policy?.split("; ").sort()).toEqual([
@@ -17,7 +17,7 @@ it("allows the page what it does and nothing else", () => {
 		"style-src 'self'",
 		"worker-src 'self' blob:",
 	]);
-	// Nothing before it could be free of it.
+	// The policy applies only to elements after it.
 	expect(page.indexOf("Content-Security-Policy")).toBeLessThan(page.indexOf("<script"));
 	expect(page.indexOf("Content-Security-Policy")).toBeLessThan(page.indexOf("<link"));
 });

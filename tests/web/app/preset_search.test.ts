@@ -15,7 +15,7 @@ describe("the gallery's sections", () => {
 		expect(found("").sort()).toEqual(all.sort());
 	});
 
-	it("leave a kind without presets out", () => {
+	it("leave out kinds without presets", () => {
 		const kinds = [...toy.presets.kinds, { key: "lost", title: "Lost" }];
 		const model = { ...toy, presets: { ...toy.presets, list: toy.presets.list, kinds } } as unknown as PageModel;
 		expect(sectionsOf([model]).map(({ kind }) => kind.key)).toEqual(["bare", "flown"]);
@@ -33,12 +33,12 @@ describe("a search", () => {
 		["plum pudding", []],
 	])("for %j finds %j", (query, names) => expect(found(query)).toEqual(names));
 
-	it("reads kinds and models too", () => {
+	it("searches kinds and models, too", () => {
 		expect(found("flagpole")).toEqual(["plain", "märz"]);
 		expect(found("other fruits")).toEqual(["redcurrant", "rubus", "lychee", "longan", "duku"]);
 	});
 
-	it("is within one kind where that is chosen", () => {
+	it("is limited to the chosen kind", () => {
 		expect(found("", "toy flown")).toEqual(["märz"]);
 		expect(found("plain", "toy flown")).toEqual([]);
 		expect(found("cone", "bunch shape")).toContain("long-conical");

@@ -3,7 +3,7 @@ import { SolidView } from "../../../web/src/app/solid_view";
 import { specimenFromPreset } from "../bunch";
 import { studioWith } from "./context";
 
-/** What the view is told, in place of a graphics card. */
+/** A mock of the viewer, without a graphics card. */
 const view = vi.hoisted(() => ({ use: vi.fn(), dispose: vi.fn(), modes: ["whole"], reducedMotion: false }));
 vi.mock("../../../web/src/render/viewer", () => ({
 	Viewer: class {
@@ -16,7 +16,7 @@ vi.mock("../../../web/src/render/viewer", () => ({
 }));
 afterEach(() => vi.unstubAllGlobals());
 
-it("is followed by the 3-D view for as long as there is one", async () => {
+it("the 3-D view follows the reduced-motion preference until it is disposed", async () => {
 	const query = Object.assign(new EventTarget(), { matches: true });
 	vi.stubGlobal("matchMedia", () => query);
 	const { studio } = await studioWith(specimenFromPreset());

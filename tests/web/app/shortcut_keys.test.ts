@@ -4,7 +4,7 @@ import type { Studio } from "../../../web/src/app/studio";
 import { specimenFromPreset } from "../bunch";
 import { studioWith } from "./context";
 
-describe("the page's keys", () => {
+describe("the keyboard shortcuts", () => {
 	let studio: Studio;
 	let page: EventTarget;
 	let dialog: object | null;
@@ -27,14 +27,14 @@ describe("the page's keys", () => {
 		vi.unstubAllGlobals();
 	});
 
-	/** Presses a key; tells whether the page has taken it. */
+	/** Presses a key. @returns whether the page has handled it */
 	const press = (key: string, held: { ctrlKey?: boolean; shiftKey?: boolean } = {}) => {
 		const event = Object.assign(new Event("keydown", { cancelable: true }), { key, ...held });
 		page.dispatchEvent(event);
 		return event.defaultPrevented;
 	};
 
-	it("undo, do again and open what is saved", () => {
+	it("undo, redo and open the saved specimens", () => {
 		const before = studio.state.specimen;
 		studio.newVariation();
 		const after = studio.state.specimen;
@@ -46,7 +46,7 @@ describe("the page's keys", () => {
 		expect(opens.saved).toHaveBeenCalledOnce();
 	});
 
-	it("do nothing behind an open dialog, whether letters or with Ctrl", () => {
+	it("do nothing while a dialog is open, with or without Ctrl", () => {
 		studio.newVariation();
 		const { specimen } = studio.state;
 		dialog = {};

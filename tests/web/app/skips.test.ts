@@ -1,7 +1,7 @@
 import { expect, it, vi } from "vitest";
 import { listenForSkips } from "../../../web/src/app/skips";
 
-/** A page with a click's listener, and one place in it. */
+/** A page that records the click listener, with one target element. */
 function page() {
 	const place = { focus: vi.fn() };
 	let listener: (event: unknown) => void = () => {};
@@ -21,7 +21,7 @@ function page() {
 	return { place, click, end, document };
 }
 
-it("takes the focus to a place in the page, and the address nowhere", () => {
+it("links within the page move the focus and leave the address unchanged", () => {
 	const { place, click, end, document } = page();
 	expect([click(undefined), click("#elsewhere")]).toEqual([false, false]);
 	expect(place.focus).not.toHaveBeenCalled();

@@ -7,7 +7,7 @@ import { sampleBunch } from "../models/bunch/sample_bunch";
 import { toy } from "../toy";
 import { bunchModel, studioWith } from "./context";
 
-/** What the view is told, in place of a graphics card. */
+/** A mock of the viewer, without a graphics card. */
 const view = vi.hoisted(() => ({
 	use: vi.fn(),
 	show: vi.fn(),
@@ -65,12 +65,12 @@ describe("the 3-D view", () => {
 
 	const update = () => solid.update(studio.state);
 
-	it("begins as the page is: its model's figure, its theme, no motion where none is wanted", () => {
+	it("starts with the model's renderer, the page's theme and the motion preference", () => {
 		expect(view.use).toHaveBeenCalledTimes(1);
 		expect(view.options).toMatchObject({ reducedMotion: true, theme: "light" });
 	});
 
-	it("follows what is said of motion while it stands, and not after", () => {
+	it("follows changes of the motion preference until it is disposed", () => {
 		motion.dispatchEvent(Object.assign(new Event("change"), { matches: false }));
 		expect(view.reducedMotion).toBe(false);
 		solid.dispose();
@@ -78,7 +78,7 @@ describe("the 3-D view", () => {
 		expect(view.reducedMotion).toBe(false);
 	});
 
-	it("shows what has grown once, and again in other colours, without growing", () => {
+	it("shows a plant once, and again after a change of colour without growing", () => {
 		update();
 		expect(view.show).not.toHaveBeenCalled();
 		studio.grew(grown, studio.state.specimen);
@@ -91,7 +91,7 @@ describe("the 3-D view", () => {
 		expect(view.show.mock.lastCall).toMatchObject([grown, { look: { skin: "112233" } }]);
 	});
 
-	it("shows a plant no second time while a life goes on from it", () => {
+	it("does not show a plant again while its life plays on", () => {
 		studio.grew(grown, studio.state.specimen);
 		update();
 		studio.edit({ parameters: { age: 20 } });
@@ -99,7 +99,7 @@ describe("the 3-D view", () => {
 		expect(view.show).toHaveBeenCalledTimes(1);
 	});
 
-	it("shows a tool's plant in place of the document's, from where that is seen, and never in pictures", async () => {
+	it("shows a tool's plant instead of the document's from the same camera position, but not in pictures", async () => {
 		const { specimen } = studio.state;
 		const other = sampleBunch(3);
 		studio.grew(grown, specimen);
@@ -118,7 +118,7 @@ describe("the 3-D view", () => {
 		expect(view.holdView.mock.lastCall).toEqual([false]);
 	});
 
-	it("takes pictures that overlap of the document's plant, too, and shows the tool's after the last", async () => {
+	it("takes overlapping pictures of the document's plant, and shows the tool's plant after the last", async () => {
 		const { specimen } = studio.state;
 		const other = sampleBunch(3);
 		studio.grew(grown, specimen);
@@ -137,13 +137,13 @@ describe("the 3-D view", () => {
 		expect(view.show.mock.lastCall?.[0]).toBe(other);
 	});
 
-	it("takes its pictures of the state as it is", async () => {
+	it("updates to the current state before taking a picture", async () => {
 		studio.grew(grown, studio.state.specimen);
 		await solid.picture();
 		expect(view.show.mock.invocationCallOrder[0]).toBeLessThan(view.snapshot.mock.invocationCallOrder[0]);
 	});
 
-	it("stays where it is while a hand is on a control", () => {
+	it("does not move the camera during a drag", () => {
 		update();
 		expect(view.holdView.mock.lastCall).toEqual([false]);
 		studio.edit({ parameters: { l: 300 } });
@@ -163,7 +163,7 @@ describe("the 3-D view", () => {
 		expect(view.setTheme.mock.calls).toEqual([["light"], ["dark"]]);
 	});
 
-	it("turns, moves and zooms by the keys that the help names, and by no other", () => {
+	it("turns, moves and zooms by the keys that the help lists, and no others", () => {
 		const press = (key: string, shiftKey = false) => solid.press({ key, shiftKey } as KeyboardEvent);
 		for (const key of ["ArrowRight", "ArrowLeft", "ArrowDown", "ArrowUp"]) expect(press(key)).toBe(true);
 		const turns = view.orbit.mock.calls.map(([right, down]) => [Math.sign(right), Math.sign(down)]);
@@ -186,7 +186,7 @@ describe("the 3-D view", () => {
 		expect(press("x")).toBe(false);
 	});
 
-	it("gives the canvas into the hands of the model's tools, and takes it back with another model", async () => {
+	it("starts the tools' interactions with the canvas, and ends them with another model", async () => {
 		studio.grew(grown, studio.state.specimen);
 		update();
 		const thin = studio.state.modelUi?.tools.find(({ name }) => name === "thinning");
@@ -202,7 +202,7 @@ describe("the 3-D view", () => {
 		expect(view.mark).not.toHaveBeenCalled();
 	});
 
-	it("brings another model's figure before its plant, and only once", async () => {
+	it("loads another model's renderer before showing its plant, once", async () => {
 		studio.grew(grown, studio.state.specimen);
 		update();
 		studio.choosePreset("plain", toy as unknown as PageModel);
@@ -220,7 +220,7 @@ describe("the 3-D view", () => {
 		expect(bunchModel.name).not.toBe(studio.state.model.name);
 	});
 
-	it("fetches a figure that did not come once, and again only when it is asked to or another model was shown", async () => {
+	it("fetches a renderer again after a failure only on request or after another model was shown", async () => {
 		const render = vi.fn<() => Promise<never>>(() => Promise.reject(new TypeError("Failed to fetch")));
 		const broken = { ...toy, render } as unknown as PageModel;
 		studio.grew(grown, studio.state.specimen);
@@ -248,7 +248,7 @@ describe("the 3-D view", () => {
 		end();
 	});
 
-	it("lets go of everything when it goes", () => {
+	it("disposes the viewer when it is disposed", () => {
 		update();
 		solid.dispose();
 		expect(view.dispose).toHaveBeenCalledTimes(1);

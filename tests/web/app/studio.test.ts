@@ -21,7 +21,7 @@ describe("the studio", () => {
 		({ studio, services } = await studioWith(opened));
 	});
 
-	it("grows at every step of a drag, but makes one undo step and one address of it", () => {
+	it("grows at every step of a drag, and makes one undo step and one address at its end", () => {
 		for (const l of [400, 390, 380]) studio.edit({ parameters: { l } });
 		expect(services.grow).toHaveBeenCalledTimes(3);
 		expect(services.grow).toHaveBeenLastCalledWith(bunchModel, studio.state.specimen, { preview: true });
@@ -35,7 +35,7 @@ describe("the studio", () => {
 		expect(length()).toBe(380);
 	});
 
-	it("measures what is at rest: once after a drag, wherever it ended, and with every step of its own", () => {
+	it("requests measures once after a drag, and with every single step", () => {
 		studio.edit({ parameters: { l: 400 } });
 		studio.settle();
 		expect(services.grow).toHaveBeenCalledTimes(2);
@@ -51,7 +51,7 @@ describe("the studio", () => {
 		expect(services.grow).toHaveBeenCalledExactlyOnceWith(bunchModel, studio.state.specimen, { preview: false });
 	});
 
-	it("keeps what was last measured while a drag asks for nothing, but not of another model", () => {
+	it("retains the last measures during a drag, but not those of another model", () => {
 		const measures = Float32Array.of(1, 2);
 		studio.grew({ measures } as Plant, opened);
 		studio.grew({} as Plant, opened);
@@ -71,14 +71,14 @@ describe("the studio", () => {
 		expect(services.settled.mock.lastCall?.[1].parameters.l).toBe(400);
 	});
 
-	it("leaves no step where a drag ends where it began", () => {
+	it("adds no undo step when a drag ends where it began", () => {
 		studio.edit({ parameters: { l: 400 } });
 		studio.edit({ parameters: { l: opened.parameters.l } });
 		studio.settle();
 		expect(studio.state.history.past).toHaveLength(0);
 	});
 
-	it("does not grow for a colour, but draws and remembers it", () => {
+	it("does not grow for a change of colour, but draws it and updates the address", () => {
 		const listener = vi.fn();
 		studio.subscribe(listener);
 		studio.set({ look: { skin: "ffffff" } });
@@ -87,7 +87,7 @@ describe("the studio", () => {
 		expect(services.settled).toHaveBeenCalled();
 	});
 
-	it("takes back what it said of a link with the first change that follows, and nothing else", () => {
+	it("removes the notice about a link with the first change, and no other notice", () => {
 		studio.open(
 			{ specimen: specimenFromPreset("lychee"), notes: [{ key: "l", problem: "", text: "l: too long." }] },
 			"link",
@@ -100,7 +100,7 @@ describe("the studio", () => {
 		expect(titles()).toEqual(["Mind the gap"]);
 	});
 
-	it("says which parts of a link could not be used, once, until dismissed", () => {
+	it("shows one notice about the parts of a link that could not be used, until it is dismissed", () => {
 		const notes = [{ key: "l", problem: "", text: "l: too long." }];
 		studio.take(bunchModel, { specimen: specimenFromPreset("lychee"), notes }, "link");
 		studio.take(bunchModel, { specimen: specimenFromPreset("lychee"), notes }, "link");
@@ -111,7 +111,7 @@ describe("the studio", () => {
 		expect(studio.state.notices).toHaveLength(0);
 	});
 
-	it("goes with the browser's Back and Forward through its own steps where they are those, else takes a new one", () => {
+	it("follows Back and Forward by undo and redo where the document matches, otherwise adds a step", () => {
 		const visit = (specimen: typeof opened) => studio.visit(bunchModel, { specimen, notes: [] }, "link");
 		const lychee = specimenFromPreset("lychee");
 		studio.choosePreset("lychee");
@@ -125,7 +125,7 @@ describe("the studio", () => {
 		expect(studio.state.specimen).toEqual(lychee);
 	});
 
-	it("says while what is shown is not yet what is on the controls", () => {
+	it("is pending while the plant in view is older than the document", () => {
 		expect(studio.state.pending).toBe(false);
 		studio.set({ parameters: { l: 400 } });
 		expect(studio.state.pending).toBe(true);
@@ -133,7 +133,7 @@ describe("the studio", () => {
 		expect(studio.state.pending).toBe(false);
 	});
 
-	it("opens with a document as the first of its history, grown and in the address, and with its notes", () => {
+	it("opens a document as the first of its history, grows it, writes the address and shows its notes", () => {
 		const grammar = { ...specimenFromPreset("lychee"), grammar: "axiom: F" };
 		studio.open({ specimen: grammar, notes: [{ key: "l", problem: "", text: "l: too long." }] }, "link");
 		expect(studio.state.specimen).toEqual(grammar);
@@ -143,7 +143,7 @@ describe("the studio", () => {
 		expect(studio.state.notices).toMatchObject([{ details: ["l: too long."] }]);
 	});
 
-	it("goes to the published preset, seed and all, and back", () => {
+	it("opens the published preset including its seed, undoes that, and resets", () => {
 		studio.newVariation();
 		studio.choosePreset("duku");
 		expect(studio.state.specimen).toEqual(specimenFromPreset("duku"));
@@ -152,7 +152,7 @@ describe("the studio", () => {
 		expect(studio.state.specimen).toEqual(opened);
 	});
 
-	it("remembers which groups a person has opened or closed, and tells each change once", () => {
+	it("remembers which groups are open, and stores each change once", () => {
 		studio.setGroup("shape", false);
 		studio.setGroup("shape", false);
 		expect(services.remember).toHaveBeenCalledOnce();
@@ -162,7 +162,7 @@ describe("the studio", () => {
 		expect(studio.state.ui.groups).toEqual({ shape: true });
 	});
 
-	it("is dark as the system is, until a theme is chosen", () => {
+	it("follows the system's colour scheme until a theme is chosen", () => {
 		expect(studio.state.dark).toBe(false);
 		studio.setSystemDark(true);
 		expect(studio.state.dark).toBe(true);
@@ -173,7 +173,7 @@ describe("the studio", () => {
 		expect(studio.state.dark).toBe(true);
 	});
 
-	it("lets brief notices go by themselves, and others stay", async () => {
+	it("removes brief notices after a while, and no others", async () => {
 		vi.useFakeTimers();
 		studio.notify("Link copied", [], { brief: true });
 		studio.notify("Mind the gap");
@@ -182,14 +182,14 @@ describe("the studio", () => {
 		vi.useRealTimers();
 	});
 
-	it("has room for three notices, the newest, and none of them twice", () => {
+	it("shows the three newest notices, each title once", () => {
 		for (const title of ["One", "Two", "Three", "Four", "Three"]) studio.notify(title);
 		expect(studio.state.notices.map(({ title }) => title)).toEqual(["Two", "Four", "Three"]);
 		studio.dismiss(studio.state.notices[1].id);
 		expect(studio.state.notices.map(({ title }) => title)).toEqual(["Two", "Three"]);
 	});
 
-	it("takes back what was said of a thing when something else is said of it, or it holds no more", () => {
+	it("replaces a notice by the next of its topic, and removes it when a document of that source is opened", () => {
 		const titles = () => studio.state.notices.map(({ title }) => title);
 		studio.notify("Mind the gap");
 		studio.notify("The file was not opened", [], { topic: "file" });
@@ -199,13 +199,13 @@ describe("the studio", () => {
 		expect(titles()).toEqual(["Mind the gap"]);
 	});
 
-	it("forgets a failure as soon as something grows", () => {
+	it("clears a failure as soon as a plant grows", () => {
 		studio.fail({ title: "No", details: [], remedies: [] });
 		studio.grew({} as Plant, opened);
 		expect(studio.state.failure).toBeUndefined();
 	});
 
-	it("says while a hand is on a control", () => {
+	it("is held during a drag, until its gesture is settled", () => {
 		studio.edit({ parameters: { l: 400 } });
 		expect(studio.state.held).toBe(true);
 		studio.settle("another gesture");

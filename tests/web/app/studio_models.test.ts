@@ -11,7 +11,7 @@ const opened = specimenFromPreset("long-conical");
 const toyModel = toy as unknown as PageModel;
 
 describe("a preset of another model", () => {
-	it("is one step: its model, its growth and its address, and back", async () => {
+	it("is one undo step with its model, growth and address", async () => {
 		const { studio, services } = await studioWith(opened);
 		const bunch = {} as Plant;
 		studio.grew(bunch, opened);
@@ -29,7 +29,7 @@ describe("a preset of another model", () => {
 		expect(studio.state.model).toBe(toyModel);
 	});
 
-	it("leaves the last plant in view, and out of reach of the new tools", async () => {
+	it("leaves the last plant in view, hidden from the new tools", async () => {
 		const { studio } = await studioWith(opened);
 		const bunch = {} as Plant;
 		studio.grew(bunch, opened);
@@ -42,7 +42,7 @@ describe("a preset of another model", () => {
 		expect(studio.state.grown).toBe(pole);
 	});
 
-	it("brings its tools, and ends what the last one's are at", async () => {
+	it("starts its tools, and ends those of the last model", async () => {
 		const end = vi.fn();
 		const start = vi.fn(() => end);
 		const press = vi.fn();
@@ -64,7 +64,7 @@ describe("a preset of another model", () => {
 		expect(studio.toolState(tool)).toBe(3);
 	});
 
-	it("does without tools that cannot be fetched, and says so", async () => {
+	it("works without tools that cannot be fetched, with a notice", async () => {
 		const { studio } = await studioWith(opened);
 		const broken: PageModel = { ...toyModel, ui: () => Promise.reject(new Error("offline")) };
 		studio.choosePreset("plain", broken);
@@ -72,7 +72,7 @@ describe("a preset of another model", () => {
 		expect(studio.state.notices.map(({ title }) => title)).toEqual(["The tools of the pole could not be fetched"]);
 	});
 
-	it("brings tools that could not be fetched when asked again", async () => {
+	it("loads tools on request after a failed fetch", async () => {
 		const { studio } = await studioWith(opened);
 		const tools = [{ name: "hoist", initial: 0 }];
 		const modelUi = vi.fn(async () => ({ tools })).mockRejectedValueOnce(new Error("offline"));
@@ -83,10 +83,10 @@ describe("a preset of another model", () => {
 	});
 });
 
-describe("what tools keep", () => {
+describe("the state of tools", () => {
 	const flag = { name: "flag", initial: { up: false }, recall: (stored: unknown) => ({ up: stored === "up" }) };
 
-	it("is recalled where a tool wants it, and remembered when it changes", async () => {
+	it("is restored and stored for tools with `recall`", async () => {
 		const model: PageModel = { ...toyModel, ui: async () => ({ tools: [flag] }) };
 		const ui = { ...FIRST_VISIT, tools: { toy: { flag: "up" } } };
 		const { studio, services } = await studioWith(fromPreset(toyModel), model, ui);
@@ -96,7 +96,7 @@ describe("what tools keep", () => {
 		expect(services.remember.mock.lastCall?.[0].tools).toEqual({ toy: { flag: { up: false } } });
 	});
 
-	it("is forgotten with the page where none recalls it", async () => {
+	it("is not stored for tools without `recall`", async () => {
 		const { studio, services } = await studioWith(opened);
 		const tool = { name: "mode", initial: "off" };
 		studio.setToolState(tool, "on");

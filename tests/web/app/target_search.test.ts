@@ -7,7 +7,7 @@ import { studioWith } from "./context";
 
 const KEYS = BUNCH.table.measures.map(({ key }) => key);
 
-/** A plant that is as long as `l` says, and as wide as its widest side. */
+/** Measures of a plant whose length is proportional to `l`, and whose width is that of its widest side. */
 function measured({ parameters }: Specimen): Float32Array {
 	const values = new Float32Array(KEYS.length).fill(Number.NaN);
 	values[KEYS.indexOf("bunch_length")] = 0.4 * parameters.l;
@@ -25,8 +25,8 @@ beforeEach(async () => {
 const length = () => studio.state.specimen.parameters.l;
 const notices = () => studio.state.notices.map(({ title, details }) => [title, ...details].join(" | "));
 
-describe("asking for a number", () => {
-	it("takes what was found as one step, and says so", async () => {
+describe("a search for a target value", () => {
+	it("applies the result as one undo step, and shows a notice", async () => {
 		const before = studio.state.specimen;
 		await searchTarget(studio, { measure: "bunch_length", value: 160 });
 		expect(length()).toBeCloseTo(400, -1);
@@ -37,7 +37,7 @@ describe("asking for a number", () => {
 		expect(notices()).toEqual([]);
 	});
 
-	it("holds what was asked before, until something else changes", async () => {
+	it("meets earlier targets, too, until something else changes", async () => {
 		await searchTarget(studio, { measure: "bunch_length", value: 160 });
 		await searchTarget(studio, { measure: "bunch_width", value: 90 });
 		expect(currentAims(studio)).toEqual([
@@ -52,7 +52,7 @@ describe("asking for a number", () => {
 		expect(currentAims(studio)).toEqual([]);
 	});
 
-	it("says how far it is, and ends when told to, the document as it was", async () => {
+	it("reports its progress; cancelled, it leaves the document unchanged", async () => {
 		const before = studio.state.specimen;
 		const growths: number[] = [];
 		services.measure.mockImplementation(async () => {
@@ -69,7 +69,7 @@ describe("asking for a number", () => {
 		expect(notices()).toEqual([]);
 	});
 
-	it("gives way to a hand that changes the plant meanwhile", async () => {
+	it("ends when the user changes the plant meanwhile", async () => {
 		services.measure.mockImplementation(async (_, specimen) => {
 			studio.edit({ parameters: { density: 2 } });
 			return measured(specimen as Specimen);
@@ -82,7 +82,7 @@ describe("asking for a number", () => {
 		});
 	});
 
-	it("holds what was found though a search after it is cancelled", async () => {
+	it("retains the targets of the last result when a later search is cancelled", async () => {
 		await searchTarget(studio, { measure: "bunch_length", value: 160 });
 		services.measure.mockImplementation(async () => {
 			studio.toolState(TARGET_SEARCH).now?.cancel();
@@ -93,7 +93,7 @@ describe("asking for a number", () => {
 		expect(currentAims(studio)).toEqual([{ measure: "bunch_length", value: 160 }]);
 	});
 
-	it("leaves the progress of the search that took its place", async () => {
+	it("does not clear the progress of the search that replaced it", async () => {
 		const waiting: ((values: Float32Array) => void)[] = [];
 		services.measure.mockImplementation(() => new Promise((resolve) => waiting.push(resolve)));
 		const first = searchTarget(studio, { measure: "bunch_length", value: 160 });
@@ -109,7 +109,7 @@ describe("asking for a number", () => {
 		expect(studio.toolState(TARGET_SEARCH)).toEqual({});
 	});
 
-	it("says what went wrong", async () => {
+	it("reports the error", async () => {
 		services.measure.mockRejectedValue(new Error("no core"));
 		await searchTarget(studio, { measure: "bunch_length", value: 160 });
 		expect(notices()).toEqual(["What was asked for could not be looked for | no core"]);

@@ -12,7 +12,7 @@ function storage(stored?: string) {
 }
 
 describe("what the page remembers", () => {
-	it("comes back as it was saved", () => {
+	it("is restored as it was stored", () => {
 		const ui: UiState = {
 			...FIRST_VISIT,
 			theme: "dark",
@@ -25,7 +25,7 @@ describe("what the page remembers", () => {
 		expect(loadUi(stored)).toEqual(ui);
 	});
 
-	it("starts afresh with what shows a picture first: a view, not a mode", () => {
+	it("does not restore the view of a phone", () => {
 		const stored = storage();
 		saveUi(stored, { ...FIRST_VISIT, view: "side" }, FIRST_VISIT);
 		expect(loadUi(stored)).toEqual(FIRST_VISIT);
@@ -38,7 +38,7 @@ describe("what the page remembers", () => {
 		},
 	);
 
-	it("takes nothing from another tab: each remembers what it has changed itself", () => {
+	it("stores only the changes of its own tab", () => {
 		const stored = storage();
 		const change = (patch: Partial<UiState>) => saveUi(stored, { ...FIRST_VISIT, ...patch }, FIRST_VISIT);
 		change({ theme: "dark" });
@@ -56,12 +56,12 @@ describe("what the page remembers", () => {
 		});
 	});
 
-	it("has in common with other tabs what is of the whole page, and no more", () => {
+	it("shares only theme and keyboard setting with other tabs", () => {
 		const ui: UiState = { ...FIRST_VISIT, theme: "dark", groups: { look: true } };
 		expect(pageOf(ui)).toEqual({ theme: "dark", letters: true });
 	});
 
-	it("does without storage", () => {
+	it("works without storage", () => {
 		const forbidden = {
 			getItem: () => {
 				throw new Error("denied");

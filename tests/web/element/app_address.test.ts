@@ -12,18 +12,18 @@ afterEach(() => {
 	vi.unstubAllGlobals();
 });
 
-describe("where Open in the app leads", () => {
-	it("is the folder that built scripts lie in a folder of", async () => {
+describe("the address of Open in the app", () => {
+	it("is the parent of the folder of built scripts", async () => {
 		expect(await addressIn("production", null)).toMatch(/\/web\/src\/$/);
 		expect(await addressIn("production", "../other/")).toMatch(/\/web\/other\/$/);
 	});
 
-	it("is nowhere for the package's element, beside which no app lies", async () => {
+	it("is undefined for the element of the package, which has no app", async () => {
 		expect(await addressIn("package", null)).toBeUndefined();
 		expect(await addressIn("package", "../app/")).toBe("https://a.page/app/");
 	});
 
-	it("is no script and no data: only addresses of HTTP lead anywhere", async () => {
+	it("is undefined for addresses other than HTTP, such as scripts and data", async () => {
 		for (const mode of ["production", "package"])
 			for (const attribute of [
 				"javascript:alert(1)//",
@@ -35,7 +35,7 @@ describe("where Open in the app leads", () => {
 				expect(await addressIn(mode, attribute)).toBeUndefined();
 	});
 
-	it("is nowhere where that is what a page says, or says what is no address", async () => {
+	it("is undefined for an empty or invalid attribute", async () => {
 		for (const mode of ["production", "package"]) {
 			expect(await addressIn(mode, "")).toBeUndefined();
 			expect(await addressIn(mode, "https://")).toBeUndefined();

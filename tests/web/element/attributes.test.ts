@@ -11,13 +11,13 @@ const read = (values: Record<string, string>) =>
 	readAttributes(Object.entries(values).map(([name, value]) => ({ name, value })));
 const textsOf = ({ notes }: Awaited<ReturnType<typeof read>>) => notes.map(({ text }) => text);
 
-describe("the specimen that attributes say", () => {
-	it("is the default where they say nothing", async () => {
+describe("the specimen in attributes", () => {
+	it("is the default without attributes", async () => {
 		const model = await modelNamed();
 		expect(await read({})).toEqual({ model, specimen: fromPreset(model), notes: [] });
 	});
 
-	it("is a preset with what is changed of it, of the model that is named", async () => {
+	it("is a preset of the named model, with changed parameters", async () => {
 		const { model, specimen, notes } = await read({ model: "leaf", preset: "oak", seed: "7", length: "90" });
 		expect(notes).toEqual([]);
 		expect([model.name, specimen]).toMatchObject(["leaf", { preset: "oak", seed: 7, parameters: { length: 90 } }]);
@@ -27,20 +27,20 @@ describe("the specimen that attributes say", () => {
 		"?v=2&preset=merlot&age=60",
 		"https://any.example/plants/?v=2&preset=merlot&age=60#",
 		"?preset=merlot&age=60&v=2",
-	])("is the link %s, and what other attributes change of it", async (link) => {
+	])("is that of the link %s, changed by other attributes", async (link) => {
 		const { specimen, notes } = await read({ link, seed: "3" });
 		expect(notes).toEqual([]);
 		expect(specimen).toMatchObject({ preset: "merlot", seed: 3, parameters: { age: 60 } });
 	});
 
-	it("is a link’s model, and a text in its fragment", async () => {
+	it("has the link’s model and the text in its fragment", async () => {
 		expect((await read({ link: "?v=2&model=root&preset=carrot" })).model.name).toBe("root");
 		const bunch = await modelNamed();
 		const own = { ...fromPreset(bunch), grammar: "axiom: F(0.1)\n" };
 		expect((await read({ link: await encodeLink(bunch, own as never) })).specimen).toEqual(own);
 	});
 
-	it("comes with a note for what cannot be used", async () => {
+	it("has notes about attributes that cannot be used", async () => {
 		expect(textsOf(await read({ preset: "nettle" }))).toEqual([expect.stringMatching(/^preset: .*nettle/)]);
 		expect(textsOf(await read({ age: "900" }))).toEqual(["age: 900 is above the greatest value, 125; 125 is used."]);
 		expect(textsOf(await read({ model: "fern" }))).toEqual([
@@ -51,7 +51,7 @@ describe("the specimen that attributes say", () => {
 		]);
 	});
 
-	it("is not changed by what is every element’s, a framework’s or the element’s own", async () => {
+	it("is not changed by global attributes, those of frameworks, or the element’s own", async () => {
 		const others = [
 			"class",
 			"style",
@@ -67,7 +67,7 @@ describe("the specimen that attributes say", () => {
 		expect((await read(Object.fromEntries(others.map((name) => [name, "x"])))).notes).toEqual([]);
 	});
 
-	it("leaves every parameter of every model in reach of an attribute", async () => {
+	it("can set every parameter of every model by an attribute", async () => {
 		for (const model of await Promise.all(modelNames().map(modelNamed))) {
 			const keys = [...model.table.links.keys()];
 			expect(keys.filter((key) => !isSpecimenAttribute(key) || key !== key.toLowerCase())).toEqual([]);
@@ -75,7 +75,7 @@ describe("the specimen that attributes say", () => {
 		}
 	});
 
-	it("is one, whatever comes in", () =>
+	it("is valid for any attributes", () =>
 		fc.assert(
 			fc.asyncProperty(
 				fc.dictionary(fc.constantFrom("link", "model", "preset", "seed", "age", "thin", "x"), fc.string()),

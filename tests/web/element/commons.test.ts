@@ -14,7 +14,7 @@ beforeEach(() => {
 });
 afterEach(() => vi.useRealTimers());
 
-it("makes one pool and one renderer for all, when they are first asked for", async () => {
+it("creates one pool and one renderer for all plants, on first use", async () => {
 	const leave = [commons.enter(), commons.enter()];
 	expect([pool.mock.calls.length, renderer.mock.calls.length]).toEqual([0, 0]);
 	commons.client();
@@ -26,7 +26,7 @@ it("makes one pool and one renderer for all, when they are first asked for", asy
 	expect(pool.mock.results[0].value.close).not.toHaveBeenCalled();
 });
 
-it("gives them up some time after the last has gone, unless another comes", async () => {
+it("releases them some time after the last plant has left, unless another comes", async () => {
 	const first = commons.enter();
 	commons.client();
 	const drawn = await commons.renderer();
@@ -44,13 +44,13 @@ it("gives them up some time after the last has gone, unless another comes", asyn
 	expect(pool).toHaveBeenCalledTimes(2);
 });
 
-it("tries again for a renderer that could not be had", async () => {
+it("tries again after a failure to create the renderer", async () => {
 	renderer.mockRejectedValueOnce(new Error("no script"));
 	await expect(commons.renderer()).rejects.toThrow("no script");
 	expect(await commons.renderer()).toBeDefined();
 });
 
-it("holds the scripts that plants may yet need, once, when the first plant comes", () => {
+it("retains the element's scripts once, with the first plant", () => {
 	expect(hold).not.toHaveBeenCalled();
 	commons.enter()();
 	commons.enter();

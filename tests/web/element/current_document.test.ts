@@ -21,7 +21,7 @@ describe("the document of an element", () => {
 		expect(read).toHaveBeenCalledTimes(2);
 	});
 
-	it("is read again with the next call where a script did not come", async () => {
+	it("is read again with the next call after a script could not be fetched", async () => {
 		const read = vi.fn(async () => first).mockImplementationOnce(unfetched);
 		const document = new CurrentDocument(read);
 		await expect(document.get()).rejects.toThrow("Failed to fetch");
@@ -33,7 +33,7 @@ describe("the document of an element", () => {
 		expect((await document.get()).specimen.seed).toBe(8);
 	});
 
-	it("stays as it was where a change throws", async () => {
+	it("stays unchanged if a change throws", async () => {
 		const document = new CurrentDocument(async () => first);
 		await document.change(seeded(7));
 		const broken = document.change(() => {

@@ -12,7 +12,7 @@ vi.mock("../../../web/src/core/core_address", () => ({ coreAddress: (file: strin
 
 const stand: SpecimenDocument = { model, specimen: planned(PLAN), notes: [] };
 
-/** Grows it; once so many plants in it have grown, something newer is asked for. */
+/** Grows the stand; it is superseded after a number of member plants. */
 async function superseded(after: number) {
 	let grown = 0;
 	const client: Pick<Client, "grow" | "among"> = {
@@ -27,16 +27,16 @@ async function superseded(after: number) {
 	return { plant: await plant.catch((error: unknown) => error), grown: () => grown };
 }
 
-it("a stand that something newer has taken the place of grows no further, and is not shown", async () => {
+it("a superseded stand stops growing and is not shown", async () => {
 	const early = await superseded(2);
 	expect(early.plant).toBeInstanceOf(Superseded);
-	// Those that were under way.
+	// Growths that were running already.
 	expect(early.grown()).toBeLessThan(8);
 	expect((await superseded(11)).plant).toBeInstanceOf(Superseded);
 	expect(await superseded(12)).toMatchObject({ plant: { fingerprint: (await grownStand()).fingerprint } });
 });
 
-it("a flower and a bed grow from attributes alone, the flower with values of its text's own", async () => {
+it("a flower and a bed grow from attributes, the flower with parameters defined in its text", async () => {
 	const client: Pick<Client, "grow" | "among"> = {
 		grow: ({ wasm, blocks }) => run(wasm, blocks),
 		among: ({ wasm, blocks }) => run(wasm, blocks),

@@ -3,7 +3,7 @@ import { changedIn } from "../../../web/src/element/grown_detail";
 import { modelNamed } from "../../../web/src/models/index";
 import { specimenFromPreset } from "../bunch";
 
-it("a hand's change is taken, but not one of a model that the page has replaced meanwhile", async () => {
+it("a control's change applies, unless the page has replaced the model meanwhile", async () => {
 	const bunch = await modelNamed("bunch");
 	const document = { model: bunch, specimen: specimenFromPreset("riesling"), notes: [] };
 	expect(changedIn(document, (now) => ({ ...now, seed: 9 })).specimen.seed).toBe(9);

@@ -1,4 +1,4 @@
-/** An Escape that a part of the page takes is nobody else's: a tool that hears of it on the window sees that it is. */
+/** Parts of the page that handle Escape prevent its default, so that tools listening on the window ignore it. */
 import type { TemplateResult } from "lit";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { DownloadMenu } from "../../../../web/src/app/parts/download_menu";
@@ -19,7 +19,7 @@ beforeEach(async () => {
 });
 afterEach(() => vi.unstubAllGlobals());
 
-/** A part in no page; whatever is looked for in it is the field. */
+/** A part outside a page; every query for an element in it returns the field. */
 function placed<P extends DownloadMenu | Gallery>(part: P): P {
 	Object.assign(part, {
 		performUpdate: () => {},
@@ -32,7 +32,7 @@ function placed<P extends DownloadMenu | Gallery>(part: P): P {
 
 type Listener = (this: unknown, event: unknown) => unknown;
 
-/** What hears an event in what a part draws, after markup that ends so; undefined where that is not drawn. */
+/** The listener that a part draws after markup with this ending; undefined if it is not drawn. */
 function heard(drawn: unknown, ending: RegExp): Listener | undefined {
 	if (Array.isArray(drawn)) return drawn.map((each) => heard(each, ending)).find(Boolean);
 	const { strings, values } = (drawn ?? {}) as Partial<TemplateResult>;
@@ -48,7 +48,7 @@ function press(part: DownloadMenu | Gallery, ending: RegExp, key: string): Event
 	return event;
 }
 
-it("closes the menu of downloads, and lets other keys be", async () => {
+it("Escape closes the download menu; other keys are left alone", async () => {
 	const menu = placed(new DownloadMenu());
 	const keys = /class="menu" @keydown=$/;
 	expect(heard(drawnBy(menu), keys)).toBeUndefined();
@@ -59,7 +59,7 @@ it("closes the menu of downloads, and lets other keys be", async () => {
 	expect(heard(drawnBy(menu), keys)).toBeUndefined();
 });
 
-it("leads from the strip of presets to their search, and lets other keys be", () => {
+it("Escape moves the focus from the presets to their search; other keys are left alone", () => {
 	const gallery = placed(new Gallery());
 	const keys = /class="strip" @keydown=$/;
 	expect(press(gallery, keys, "n").defaultPrevented).toBe(false);

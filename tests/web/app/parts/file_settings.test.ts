@@ -2,7 +2,7 @@ import type { TemplateResult } from "lit";
 import { expect, it, vi } from "vitest";
 import { fileSettings } from "../../../../web/src/app/parts/file_settings";
 
-it("takes a number that is given, and an emptied field as nobody's word", () => {
+it("takes a valid number, and removes the option for an empty field", () => {
 	const changed = vi.fn();
 	const { values } = fileSettings({ height: 300, translucent: true }, changed) as TemplateResult;
 	const [listen] = values.filter((value) => typeof value === "function") as ((event: unknown) => void)[];

@@ -31,7 +31,7 @@ const PARTS = {
 };
 type Name = keyof typeof PARTS;
 
-/** A part in no page: what it draws is thrown away. */
+/** A part outside a page: its drawing is discarded. */
 interface Probe {
 	context: Studio;
 	requestUpdate(): void;
@@ -46,7 +46,7 @@ const studio = new Studio(
 	{ grow: vi.fn(), cancel: vi.fn(), measure: vi.fn(), growOffscreen: vi.fn(), settled: vi.fn(), remember: vi.fn() },
 );
 
-/** The parts that are to be drawn anew after a change; all are drawn then, as the page would. */
+/** The parts that request an update after a change; draws all of them afterwards, as the page would. */
 async function followers(change: () => unknown): Promise<string[]> {
 	for (const { requestUpdate } of parts.values()) requestUpdate.mockClear();
 	await change();
@@ -84,17 +84,17 @@ afterAll(() => vi.unstubAllGlobals());
 const { LIFE } = await import("../../../../web/src/models/bunch/ui/age");
 
 describe("while a life plays", () => {
-	it("a frame is drawn by the life's bar alone", async () => {
+	it("only the life's bar is drawn for a frame", async () => {
 		expect(await followers(() => aged(20))).toEqual(["life"]);
 	});
 
-	it("a plant in passing is drawn where it is seen, counted or spoken of", async () => {
+	it("a preview is drawn by the views, the read-out and the speaker", async () => {
 		await followers(() => studio.grew(previewBunch(), studio.state.specimen));
 		const preview = await followers(() => studio.grew(previewBunch(), studio.state.specimen));
 		expect(preview).toEqual(["editors", "readout", "speaker", "stage"]);
 	});
 
-	it("changes that come together are looked at once", async () => {
+	it("several changes are checked once", async () => {
 		const shows = vi.spyOn(parts.get("history")?.probe as unknown as { shows(): unknown[] }, "shows");
 		await followers(() => [30, 31, 32].map(aged));
 		// Once for the changes, once for the drawing.
@@ -136,7 +136,7 @@ describe("a part of the page follows", () => {
 		expect((await followers(change)).sort()).toEqual([...followed].sort());
 	});
 
-	it("another model, and its tools once they have come", async () => {
+	it("another model, and its tools once they are loaded", async () => {
 		parts.delete("life"); // The page has taken it away by then.
 		const all = ["bars", "editors", "gallery", "help", "panel", "readout", "share", "stage", "variation", "views"];
 		expect(await followers(() => studio.choosePreset("plain", toy as unknown as PageModel))).toEqual(

@@ -8,11 +8,11 @@ import { studioWith } from "../context";
 const solid = vi.hoisted(() => ({ update: vi.fn(), resize: vi.fn(), dispose: vi.fn() }));
 vi.mock("../../../../web/src/app/solid_view", () => ({ SolidView: { create: async () => solid } }));
 
-/** Tells an element that it has another width. */
+/** Reports another width to the observer of an element. */
 let resized: (width: number) => void;
 let studio: Studio;
 let stage: Stage;
-/** What ends each of its subscriptions. */
+/** The functions that end its subscriptions. */
 let left: (() => void)[];
 beforeEach(async () => {
 	vi.stubGlobal(
@@ -49,7 +49,7 @@ afterEach(() => {
 const task = () => new Promise((resolve) => setTimeout(resolve));
 const grow = () => studio.grew(sampleBunch(5), studio.state.specimen);
 
-it("brings the view to the state in a task of its own, once for changes that come together", async () => {
+it("updates the view in a task of its own, once for several changes", async () => {
 	grow();
 	studio.setUi({ theme: "dark" });
 	for (let i = 0; i < 9; i++) await Promise.resolve();
@@ -61,7 +61,7 @@ it("brings the view to the state in a task of its own, once for changes that com
 	expect(solid.update).toHaveBeenCalledTimes(2);
 });
 
-it("draws nothing while another view is in its place, and all when it is back", async () => {
+it("draws nothing while hidden, and updates when visible again", async () => {
 	resized(0);
 	grow();
 	await task();
@@ -71,7 +71,7 @@ it("draws nothing while another view is in its place, and all when it is back", 
 	expect(solid.update.mock.calls).toEqual([[studio.state]]);
 });
 
-it("follows no more once it has left the page", async () => {
+it("ends its subscriptions when it leaves the page", async () => {
 	stage.disconnectedCallback();
 	expect(left).toHaveLength(2);
 	for (const leave of left) expect(leave).toHaveBeenCalled();

@@ -6,7 +6,7 @@ const all = [savedAs("Beta 10", { at: 3 }), savedAs("Crémant", { at: 1 }), save
 const find = (query: string, order: "newest" | "oldest" | "name" = "newest") =>
 	findSaved(all, query, order, ({ at }) => (at === 1 ? "Leaf Maple" : "Bunch")).map(({ name }) => name);
 
-it("finds what is saved by words of its name and what it is of, without case and accents", () => {
+it("finds saved specimens by words of name, model and preset, ignoring case and accents", () => {
 	expect(find("cremant")).toEqual(["Crémant"]);
 	expect(find("MAPLE cre")).toEqual(["Crémant"]);
 	expect(find("bunch beta")).toEqual(["Beta 10", "beta 9"]);

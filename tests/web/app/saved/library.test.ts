@@ -4,7 +4,7 @@ import { SharedStore, savedAs } from "./saved_store";
 
 const namesOf = (library: Library) => library.all.map(({ name }) => name).sort();
 
-/** Two tabs of one browser: what one says the other hears. */
+/** Two tabs of one browser, which exchange messages. */
 function twoTabs() {
 	const store = new SharedStore();
 	const tabs: Tabs[] = [];
@@ -22,7 +22,7 @@ function twoTabs() {
 }
 
 describe("a library", () => {
-	it("adds each under a name of its own, and reads again what was added", async () => {
+	it("adds each specimen under a unique name, and reads it again", async () => {
 		const { store, one } = twoTabs();
 		for (const name of ["Merlot", "Merlot", "Merlot 2"]) await one.add(savedAs(name));
 		expect(namesOf(one)).toEqual(["Merlot", "Merlot 2", "Merlot 2 2"]);
@@ -32,7 +32,7 @@ describe("a library", () => {
 		expect(namesOf(later)).toEqual(namesOf(one));
 	});
 
-	it("loses nothing that two tabs do at once, and each shows what the other did", async () => {
+	it("combines concurrent changes of two tabs, and shows them in both", async () => {
 		const { store, one, other } = twoTabs();
 		const first = await one.add(savedAs("First"));
 		const second = await one.add(savedAs("Second"));
@@ -53,7 +53,7 @@ describe("a library", () => {
 		});
 	});
 
-	it("does not bring back by another name what was deleted in another tab", async () => {
+	it("does not restore a specimen deleted in another tab by renaming it", async () => {
 		const { store, one } = twoTabs();
 		const { id } = await one.add(savedAs("Merlot"));
 		// Before this tab has heard of it.
@@ -62,7 +62,7 @@ describe("a library", () => {
 		expect([namesOf(one), store.stored]).toEqual([[], []]);
 	});
 
-	it("brings back what was deleted, the last first, as it was", async () => {
+	it("restores deleted specimens unchanged, the last deletion first", async () => {
 		const { one } = twoTabs();
 		const merlot = await one.add(savedAs("Merlot", { fingerprint: "0123456789abcdef" }));
 		const syrah = await one.add(savedAs("Syrah"));
@@ -75,7 +75,7 @@ describe("a library", () => {
 		expect(namesOf(one)).toEqual(["Merlot", "Syrah"]);
 	});
 
-	it("deletes several in one step of the shelf, and undo brings them back with their pictures", async () => {
+	it("deletes several in one step of the store, and restores them with their pictures", async () => {
 		const { store, one } = twoTabs();
 		const several = Array.from({ length: 1200 }, (_, index) =>
 			savedAs(`Vine ${index}`, { link: `?v=2&seed=${index}`, picture: Uint8Array.of(index % 256) }),
@@ -93,7 +93,7 @@ describe("a library", () => {
 		expect(store.pictureOf.get(several[300].id)).toEqual(several[300].picture);
 	});
 
-	it("undoes an import: what came is deleted, what was there already and what came after stays", async () => {
+	it("undoes an import: deletes the imported specimens only", async () => {
 		const { one } = twoTabs();
 		const own = await one.add(savedAs("Own", { link: "?v=2&seed=1" }));
 		await one.bring([savedAs("Own", { link: "?v=2&seed=1" }), savedAs("Brought"), savedAs("Gone")]);
@@ -107,7 +107,7 @@ describe("a library", () => {
 		expect(await one.undo()).toBeUndefined();
 	});
 
-	it("undoes an import again later where the shelf does not do it now", async () => {
+	it("can undo an import later if the store fails", async () => {
 		const { store, one } = twoTabs();
 		await one.bring([savedAs("Brought")]);
 		vi.spyOn(store, "change").mockRejectedValueOnce(new Error("No shelf."));
@@ -117,7 +117,7 @@ describe("a library", () => {
 		expect([namesOf(one), one.lastStep]).toEqual([[], undefined]);
 	});
 
-	it("brings of a file what is not there yet, by name and link, of twins in it one", async () => {
+	it("imports the specimens of a file that are new by name and link, duplicates once", async () => {
 		const { one } = twoTabs();
 		await one.add(savedAs("Merlot", { link: "?v=2&preset=merlot" }));
 		const file = [
@@ -131,7 +131,7 @@ describe("a library", () => {
 		expect(namesOf(one)).toEqual(["Merlot", "Merlot", "Other"]);
 	});
 
-	it("says what the shelf does not take and holds it, until it is taken", async () => {
+	it("reports specimens that could not be stored and retains them until they are", async () => {
 		const { store, one } = twoTabs();
 		const first = await one.add(savedAs("First"));
 		store.full = "The disk is full.";
@@ -144,7 +144,7 @@ describe("a library", () => {
 		expect(store.stored).toEqual([first]);
 		await one.keep();
 		expect(one.isStored(unstored)).toBe(false);
-		// What another tab does, and what is read again, changes nothing of it.
+		// Reading again does not change specimens that are not stored.
 		await one.read();
 		expect(namesOf(one)).toEqual(["Brought", "First 2", "Renamed"]);
 		store.full = undefined;
@@ -153,7 +153,7 @@ describe("a library", () => {
 		expect(store.stored.map(({ name }) => name).sort()).toEqual(["Brought", "First 2", "Renamed"]);
 	});
 
-	it("deletes what the shelf never took without asking it; what it cannot delete stays", async () => {
+	it("deletes specimens that were never stored without the store; those that it cannot delete stay", async () => {
 		const { store, one } = twoTabs();
 		const stored = await one.add(savedAs("Kept"));
 		store.full = "The disk is full.";
@@ -166,7 +166,7 @@ describe("a library", () => {
 		expect(one.lastStep).toEqual({ kind: "deletion", specimens: [unstored] });
 	});
 
-	it("reads a picture only where it is shown, exported or deleted, and brings it back with what was deleted", async () => {
+	it("reads a picture only to show, export or delete it, and restores it with its specimen", async () => {
 		const { store, one, other } = twoTabs();
 		const picture = (byte: number) => Uint8Array.of(byte, byte);
 		const merlot = await one.add(savedAs("Merlot", { picture: picture(1) }));
@@ -187,7 +187,7 @@ describe("a library", () => {
 		expect(store.pictureOf.get(merlot.id)).toEqual(picture(1));
 	});
 
-	it("shows and exports the picture of what is renamed while the shelf takes nothing", async () => {
+	it("shows and exports the picture of a specimen renamed while the store is full", async () => {
 		const { store, one } = twoTabs();
 		const { id } = await one.add(savedAs("Merlot", { picture: Uint8Array.of(7) }));
 		store.full = "The disk is full.";
@@ -197,7 +197,7 @@ describe("a library", () => {
 		expect((await one.withPictures(one.unstored))[0].name).toBe("Malbec");
 	});
 
-	it("tells whoever listens of every change", async () => {
+	it("notifies listeners of every change", async () => {
 		const { one, other } = twoTabs();
 		const heard = vi.fn();
 		const end = other.subscribe(heard);

@@ -36,7 +36,7 @@ const document = async (saved: readonly Saved[]): Promise<{ specimens: Record<st
 	JSON.parse(await writeLibrary(saved, 0).text());
 const dataUrl = (bytes: Uint8Array) => `data:image/jpeg;base64,${Buffer.from(bytes).toString("base64")}`;
 
-/** What is read of one that is a good one but for some fields. */
+/** Reads a valid specimen with some fields replaced. */
 async function withFields(fields: Record<string, unknown>) {
 	const written = await document([savedAs("Merlot", { picture: jpeg() })]);
 	Object.assign(written.specimens[0], fields);
@@ -46,7 +46,7 @@ async function withFields(fields: Record<string, unknown>) {
 const withoutId = ({ id, ...rest }: Saved) => rest;
 
 describe("a library's file", () => {
-	it("brings back what went into it, by ids of its own", async () => {
+	it("restores the written specimens, with new ids", async () => {
 		const saved = [
 			savedAs("Merlot", { link: "?v=2&preset=merlot&seed=7", fingerprint: "0123456789abcdef", picture: jpeg() }),
 			savedAs("Blatt “groß” 🍇", { link: "?v=1&model=leaf#g=abc-_", at: Date.UTC(2026, 1, 3) }),
@@ -63,7 +63,7 @@ describe("a library's file", () => {
 		expect(specimens[0]).toMatchObject({ name: "Merlot", saved: new Date(saved[0].at).toISOString() });
 	});
 
-	it("takes links of any address, and keeps of them what is a specimen's", async () => {
+	it("accepts links of any address, and retains query and fragment only", async () => {
 		const { saved } = await withFields({ link: "javascript:alert(1)?v=1&preset=grape-15b#g=x" });
 		expect(saved[0].link).toBe("?v=1&preset=grape-15b#g=x");
 	});
@@ -75,7 +75,7 @@ describe("a library's file", () => {
 		["link", "https://example.org/", "No. 1, “Merlot”: its link has no “?”; it is left out."],
 		["link", `?v=2&x=${"y".repeat(16 * 1024)}`, "No. 1, “Merlot”: its link is too long; it is left out."],
 		["link", `?v=2#g=${"y".repeat(512 * 1024)}`, "No. 1, “Merlot”: its link is too long; it is left out."],
-	])("leaves out, and says where, one whose %s cannot be used: %#", async (field, value, message) => {
+	])("leaves out a specimen with an invalid %s, and reports its place: %#", async (field, value, message) => {
 		expect(await withFields({ [field]: value })).toEqual({ saved: [], problems: [message] });
 	});
 
@@ -90,20 +90,20 @@ describe("a library's file", () => {
 		[dataUrl(jpeg(1025, 10)), "is larger than 1024 pixels"],
 		[dataUrl(jpeg(192, 240, LARGEST_PICTURE + 1)), "is larger than 96 kB"],
 		[`data:image/jpeg;base64,${"A".repeat(4_000_000)}`, "is larger than 96 kB"],
-	])("brings without its picture one whose picture cannot be shown: %#", async (picture, message) => {
+	])("imports a specimen with an invalid picture without it: %#", async (picture, message) => {
 		const { saved, problems } = await withFields({ picture });
 		expect(problems).toEqual([`No. 1, “Merlot”: its picture ${message}; it comes without.`]);
 		expect(saved).toHaveLength(1);
 		expect(saved[0].picture).toBeUndefined();
 	});
 
-	it("reads the largest picture there may be", async () => {
+	it("reads a picture of the greatest size", async () => {
 		const { saved, problems } = await withFields({ picture: dataUrl(jpeg(1024, 1024, LARGEST_PICTURE)) });
 		expect(problems).toEqual([]);
 		expect(saved[0].picture).toHaveLength(LARGEST_PICTURE);
 	});
 
-	it("does without what else is amiss: dates, versions, fingerprints", async () => {
+	it("ignores invalid dates, versions and fingerprints", async () => {
 		const { saved, problems } = await withFields({
 			saved: { toString: 3 },
 			app: {},
@@ -119,11 +119,11 @@ describe("a library's file", () => {
 		[{ specimens: [] }, "Its “version” is not 1."],
 		[{ version: 1, specimens: {} }, "Its “specimens” are no list."],
 		[{ version: 1, specimens: new Array(10_001).fill(0) }, "It holds 10001 specimens; at most 10000 can be read."],
-	])("is refused whole where it cannot be one: %#", (wrong, message) => {
+	])("throws for a document that is no library: %#", (wrong, message) => {
 		expect(() => readLibrary({ format: "panicle-library", ...wrong })).toThrow(message);
 	});
 
-	it("is told from other JSON, and where it breaks off", async () => {
+	it("is distinguished from other JSON; a truncated one is reported as damaged", async () => {
 		const text = await writeLibrary([savedAs("Merlot")], 0).text();
 		await expect(foundInFile("cut.panicle.json", new Blob([text.slice(0, 90)]))).rejects.toThrow(
 			/^cut\.panicle\.json is damaged or unfinished JSON: export or download it again\. \(.+\)$/,
@@ -131,7 +131,7 @@ describe("a library's file", () => {
 		await expect(foundInFile("other.json", new Blob(['{"format":"else"}']))).rejects.toThrow("holds no specimen");
 	});
 
-	it("never throws but by its own words, and what it brings can be kept, whatever is in it", () => {
+	it("throws only LibraryError, and imports only specimens that can be stored, for any content", () => {
 		const any = fc.jsonValue({ maxDepth: 2 });
 		const near = fc.record(
 			{
@@ -173,7 +173,7 @@ describe("a library's file", () => {
 	});
 });
 
-it("tells of an import in few lines", () => {
+it("describes an import in few lines", () => {
 	const one = savedAs("Merlot");
 	expect(broughtInWords({ saved: [one, one], problems: [] }, 2)).toEqual({ words: "2 imported.", lines: [] });
 	expect(broughtInWords({ saved: [one, one], problems: ["a"] }, 1)).toEqual({
@@ -185,7 +185,7 @@ it("tells of an import in few lines", () => {
 	expect([lines.length, lines.at(-1)]).toEqual([9, "So it is with 492 more."]);
 });
 
-it("makes a name one line, without turned writing, and no longer than is shown", () => {
+it("reduces a name to one line without direction marks, truncated", () => {
 	expect(tidyName("  Merlot\n\tno. 2 ")).toBe("Merlot no. 2");
 	expect(tidyName("Mer\u202elot\u2066")).toBe("Merlot");
 	expect(Array.from(tidyName("🍇".repeat(1_000_000)))).toHaveLength(LONGEST_NAME);

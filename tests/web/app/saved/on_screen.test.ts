@@ -25,14 +25,14 @@ async function savedWithText() {
 }
 
 describe("what is on screen", () => {
-	it("is saved as its link, with the text in the fragment, and what grew; without a view it has no picture", async () => {
+	it("is saved as its link, with the text in the fragment, and its fingerprint; without a view it has no picture", async () => {
 		const saved = await savedWithText();
 		expect(saved).toMatchObject({ name: "Mine", app: VERSION, fingerprint: FINGERPRINT });
 		expect(saved.link).toMatch(/^\?v=2&preset=riesling&seed=7#g=[\w-]+$/);
 		expect(saved.picture).toBeUndefined();
 	});
 
-	it("is what was saved, text and all, as one step", async () => {
+	it("is replaced by a saved specimen, its text included, as one undo step", async () => {
 		const saved = await savedWithText();
 		const { studio } = await studioWith(specimenFromPreset("duku"));
 		const opening = openSaved(studio, saved);
@@ -44,7 +44,7 @@ describe("what is on screen", () => {
 		expect(studio.state.specimen).toMatchObject({ preset: "duku" });
 	});
 
-	it("is told to be another plant where it grows otherwise than when it was saved", async () => {
+	it("is reported if its fingerprint differs from the saved one", async () => {
 		const { studio } = await studioWith(specimenFromPreset("duku"));
 		const opening = openSaved(studio, savedAs("Old", { link: "?v=1&preset=grape-15b", fingerprint: FINGERPRINT }));
 		await expect.poll(() => studio.state.specimen.preset).toBe("grape-15b");
@@ -55,7 +55,7 @@ describe("what is on screen", () => {
 		]);
 	});
 
-	it("is not compared where the person has gone on meanwhile", async () => {
+	it("is not compared if the document has changed meanwhile", async () => {
 		const { studio } = await studioWith(specimenFromPreset("duku"));
 		const opening = openSaved(studio, savedAs("Old", { link: "?v=2&preset=riesling", fingerprint: FINGERPRINT }));
 		await expect.poll(() => studio.state.specimen.preset).toBe("riesling");

@@ -8,13 +8,13 @@ import {
 	withoutPicture,
 } from "../../../../web/src/app/saved/saved_store";
 
-/** A shelf that several libraries share, as tabs share a browser's. Steps take turns, and each takes a while. */
+/** A store shared by several libraries, as tabs share a browser's. Steps run one after the other, asynchronously. */
 export class SharedStore implements SavedStore {
 	stored: readonly Saved[] = [];
 	readonly pictureOf = new Map<string, NonNullable<Saved["picture"]>>();
 	/** Ids whose pictures were read. */
 	readonly readPictures: string[] = [];
-	/** Why nothing goes on it. */
+	/** Error of the store while it is full. */
 	full: string | undefined;
 	#last: Promise<unknown> = Promise.resolve();
 

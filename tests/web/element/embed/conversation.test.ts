@@ -29,7 +29,7 @@ async function answersTo(message: object, { allowed, origin = HOST }: { allowed?
 }
 const answered = (more: object, origin = HOST) => [[{ panicle: PROTOCOL, id: 1, ...more }, { targetOrigin: origin }]];
 
-describe("what a host page may ask", () => {
+describe("a host page's request", () => {
 	it.each([
 		[{ method: "specimen" }, { preset: "merlot" }],
 		[{ method: "grow" }, grown],
@@ -38,11 +38,11 @@ describe("what a host page may ask", () => {
 		[{ method: "file", values: { format: "glb-low", triangles: 900 } }, "file"],
 		[{ method: "picture", values: { width: 40.4, height: 60 } }, "picture"],
 		[{ method: "reset" }, undefined],
-	])("%j is answered to its origin alone", async (message, result) => {
+	])("%j gets a response to its origin only", async (message, result) => {
 		expect((await answersTo(message)).answers).toEqual(answered({ result }));
 	});
 
-	it("hands over what was asked", async () => {
+	it("passes the values to the plant", async () => {
 		await answersTo({ method: "set", values: { age: 60, skin: "ff0000" } });
 		await answersTo({ method: "file", values: { format: "glb-low", triangles: 900, other: 1 } });
 		await answersTo({ method: "picture", values: { width: 40.4 } });
@@ -72,17 +72,17 @@ describe("what a host page may ask", () => {
 			{ method: "file", values: { format: "glb-low", triangles: -1 } },
 			/^triangles: a whole number from 100 to 2000000$/,
 		],
-	])("%j is refused in words", async (message, error) => {
+	])("%j gets an error message", async (message, error) => {
 		const { answers } = await answersTo(message);
 		expect(answers).toEqual(answered({ error: expect.stringMatching(error) }));
 	});
 
-	it("says what went wrong", async () => {
+	it("reports the error", async () => {
 		plant.grow.mockRejectedValueOnce(new Error("no room"));
 		expect((await answersTo({ method: "grow" })).answers).toEqual(answered({ error: "no room" }));
 	});
 
-	it("is heeded of allowed origins only, where some are named", async () => {
+	it("is accepted from allowed origins only, if the frame names some", async () => {
 		const other = await answersTo({ method: "set", values: { age: 1 } }, { allowed: ["https://other.example"] });
 		expect(other.answers).toEqual(answered({ error: `pages of ${HOST} may not ask this frame` }));
 		expect(plant.set).not.toHaveBeenCalled();
@@ -90,19 +90,19 @@ describe("what a host page may ask", () => {
 		expect((await answersTo({ method: "specimen" }, { allowed: [HOST] })).answers).toHaveLength(1);
 	});
 
-	it("is never answered to a page without an origin", async () => {
+	it("gets no response for a page without an origin", async () => {
 		expect((await answersTo({ method: "grow" }, { origin: "null" })).answers).toEqual([]);
 		expect(plant.grow).not.toHaveBeenCalled();
 	});
 
-	it("tells what happens to those who listen, at their origins", async () => {
+	it("sends events to listening windows, at their origins", async () => {
 		const { conversation } = await answersTo({ method: "listen" });
 		conversation.broadcast("grown", grown);
 		const message = { panicle: PROTOCOL, event: "grown", detail: grown };
 		expect(source.postMessage.mock.calls[1]).toEqual([message, { targetOrigin: HOST }]);
 	});
 
-	it("tells at most 64 windows, forgets those that are closed, and refuses one more in words", async () => {
+	it("serves at most 64 listening windows, drops closed ones, and refuses one more with an error", async () => {
 		const conversation = new Conversation(plant as unknown as EmbeddedPlant);
 		const windows = Array.from({ length: 65 }, () => ({ postMessage: vi.fn(), closed: false }));
 		const listen = (source: (typeof windows)[number]) =>
@@ -111,7 +111,7 @@ describe("what a host page may ask", () => {
 		const results = windows.map(({ postMessage }) => postMessage.mock.lastCall?.[0]);
 		expect(results.slice(0, 64).every(({ result }) => result === true)).toBe(true);
 		expect(results[64].error).toMatch(/^64 windows listen already/);
-		// One that listens already may say so again.
+		// A window that listens already may send the request again.
 		await listen(windows[0]);
 		expect(windows[0].postMessage.mock.lastCall?.[0]).toMatchObject({ result: true });
 		windows[1].closed = true;
@@ -124,12 +124,15 @@ describe("what a host page may ask", () => {
 		);
 	});
 
-	it.each([Number.NaN, Number.POSITIVE_INFINITY, "x".repeat(201), null, {}])("passes over the id %s", async (id) => {
-		expect((await answersTo({ id, method: "grow" })).answers).toEqual([]);
-		expect(plant.grow).not.toHaveBeenCalled();
-	});
+	it.each([Number.NaN, Number.POSITIVE_INFINITY, "x".repeat(201), null, {}])(
+		"is ignored with the id %s",
+		async (id) => {
+			expect((await answersTo({ id, method: "grow" })).answers).toEqual([]);
+			expect(plant.grow).not.toHaveBeenCalled();
+		},
+	);
 
-	it("passes over whatever is no message of ours, and breaks at nothing", () =>
+	it("is ignored if it is no message of the protocol; no message throws", () =>
 		fc.assert(
 			fc.asyncProperty(fc.anything(), fc.anything(), async (data, values) => {
 				source.postMessage.mockReset();
@@ -144,7 +147,7 @@ describe("what a host page may ask", () => {
 });
 
 describe("a frame’s address", () => {
-	it("is a link, with what is the element’s and who may ask", () => {
+	it("holds a link, attributes of the element and allowed origins", () => {
 		const search = "?v=2&preset=merlot&autorotate=&theme=dark&allow=https://a.example,https://b.example";
 		expect(frameSettings({ search, hash: "#g=x" })).toEqual({
 			link: "?v=2&preset=merlot#g=x",
@@ -155,14 +158,14 @@ describe("a frame’s address", () => {
 			allowed: ["https://a.example", "https://b.example"],
 		});
 		expect(frameSettings({ search: "", hash: "" })).toEqual({ link: "?", attributes: [], allowed: undefined });
-		// Written as addresses are, they are the same origins; what is no address lets nobody in.
+		// Addresses are normalised to origins; an invalid address allows no origin.
 		expect(frameSettings({ search: "?allow=https://A.example:443/page", hash: "" }).allowed).toEqual([
 			"https://a.example",
 		]);
 		expect(frameSettings({ search: "?allow=", hash: "" }).allowed).toEqual([]);
 	});
 
-	it("has keys of its own that no link has", async () => {
+	it("has keys that no link has", async () => {
 		for (const model of await Promise.all(modelNames().map(modelNamed)))
 			expect([...FRAME_KEYS, "allow"].filter((key) => isKnown(model, key))).toEqual([]);
 	});
