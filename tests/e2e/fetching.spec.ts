@@ -92,12 +92,12 @@ test("Back to a tree whose scripts cannot be fetched fetches each of them once",
 		for (let frame = 0; frame < 60; frame++) await new Promise(requestAnimationFrame);
 	});
 	const times = (script: string) => requests.filter((url) => url.includes(`/${script}-`)).length;
-	expect(times("tree_figure")).toBe(1);
+	expect(times("tree_renderer")).toBe(1);
 	expect(Math.max(...requests.map((url) => requests.filter((other) => other === url).length))).toBeLessThanOrEqual(2);
 });
 
 test("the tools come when asked again, where their script did not", async ({ page }) => {
-	const tools = await failing(page, /assets\/face-/);
+	const tools = await failing(page, /assets\/ui-/);
 	const studio = new StudioPage(page);
 	await page.goto("./");
 	await expect(studio.notices).toContainText("The tools of the bunch could not be fetched");
