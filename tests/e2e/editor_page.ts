@@ -13,7 +13,7 @@ export class EditorPage extends StudioPage {
 	}
 
 	get details(): Locator {
-		return this.page.locator(".pane-told");
+		return this.page.locator(".pane-messages");
 	}
 
 	async edit(search = ""): Promise<this> {

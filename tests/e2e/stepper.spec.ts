@@ -21,7 +21,7 @@ class StepperPage extends StudioPage {
 	}
 
 	get details(): Locator {
-		return this.page.locator(".told");
+		return this.page.locator(".trace-card");
 	}
 
 	get step(): Locator {
@@ -177,7 +177,7 @@ test("a mistake in the text leaves the string; a change derives anew", { tag: "@
 	await studio.text.locator(".cm-line", { hasText: /^axiom/ }).click();
 	await page.keyboard.press("End");
 	await page.keyboard.type(" )");
-	await expect(page.locator(".pane-told").getByRole("button", { name: /^Line 8/ })).toBeVisible();
+	await expect(page.locator(".pane-messages").getByRole("button", { name: /^Line 8/ })).toBeVisible();
 	await studio.reads("aba");
 	await page.keyboard.press("Backspace");
 	await page.keyboard.type("b");

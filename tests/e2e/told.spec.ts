@@ -88,7 +88,7 @@ test("of very many remarks some are listed, and all are marked", { tag: "@long" 
 	);
 	await expect(page.locator(".readout .notes")).toContainText("more.");
 	await page.keyboard.press("g");
-	const messages = page.locator(".pane-told");
+	const messages = page.locator(".pane-messages");
 	await expect(messages.getByRole("button")).toHaveCount(50);
 	await expect(messages).toContainText("250 more are marked in the text.");
 	await expect(messages).toContainText("The grammar draws nothing.");

@@ -10,13 +10,13 @@ const drawn: Drawn = {
 	surface: () => ({ positions: Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0), indices: [0, 1, 2] }),
 };
 
-const parts = (figure: LitRenderer) => figure.object.children as Mesh[];
+const parts = (renderer: LitRenderer) => renderer.object.children as Mesh[];
 
 describe("what shines", () => {
 	it("lies over segments, wider than they are and never too thin to be seen, in sight and through what hides it", () => {
-		const figure = new LitRenderer();
-		figure.show(drawn, [0, 1], [], 0.05, "#c25e00");
-		const tubes = parts(figure);
+		const renderer = new LitRenderer();
+		renderer.show(drawn, [0, 1], [], 0.05, "#c25e00");
+		const tubes = parts(renderer);
 		expect(tubes).toHaveLength(2);
 		expect(tubes.map(({ material }) => (material as MeshBasicMaterial).depthTest)).toEqual([true, false]);
 		const [tube] = tubes as InstancedMesh[];
@@ -37,20 +37,20 @@ describe("what shines", () => {
 	});
 
 	it("lies on organs, and goes with what it lay on", () => {
-		const figure = new LitRenderer();
-		figure.show(drawn, [], [0], 0.05, "orange");
-		const [sheet] = parts(figure);
+		const renderer = new LitRenderer();
+		renderer.show(drawn, [], [0], 0.05, "orange");
+		const [sheet] = parts(renderer);
 		expect(sheet).not.toBeInstanceOf(InstancedMesh);
 		expect([...sheet.geometry.getAttribute("position").array]).toEqual([0, 0, 0, 1, 0, 0, 0, 1, 0]);
-		figure.show(drawn, [], [], 0.05, "orange");
-		expect(parts(figure)).toEqual([]);
+		renderer.show(drawn, [], [], 0.05, "orange");
+		expect(parts(renderer)).toEqual([]);
 	});
 
 	it("is thinned out evenly where it is very much", () => {
 		const count = 50_000;
 		const many = { ...drawn, ends: new Float32Array(6 * count), radii: new Float32Array(2 * count) };
-		const figure = new LitRenderer();
-		figure.show(many, [...new Uint32Array(count).keys()], [], 1, "orange");
-		expect((parts(figure)[0] as InstancedMesh).count).toBe(20_000);
+		const renderer = new LitRenderer();
+		renderer.show(many, [...new Uint32Array(count).keys()], [], 1, "orange");
+		expect((parts(renderer)[0] as InstancedMesh).count).toBe(20_000);
 	});
 });

@@ -9,11 +9,11 @@ import { PULP, tetrahedron } from "../formats/toy_parts";
 
 it("marks cells by geometry of their own, so that what is thrown away with a mark is nothing of the plant's", () => {
 	const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
-	const figure = partRenderer<unknown, Part[]>((parts) => parts)(stage);
+	const renderer = partRenderer<unknown, Part[]>((parts) => parts)(stage);
 	const mesh = { ...tetrahedron([0, 0, 0], 1), pickIds: Uint32Array.of(1, 2, 2, 1) };
-	figure.show([{ name: "Petal", shape: { mesh, material: PULP } }], {});
+	renderer.show([{ name: "Petal", shape: { mesh, material: PULP } }], {});
 	const [shown] = stage.root.children.filter((child): child is Mesh => "isMesh" in child);
-	figure.mark(1);
+	renderer.mark(1);
 	const mark = stage.root.children.at(-1) as Mesh;
 	const shared = Object.values(mark.geometry.attributes).filter((attribute) =>
 		Object.values(shown.geometry.attributes).includes(attribute),

@@ -27,46 +27,46 @@ const plant = toyPlant();
 
 function staged() {
 	const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
-	const figure = partRenderer<unknown, Plant>((grown) => partsOf(grown))(stage);
+	const renderer = partRenderer<unknown, Plant>((grown) => partsOf(grown))(stage);
 	const meshes = () => stage.root.children.filter((child): child is Mesh => "isMesh" in child);
-	return { stage, figure, meshes };
+	return { stage, renderer, meshes };
 }
 
-describe("the figure of any plant", () => {
+describe("the renderer of any plant", () => {
 	it("draws every part, instances as instances, each casting its shadow", () => {
-		const { stage, figure, meshes } = staged();
-		figure.show(plant, {});
+		const { stage, renderer, meshes } = staged();
+		renderer.show(plant, {});
 		expect(meshes().map(({ name }) => name)).toEqual(["Trunk", "Branch", "Bract", "Leaf"]);
 		expect((meshes()[3] as InstancedMesh).count).toBe(3);
 		expect(stage.shadow.hard.children).toHaveLength(4);
-		figure.show({ ...plant, meshes: plant.meshes.slice(0, 1) }, {});
+		renderer.show({ ...plant, meshes: plant.meshes.slice(0, 1) }, {});
 		expect(meshes()).toHaveLength(2);
 		expect(stage.shadow.hard.children).toHaveLength(2);
 	});
 
 	it("keeps what it wears from plant to plant, so that no program is built anew, and throws away what many have not worn", () => {
-		const { figure, meshes } = staged();
-		figure.show(plant, {});
+		const { renderer, meshes } = staged();
+		renderer.show(plant, {});
 		const worn = meshes().map(({ material }) => material as MeshPhysicalMaterial);
 		const gone: string[] = [];
 		for (const material of worn) material.addEventListener("dispose", () => gone.push(material.name));
-		figure.show(structuredClone(plant), {});
+		renderer.show(structuredClone(plant), {});
 		expect(meshes().every(({ material }, index) => material === worn[index])).toBe(true);
 		expect(gone).toEqual([]);
 		const bare = { ...plant, meshes: [] };
-		for (let i = 0; i < 5; i++) figure.show(bare, {});
-		figure.show(plant, {});
+		for (let i = 0; i < 5; i++) renderer.show(bare, {});
+		renderer.show(plant, {});
 		expect(meshes().map(({ material }) => material)).toEqual(worn);
 		const other = (i: number) => ({ ...plant, meshes: [{ ...plant.meshes[0], material: `bark ${i}`, runs: [] }] });
-		for (let i = 0; i < 20; i++) figure.show(other(i), {});
+		for (let i = 0; i < 20; i++) renderer.show(other(i), {});
 		expect(gone).toEqual([]);
-		for (let i = 20; i < 30; i++) figure.show(other(i), {});
+		for (let i = 20; i < 30; i++) renderer.show(other(i), {});
 		expect(new Set(gone)).toEqual(new Set(worn.map(({ name }) => name)));
 	});
 
 	it("lays pictures on what has textures, and others in their place, in the same materials", () => {
 		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
-		const figure = partRenderer<unknown, Part[]>((parts) => parts)(stage);
+		const renderer = partRenderer<unknown, Part[]>((parts) => parts)(stage);
 		const meshes = () => stage.root.children.filter((child): child is Mesh => "isMesh" in child);
 		const picture = (shade: number): Picture => ({ width: 2, height: 1, pixels: new Uint8Array(6).fill(shade) });
 		const normal = picture(128);
@@ -75,7 +75,7 @@ describe("the figure of any plant", () => {
 			const mesh = tetrahedron([0, 0, 0], 1, new Array(12).fill(0.5));
 			return { name: `Sheet ${shade}`, shape: { mesh, material } };
 		};
-		figure.show([sheet(10), sheet(20)], {});
+		renderer.show([sheet(10), sheet(20)], {});
 		const worn = meshes().map(({ material }) => material as MeshPhysicalMaterial);
 		const shown = () => worn.map(({ map }) => [...((map as Texture).image as { data: Uint8Array }).data]);
 		expect(shown()).toEqual([10, 20].map((shade) => [shade, shade, shade, 255, shade, shade, shade, 255]));
@@ -92,18 +92,18 @@ describe("the figure of any plant", () => {
 		const gone: string[] = [];
 		before?.addEventListener("dispose", () => gone.push("colour"));
 		normalMap?.addEventListener("dispose", () => gone.push("normal"));
-		figure.show([sheet(30), sheet(40)], {});
+		renderer.show([sheet(30), sheet(40)], {});
 		expect(meshes().map(({ material }) => material)).toEqual(worn);
 		expect(shown().map(([red]) => red)).toEqual([30, 40]);
 		expect(gone).toEqual(["colour"]);
 		expect(worn[0].normalMap).toBe(normalMap);
-		figure.dispose();
+		renderer.dispose();
 		expect(gone).toEqual(["colour", "normal"]);
 	});
 
 	it("knows of every mesh and its instances a ball that holds them", () => {
-		const { figure, meshes } = staged();
-		figure.show(plant, {});
+		const { renderer, meshes } = staged();
+		renderer.show(plant, {});
 		const corner = new Vector3();
 		const place = new Matrix4();
 		for (const mesh of meshes()) {
@@ -122,9 +122,9 @@ describe("the figure of any plant", () => {
 	});
 
 	it("holds the whole plant", () => {
-		const { figure } = staged();
-		figure.show(plant, {});
-		const { spheres, points } = figure.bounds();
+		const { renderer } = staged();
+		renderer.show(plant, {});
+		const { spheres, points } = renderer.bounds();
 		expect(spheres).toHaveLength(4 * 3);
 		// A blade reaches √1.25 from its foot.
 		expect(spheres[3]).toBeCloseTo(0.05 * Math.sqrt(1.25), 6);
@@ -133,24 +133,24 @@ describe("the figure of any plant", () => {
 
 	it("tells cells from what has none, which is counted behind the last cell", () => {
 		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
-		const figure = partRenderer<unknown, Part[]>((parts) => parts)(stage);
+		const renderer = partRenderer<unknown, Part[]>((parts) => parts)(stage);
 		const meshes = () => stage.root.children.filter((child): child is Mesh => "isMesh" in child);
 		const part = (x: number, pickIds?: Uint32Array): Part => ({
 			name: `At ${x}`,
 			shape: { mesh: { ...tetrahedron([x, 0, 0], 1), ...(pickIds && { pickIds }) }, material: PULP },
 		});
-		figure.show([part(-5), part(0, Uint32Array.of(1, 1, 1, 1)), part(5), part(10, Uint32Array.of(2, 2, 2, 2))], {});
-		const pickAt = (x: number) => figure.pick({ origin: [x, 0.1, 9], direction: [0, 0, -1] });
+		renderer.show([part(-5), part(0, Uint32Array.of(1, 1, 1, 1)), part(5), part(10, Uint32Array.of(2, 2, 2, 2))], {});
+		const pickAt = (x: number) => renderer.pick({ origin: [x, 0.1, 9], direction: [0, 0, -1] });
 		expect([-5, 0, 5, 10].map(pickAt)).toEqual([3, 1, 4, 2]);
 		for (const [picked, x] of [3, 1, 4, 2].map((picked, i) => [picked, 5 * i - 5] as const)) {
-			figure.mark(picked);
+			renderer.mark(picked);
 			const marks = meshes().slice(4);
 			expect(marks).toHaveLength(1);
 			marks[0].geometry.computeBoundingBox();
 			expect(marks[0].geometry.boundingBox?.getCenter(new Vector3()).x).toBeCloseTo(x, 5);
 		}
 		// Members of the same group are marked more softly, and each triangle is marked once.
-		figure.mark(1, new Set([1, 2]));
+		renderer.mark(1, new Set([1, 2]));
 		const marks = meshes().slice(4);
 		expect(marks.map(({ geometry }) => geometry.index?.count)).toEqual([12, 12]);
 		const [own, others] = marks.map(({ material }) => (material as MeshBasicMaterial).opacity);
@@ -158,48 +158,48 @@ describe("the figure of any plant", () => {
 	});
 
 	it("finds the part that a ray meets first, each instance by itself, and marks it", () => {
-		const { figure, meshes } = staged();
-		figure.show(plant, {});
+		const { renderer, meshes } = staged();
+		renderer.show(plant, {});
 		// The first leaf stands upright at (0, 0.1 … 0.15, 0), before the branch.
-		const leaf = figure.pick({ origin: [0.02, 0.14, 1], direction: [0, 0, -3] });
+		const leaf = renderer.pick({ origin: [0.02, 0.14, 1], direction: [0, 0, -3] });
 		expect(leaf).toBe(3);
-		expect(figure.pick({ origin: [0, 0.05, 1], direction: [0, 0, -1] })).toBe(0);
-		expect(figure.pick({ origin: [-0.03, 0.05, 1], direction: [0, 0, -1] })).toBe(2);
-		expect(figure.pick({ origin: [0.9, 0.05, 1], direction: [0, 0, -1] })).toBeUndefined();
-		figure.mark(leaf);
+		expect(renderer.pick({ origin: [0, 0.05, 1], direction: [0, 0, -1] })).toBe(0);
+		expect(renderer.pick({ origin: [-0.03, 0.05, 1], direction: [0, 0, -1] })).toBe(2);
+		expect(renderer.pick({ origin: [0.9, 0.05, 1], direction: [0, 0, -1] })).toBeUndefined();
+		renderer.mark(leaf);
 		const mark = meshes().at(-1) as Mesh;
 		expect((mark.material as MeshPhysicalMaterial).emissive.r).toBeGreaterThan(0.1);
 		expect(mark.position.toArray().map((value) => Math.round(1000 * value))).toEqual([0, 100, 0]);
-		figure.mark(undefined);
+		renderer.mark(undefined);
 		expect(meshes()).toHaveLength(4);
-		figure.mark(99);
+		renderer.mark(99);
 		expect(meshes()).toHaveLength(4);
 	});
 
 	it("takes everything along when it goes", () => {
-		const { stage, figure } = staged();
-		figure.show(plant, {});
-		figure.mark(0);
-		figure.dispose();
+		const { stage, renderer } = staged();
+		renderer.show(plant, {});
+		renderer.mark(0);
+		renderer.dispose();
 		expect(stage.root.children).toEqual([]);
 		expect(stage.shadow.hard.children).toEqual([]);
 	});
 
 	it("stands in the stage's light", () => {
-		const { stage, figure } = staged();
+		const { stage, renderer } = staged();
 		stage.light.setTheme("dark");
 		const camera = new PerspectiveCamera();
 		camera.updateMatrixWorld();
 		stage.light.aim(camera);
-		figure.prepare(camera);
+		renderer.prepare(camera);
 		const lamps = stage.root.children[0].children as unknown as { color: { r: number }; position: { x: number } }[];
 		expect(lamps[0].color.r).toBe(stage.light.rig.key.irradiance[0]);
 		expect(lamps[0].position.x).toBeCloseTo(stage.light.rig.key.direction.x, 9);
 	});
 
 	it("throws the key light's shadow on itself, drawn again when the plant or the light has moved, or the card has lost it", () => {
-		const { stage, figure, meshes } = staged();
-		figure.show(plant, {});
+		const { stage, renderer, meshes } = staged();
+		renderer.show(plant, {});
 		expect(meshes().every(({ castShadow, receiveShadow }) => castShadow && receiveShadow)).toBe(true);
 		const key = stage.root.children[0].children[0] as DirectionalLight;
 		const camera = new PerspectiveCamera();
@@ -207,14 +207,14 @@ describe("the figure of any plant", () => {
 			key.shadow.needsUpdate = false;
 			camera.updateMatrixWorld();
 			stage.light.aim(camera);
-			figure.prepare(camera);
+			renderer.prepare(camera);
 			return key.shadow.needsUpdate;
 		};
 		expect([key.castShadow, key.shadow.autoUpdate, key.shadow.needsUpdate]).toEqual([true, false, true]);
 		expect([aimed(), aimed()]).toEqual([true, false]);
 		camera.rotation.y = 0.2;
 		expect([aimed(), aimed()]).toEqual([true, false]);
-		figure.restored?.();
+		renderer.restored?.();
 		expect(key.shadow.needsUpdate).toBe(true);
 		// The whole plant is in front of the shadow's camera.
 		const { left, right, near, far } = key.shadow.camera;
@@ -225,10 +225,10 @@ describe("the figure of any plant", () => {
 	});
 
 	it("dims what sees little of the sky: vertices by themselves, organs one by one", () => {
-		const { figure, meshes } = staged();
+		const { renderer, meshes } = staged();
 		const trunk = { ...plant.meshes[0], sky: new Uint8Array(plant.meshes[0].positions.length / 3).fill(51) };
 		const organs = { ...plant.organs, sky: Uint8Array.from({ length: plant.organs.count }, (_, i) => 85 * i) };
-		figure.show({ ...plant, meshes: [trunk, ...plant.meshes.slice(1)], organs }, {});
+		renderer.show({ ...plant, meshes: [trunk, ...plant.meshes.slice(1)], organs }, {});
 		const skyOf = (index: number) => meshes()[index].geometry.getAttribute("sky");
 		expect(skyOf(0).getX(3)).toBeCloseTo(0.2, 6);
 		const leaves = skyOf(3) as InstancedBufferAttribute;
@@ -237,12 +237,15 @@ describe("the figure of any plant", () => {
 	});
 
 	it("shows the open sky where nobody has asked, in the same materials", () => {
-		const { figure, meshes } = staged();
+		const { renderer, meshes } = staged();
 		const sky = (vertices: Float32Array) => new Uint8Array(vertices.length / 3).fill(51);
 		const organs = { ...plant.organs, sky: new Uint8Array(plant.organs.count) };
-		figure.show({ ...plant, meshes: plant.meshes.map((mesh) => ({ ...mesh, sky: sky(mesh.positions) })), organs }, {});
+		renderer.show(
+			{ ...plant, meshes: plant.meshes.map((mesh) => ({ ...mesh, sky: sky(mesh.positions) })), organs },
+			{},
+		);
 		const worn = meshes().map(({ material }) => material);
-		figure.show(plant, {});
+		renderer.show(plant, {});
 		expect(meshes().map(({ material }) => material)).toEqual(worn);
 		for (const mesh of meshes()) {
 			const open = mesh.geometry.getAttribute("sky") as InstancedBufferAttribute;
@@ -254,29 +257,29 @@ describe("the figure of any plant", () => {
 	it("lays a material's picture on its mesh, the same texture for the same picture", () => {
 		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
 		const colour = { width: 1, height: 1, pixels: Uint8Array.of(1, 2, 3) };
-		const figure = partRenderer<unknown, Plant>((grown) =>
+		const renderer = partRenderer<unknown, Plant>((grown) =>
 			[...partsOf(grown)].map(({ shape, ...part }) => ({
 				...part,
 				...(shape ? { shape: { ...shape, material: { ...shape.material, textures: { colour } } } } : {}),
 			})),
 		)(stage);
-		figure.show(plant, {});
+		renderer.show(plant, {});
 		const [trunk] = stage.root.children.filter((child): child is Mesh => "isMesh" in child);
 		const material = trunk.material as MeshPhysicalMaterial;
 		expect(material.map?.image).toMatchObject({ width: 1, height: 1 });
 		const uvs = trunk.geometry.getAttribute("uv");
 		expect(uvs.count).toBe(trunk.geometry.getAttribute("position").count);
 		expect([...uvs.array]).toEqual([...plant.meshes[0].uvs.subarray(0, 2 * uvs.count)]);
-		figure.show(structuredClone(plant), {});
+		renderer.show(structuredClone(plant), {});
 		const [again] = stage.root.children.filter((child): child is Mesh => "isMesh" in child);
 		expect(again.material).toBe(material);
-		figure.dispose();
+		renderer.dispose();
 	});
 
 	it("shows colours of vertices in place of the material's", () => {
 		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
-		const figure = partRenderer(() => fruits())(stage);
-		figure.show({}, {});
+		const renderer = partRenderer(() => fruits())(stage);
+		renderer.show({}, {});
 		const [fruit, , tuft] = stage.root.children.filter((child): child is Mesh => "isMesh" in child);
 		const of = (mesh: Mesh) => mesh.material as MeshPhysicalMaterial;
 		expect([of(fruit).vertexColors, of(fruit).color.r, of(fruit).sheen]).toEqual([true, 1, 1]);

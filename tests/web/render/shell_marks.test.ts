@@ -8,15 +8,15 @@ const tetrahedron = (x: number) => ({
 });
 
 it("marks the surfaces that are asked for, faces and edges, and no other", () => {
-	const figure = new ShellRenderer();
-	figure.show([tetrahedron(0), tetrahedron(2), tetrahedron(4)], "#112233");
+	const renderer = new ShellRenderer();
+	renderer.show([tetrahedron(0), tetrahedron(2), tetrahedron(4)], "#112233");
 	const colours = () =>
-		figure.object.children.map(
+		renderer.object.children.map(
 			(part) => `#${((part as Mesh | LineSegments).material as MeshBasicMaterial).color.getHexString()}`,
 		);
-	figure.mark(new Set([1]), "#ff0000");
+	renderer.mark(new Set([1]), "#ff0000");
 	expect(colours()).toEqual(["#112233", "#112233", "#ff0000", "#ff0000", "#112233", "#112233"]);
-	figure.mark(new Set(), "#ff0000");
+	renderer.mark(new Set(), "#ff0000");
 	expect(new Set(colours())).toEqual(new Set(["#112233"]));
-	figure.dispose();
+	renderer.dispose();
 });

@@ -13,8 +13,8 @@ const faces = [
 	[1, 5, 7, 3],
 ].flatMap(([a, b, c, d]) => [a, b, c, a, c, d]);
 
-const edgesIn = (figure: ShellRenderer, shell = 0): BufferGeometry =>
-	(figure.object.children.filter((part) => "isLineSegments" in part)[shell] as LineSegments).geometry;
+const edgesIn = (renderer: ShellRenderer, shell = 0): BufferGeometry =>
+	(renderer.object.children.filter((part) => "isLineSegments" in part)[shell] as LineSegments).geometry;
 
 /** Both ends of each edge, sorted. */
 function ends({ attributes: { position }, index }: BufferGeometry): string[] {
@@ -23,28 +23,28 @@ function ends({ attributes: { position }, index }: BufferGeometry): string[] {
 	return points.flatMap((a, i) => (i % 2 === 0 ? [[at(a), at(points[i + 1])].sort().join(" – ")] : [])).sort();
 }
 
-describe("the figure of what bounds a plant", () => {
+describe("the renderer of what bounds a plant", () => {
 	it("has a body's faces, and the edges between those that are not level", () => {
-		const figure = new ShellRenderer();
-		figure.show([{ points: corners, triangles: faces }], "red");
-		expect((figure.object.children[0] as Mesh).geometry.index?.count).toBe(36);
-		const found = ends(edgesIn(figure));
+		const renderer = new ShellRenderer();
+		renderer.show([{ points: corners, triangles: faces }], "red");
+		expect((renderer.object.children[0] as Mesh).geometry.index?.count).toBe(36);
+		const found = ends(edgesIn(renderer));
 		expect(found).toHaveLength(12);
 		expect(found).toContain("0,0,0 – 0,0,1");
 		expect(found).not.toContain("0,0,0 – 0,1,1");
 	});
 
 	it("looks for edges once: a body that is moved keeps those it has, where it stands now", () => {
-		const figure = new ShellRenderer();
-		figure.show([{ points: corners, triangles: faces }], "red");
-		const first = [...(edgesIn(figure).index?.array ?? [])];
+		const renderer = new ShellRenderer();
+		renderer.show([{ points: corners, triangles: faces }], "red");
+		const first = [...(edgesIn(renderer).index?.array ?? [])];
 		// Edges of these triangles come from the cache, so the new positions do not change them.
 		const flat = corners.map((value, i) => (i % 3 === 1 ? 0 : value));
-		figure.show([{ points: corners.map((value) => value + 2), triangles: faces }], "red");
-		expect(ends(edgesIn(figure))).toContain("2,2,2 – 2,2,3");
-		figure.show([{ points: flat, triangles: faces }], "red");
-		expect([...(edgesIn(figure).index?.array ?? [])]).toEqual(first);
-		figure.show([{ points: flat, triangles: [...faces] }], "red");
-		expect([...(edgesIn(figure).index?.array ?? [])]).not.toEqual(first);
+		renderer.show([{ points: corners.map((value) => value + 2), triangles: faces }], "red");
+		expect(ends(edgesIn(renderer))).toContain("2,2,2 – 2,2,3");
+		renderer.show([{ points: flat, triangles: faces }], "red");
+		expect([...(edgesIn(renderer).index?.array ?? [])]).toEqual(first);
+		renderer.show([{ points: flat, triangles: [...faces] }], "red");
+		expect([...(edgesIn(renderer).index?.array ?? [])]).not.toEqual(first);
 	});
 });

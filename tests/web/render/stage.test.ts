@@ -4,7 +4,7 @@ import type { ModelRenderer, RendererStage } from "../../../web/src/render/model
 import { Stage } from "../../../web/src/render/stage";
 
 /** A renderer that logs its calls. */
-function figure() {
+function fakeRenderer() {
 	const calls: string[] = [];
 	let stage: RendererStage | undefined;
 	const object = new Object3D();
@@ -31,8 +31,8 @@ function figure() {
 const RAY = { origin: [0, 0, 1], direction: [0, 0, -1] } as const;
 
 describe("Stage", () => {
-	it("has the figure show plants, and tells what the view is to hold", () => {
-		const { make, calls } = figure();
+	it("has the renderer show plants, and tells what the view is to hold", () => {
+		const { make, calls } = fakeRenderer();
 		const stage = new Stage<string, number>();
 		stage.use(make);
 		expect(stage.filled).toBe(false);
@@ -41,12 +41,12 @@ describe("Stage", () => {
 		expect([stage.filled, stage.pick(RAY), ...calls]).toEqual([true, 7, "show 3 seed"]);
 	});
 
-	it("says what to do where there is no figure", () => {
+	it("says what to do where there is no renderer", () => {
 		expect(() => new Stage<string, number>().show(1, "a")).toThrow("give the viewer one to use");
 	});
 
-	it("takes the last figure off when another comes", () => {
-		const [one, other] = [figure(), figure()];
+	it("takes the last renderer off when another comes", () => {
+		const [one, other] = [fakeRenderer(), fakeRenderer()];
 		const stage = new Stage<string, number>();
 		stage.use(one.make);
 		stage.show(1, "a");
@@ -63,7 +63,7 @@ describe("Stage", () => {
 	});
 
 	it("passes marks and modes on once, and only modes that there are; a new plant starts unmarked", () => {
-		const { make, calls } = figure();
+		const { make, calls } = fakeRenderer();
 		const stage = new Stage<string, number>();
 		stage.use(make);
 		stage.show(1, "a");

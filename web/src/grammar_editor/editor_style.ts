@@ -86,9 +86,9 @@ export const EDITOR_STYLE = EditorView.theme({
 		fontFamily: "var(--sans)",
 		fontSize: "13px",
 	},
-	".cm-help, .cm-told": { padding: "6px 10px" },
+	".cm-help, .cm-problems": { padding: "6px 10px" },
 	".cm-help code": { color: "var(--code-symbol)", fontFamily: "var(--mono)" },
-	".cm-told p": { margin: "0" },
+	".cm-problems p": { margin: "0" },
 	".cm-tooltip.cm-tooltip-autocomplete > ul": { maxHeight: "14em", fontFamily: "var(--mono)", fontSize: "13px" },
 	".cm-tooltip.cm-tooltip-autocomplete > ul > li": { padding: "3px 8px" },
 	".cm-tooltip.cm-tooltip-autocomplete > ul > li[aria-selected]": {

@@ -121,7 +121,7 @@ export class GrammarPane extends ControlElement<GrammarContext> {
 			<div class="pane-steps" id=${steps} role="region" aria-label="Derivation" ?hidden=${!open}>
 				${open ? this.#stepper() : nothing}
 			</div>
-			<div class="pane-told" role="status">${this.#messages(this.#problems)}</div>
+			<div class="pane-messages" role="status">${this.#messages(this.#problems)}</div>
 			<footer>
 				<panicle-number-pad .number=${this.number} .grip=${this.#grip} .step=${this.#step} .done=${this.#settle}></panicle-number-pad>
 				<p class="pane-hint">${this.#hint()}</p>
@@ -134,9 +134,9 @@ export class GrammarPane extends ControlElement<GrammarContext> {
 
 	protected override updated(): void {
 		const text = this.#text();
-		// What was asked for before it went may be drawn after.
+		// An update requested before the pane closed may run afterwards.
 		if (text === undefined || !this.isConnected) return;
-		// CodeMirror's lines end as its own do.
+		// CodeMirror uses \n as line end.
 		const shown = text.replace(/\r\n?/g, "\n");
 		const { indents } = this.context.toolState(this.tool);
 		if (!this.#editor) {
@@ -148,7 +148,7 @@ export class GrammarPane extends ControlElement<GrammarContext> {
 		this.#editor.problems = this.#problems;
 	}
 
-	/** Whether the plant that is shown is of this text: else what is said of it would stand in the wrong place. */
+	/** Whether the plant shown has grown from this text; else its problems would be shown at wrong places. */
 	get #current(): boolean {
 		const { grownFrom, specimen } = this.context.state;
 		return grownFrom !== undefined && grownFrom.grammar === specimen.grammar;
@@ -207,7 +207,7 @@ export class GrammarPane extends ControlElement<GrammarContext> {
 
 	#edited(text: string, how: string): void {
 		const { context } = this;
-		// What has been growing for long is of a text that is no more.
+		// Growth in progress is of an outdated text.
 		if (context.state.growing) context.cancel();
 		const run = how.startsWith("input.scrub") ? undefined : this.#runs.press(how);
 		context.edit({ ...withText(this.source, context.state.specimen, text), run }, GESTURE);
@@ -215,7 +215,7 @@ export class GrammarPane extends ControlElement<GrammarContext> {
 		if (run) this.#pause = setTimeout(this.#settle, PAUSE);
 	}
 
-	/** Escape first ends what takes long to grow, as everywhere. */
+	/** Escape first cancels a long growth, as in the whole page. */
 	#leave(): void {
 		if (this.context.state.growing) this.context.cancel();
 		else this.querySelector<HTMLElement>("[data-close]")?.focus();

@@ -38,10 +38,10 @@ const hover = hoverTooltip(
 			end: Math.max(...here.map(({ to }) => to)),
 			create: () => {
 				const dom = document.createElement("div");
-				dom.className = "cm-told";
+				dom.className = "cm-problems";
 				for (const { message, severity } of here) {
 					const line = document.createElement("p");
-					line.className = `cm-said-${severity}`;
+					line.className = `cm-problem-${severity}`;
 					line.textContent = message;
 					dom.append(line);
 				}

@@ -86,7 +86,7 @@ export class Stepper extends ControlElement<GrammarContext> {
 				.counts=${counts} .step=${step} .playing=${this.#playing !== undefined} .play=${this.#toggle} .go=${this.#go} .by=${this.#by}
 				.follows=${derivation.follows} .follow=${this.#follow}
 			></panicle-steps>`;
-		// Another step may be places.
+		// Another step may still work.
 		if (fault) return html`${bar}${none}`;
 		const label = `String: ${stepInWords(step, last)}, ${countInWords(counts[step])}`;
 		return html`<p class="unseen" id="derived-keys">${KEYS}</p>
@@ -96,7 +96,7 @@ export class Stepper extends ControlElement<GrammarContext> {
 				.events=${this.#events}
 			></panicle-derived>
 			${this.#place(derivation, counts[step])}
-			<div class="told">${this.#card(derivation, last)}</div>
+			<div class="trace-card">${this.#card(derivation, last)}</div>
 			<p class="unseen" role="status">${this.#announcement(derivation, last)}</p>`;
 	}
 
@@ -113,7 +113,7 @@ export class Stepper extends ControlElement<GrammarContext> {
 		if (this.#playing !== undefined && (derivation.fault || derivation.step === derivation.last)) this.#stop();
 	}
 
-	/** Where the window is in a string that is longer. */
+	/** Draws a slider for the window's place in a longer string. */
 	#place({ page, chosen }: Derivation, length: number): unknown {
 		if (!page || length <= page.modules.length) return nothing;
 		const at = chosen ?? page.first;
@@ -127,14 +127,14 @@ export class Stepper extends ControlElement<GrammarContext> {
 		</label>`;
 	}
 
-	/** What is known of the chosen module. */
+	/** Describes the chosen module. */
 	#card(derivation: Derivation, last: number): unknown {
 		const { chosen, step, counts } = derivation;
 		const module = derivation.module(chosen);
 		if (!module || chosen === undefined || step === undefined || !counts) {
 			const words = this.line === undefined ? "" : this.#marked(derivation, this.line);
 			const hint = words || "Choose a module, here or in the view: its production, its values, where it came from.";
-			return html`<p class="told-hint">${hint} ${this.#next(derivation)}</p>`;
+			return html`<p class="trace-hint">${hint} ${this.#next(derivation)}</p>`;
 		}
 		const { production, fires, answer, chance, parent, children, refusals } = module;
 		const line = ({ line, column }: TextPlace) =>
@@ -150,7 +150,7 @@ export class Stepper extends ControlElement<GrammarContext> {
 			</header>
 			${
 				answer
-					? html`<p class="told-answer">${answerInWords(answer)}. ${this.#next(derivation)}${this.#why(answer.words)}</p>`
+					? html`<p class="trace-answer">${answerInWords(answer)}. ${this.#next(derivation)}${this.#why(answer.words)}</p>`
 					: nothing
 			}
 			${production ? html`<p>Written by ${line(production)}.</p>` : nothing}
@@ -158,14 +158,14 @@ export class Stepper extends ControlElement<GrammarContext> {
 				${fateOf(module, step === last)}${derivation.bare ? " It draws nothing." : nothing}</p>
 			${
 				refusals
-					? html`<ul class="told-refusals" aria-label="Productions that do not apply">${refusals.map(
+					? html`<ul class="trace-refusals" aria-label="Productions that do not apply">${refusals.map(
 							({ production, why }) => html`<li>Not ${line(production)}: ${why}.</li>`,
 						)}</ul>`
 					: nothing
 			}`;
 	}
 
-	/** The environment's words; modules that it names can be gone to. */
+	/** Draws the environment's words; modules named in them are buttons. */
 	#why(words: string | undefined): unknown {
 		if (!words) return nothing;
 		return html`<b>${piecesOf(words).map((piece) =>
@@ -175,7 +175,7 @@ export class Stepper extends ControlElement<GrammarContext> {
 		)}.</b>`;
 	}
 
-	/** From question to question of those that the environment was asked, and round. */
+	/** Draws a button that moves to the next module with a query, cyclically. */
 	#next({ page, chosen = -1 }: Derivation): unknown {
 		const asked = page?.modules.flatMap(({ answer }, index) => (answer ? [page.first + index] : [])) ?? [];
 		const next = asked.find((index) => index > chosen) ?? asked[0];
@@ -184,7 +184,7 @@ export class Stepper extends ControlElement<GrammarContext> {
 		return html`<button class="to-line" type="button" @click=${press}>Next question</button>`;
 	}
 
-	/** Of the production at the text's cursor. */
+	/** Describes the production at the text's cursor. */
 	#marked({ page }: Derivation, line: number): string {
 		if (!page) return "";
 		const fires = page.modules.filter((each) => each.fires?.line === line).length;

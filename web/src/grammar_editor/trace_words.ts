@@ -68,7 +68,7 @@ export function moduleInWords(module: TraceEntry, isLast: boolean): string {
 		.join(" ");
 }
 
-/** Modules are counted from 1 for people. */
+/** Writes module numbers counted from 1. */
 function describeAnswer(words: string): string {
 	return piecesOf(words)
 		.map((piece) => (typeof piece === "number" ? `module ${piece + 1}` : piece))

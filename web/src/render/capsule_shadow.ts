@@ -55,7 +55,7 @@ varying vec2 at;
 varying vec2 capsule;
 void main() {
 	float away = length(vec2(max(0.0, abs(at.x) - capsule.x), at.y));
-	// What a disc of radius b leaves of a soft edge: full while the lamp is hidden, least of all for thin stems.
+	// Darkness under a disc of radius b with a soft edge: full while the lamp is hidden, least for thin stems.
 	float most = min(1.0, 2.2 * capsule.y);
 	float soft = 1.0 - smoothstep(max(0.0, 2.0 * capsule.y - 1.0), 1.0, away);
 	gl_FragColor = vec4(0.0, 0.0, 0.0, most * soft);

@@ -106,7 +106,7 @@ float lobe(vec3 d, vec4 at) {
 	return x * x;
 }
 
-// Light from all around: gathered over the half space about \`d\`, and mirrored from \`d\`.
+// Light of the surroundings: integrated over the half space about \`d\`, and reflected from \`d\`.
 vec3 diffuse_surroundings(vec3 d) {
 	return ${sum("diffuse")};
 }
@@ -114,8 +114,8 @@ vec3 gloss_surroundings(vec3 d) {
 	return ${sum("gloss")};
 }
 
-// Whether a direction at that cosine to the middle of a window (its half angles' tangents) can fall into it: most of a
-// plant mirrors none.
+// Whether a direction can fall into a window, by its cosine to the middle and the tangents of the half angles: most of a
+// plant reflects no window.
 bool near_window(float cosine, vec2 tangents, float blur) {
 	vec2 reach = tangents + blur;
 	return cosine > inversesqrt(1.0 + dot(reach, reach));
@@ -126,7 +126,7 @@ vec2 eased(vec2 x) {
 	return x * x * (3.0 - 2.0 * x);
 }
 
-// Share of a mirror lobe that falls into a window of that extent, \`q\` the direction in the window's frame; \`blur\` is
+// Share of a reflection lobe that falls into a window of an extent, \`q\` the direction in the window's frame; \`blur\` is
 // the tangent by which roughness softens its edges.
 float reflected_window(vec3 q, vec3 extent, float blur) {
 	float share = 0.0;
@@ -145,7 +145,7 @@ float reflected_window(vec3 q, vec3 extent, float blur) {
 	return share;
 }
 
-// What plant/shade.ts says, for colours.
+// The same as in plant/shade.ts, for colours.
 vec3 bounced(float visible, vec3 albedo) {
 ${BOUNCE.map(([slope, offset], i) => `	vec3 ${"abc"[i]} = ${float(slope)} * albedo + ${float(offset)};`).join("\n")}
 	return max(vec3(visible), ((visible * a + b) * visible + c) * visible);

@@ -35,7 +35,8 @@ void main() {
 		vec3 far = 0.5 * near + 0.5 * pair(run, 0.5);
 		float reached = dot(far, LUMA);
 		colour = reached < least || reached > most ? near : far;
-		// Of what is thinner than a pixel, a leaf in a crown, no run can be told: it takes on what is about it.
+		// Objects thinner than a pixel, such as a leaf in a crown, have no edge direction: they get the mean of their
+		// neighbours.
 		float alone = abs(middle - dot(beside, vec4(0.25))) / (most - least);
 		colour = mix(colour, around * vec4(0.25), clamp((alone - 0.25) / 0.5, 0.0, 1.0));
 	}

@@ -185,7 +185,7 @@ function lit(
 		.replace("#include <aomap_fragment>", sky ? SHADED : "");
 }
 
-/** Has a program of three's draw every vertex, and look for its shadow, where the wind has it. */
+/** Moves every vertex of one of three's programs by the wind, and looks up its shadow there. */
 function blow(shader: WebGLProgramParametersWithUniforms, wind: WindUniforms): void {
 	Object.assign(shader.uniforms, wind);
 	shader.vertexShader = shader.vertexShader
@@ -194,7 +194,7 @@ function blow(shader: WebGLProgramParametersWithUniforms, wind: WindUniforms): v
 		.replace("#include <worldpos_vertex>", `#include <worldpos_vertex>\n${IN_WORLD}`);
 }
 
-/** The material of what is drawn into shadow maps of what wears `standardMaterial` with a wind. */
+/** Returns the shadow map's material for objects with `standardMaterial` and a wind. */
 export function windyDepth(wind: WindUniforms): MeshDepthMaterial {
 	const made = new MeshDepthMaterial();
 	made.onBeforeCompile = (shader) => blow(shader, wind);
@@ -215,14 +215,14 @@ const PROJECTED = /* glsl */ `
 mvPosition = modelViewMatrix * windy;
 gl_Position = projectionMatrix * mvPosition;
 `;
-/** Only programs that throw or catch shadows have it. */
+/** Only programs that cast or receive shadows contain this code. */
 const IN_WORLD = /* glsl */ `
 #ifdef USE_SHADOWMAP
 	worldPosition = modelMatrix * windy;
 #endif
 `;
 
-/** Where a vertex stands in the plant, instances as they are placed. */
+/** Position of a vertex in the plant, with instances in place. */
 const PLACED = /* glsl */ `
 vec4 standing = vec4(transformed, 1.0);
 #ifdef USE_INSTANCING

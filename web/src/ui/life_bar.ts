@@ -69,7 +69,7 @@ export class LifeBar extends ControlElement {
 		</div>`;
 	}
 
-	/** One step at a time, and how fast they follow each other. */
+	/** Draws the buttons for single steps and the playing speed. */
 	#pace() {
 		const { speed = 1 } = this.context.toolState(this.play);
 		return html`<button
@@ -107,7 +107,7 @@ export class LifeBar extends ControlElement {
 		this.context.setToolState(this.play, { ...state, playing: !state.playing });
 	};
 
-	/** What runs comes to rest first, where it is. */
+	/** Stops playing and moves one step on. */
 	#step(): void {
 		const { grown } = this.context.state;
 		const steps = grown && this.life.steps?.(grown);
@@ -144,7 +144,7 @@ export class LifeBar extends ControlElement {
 		handBack(event, this.age, this.querySelector("input[type=range]"));
 	}
 
-	/** On a button the space bar is the button's own. */
+	/** On a button, the space bar presses the button. */
 	#shortcut(event: KeyboardEvent): void {
 		if (event.key !== " " || (event.target as HTMLInputElement).type !== "range") return;
 		event.preventDefault();

@@ -12,7 +12,7 @@ export function symbol(text: string): unknown {
 	return html`<i class="symbol" aria-hidden="true">${base}${index ? html`<sub>${index}</sub>` : nothing}</i>`;
 }
 
-/** `w₃` as `w_3`: the plate's own face has no raised or lowered digits. */
+/** Writes `w₃` as `w_3`, because the page's font has no subscript digits. */
 function lowerDigits(text: string): string {
 	return text.replace(/[₀-₉]/g, (digit) => `_${digit.charCodeAt(0) - "₀".charCodeAt(0)}`);
 }

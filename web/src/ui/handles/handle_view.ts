@@ -139,13 +139,15 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 		>${content}</button>`;
 	}
 
-	/** What it tells of a key says of which run of presses it is (editor_context.ts). */
+	/** Dispatches an event; during a key press, its detail includes the run of presses (editor_context.ts). */
 	protected emit(type: string, detail?: unknown): void {
 		const told = this.#run !== undefined && detail instanceof Object ? { ...detail, run: this.#run } : detail;
 		this.dispatchEvent(new CustomEvent(type, { detail: told, bubbles: true, composed: true }));
 	}
 
-	/** What is said twice is told apart by a space at its end, or the second time would not be heard. */
+	/**
+	 * Announces words to screen readers. A repeated announcement ends with a space, else it would not be read again.
+	 */
 	protected announce(words: string): void {
 		this.#spoken = words === this.#spoken ? `${words}\u00a0` : words;
 		this.requestUpdate();
@@ -157,13 +159,13 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 		this.requestUpdate();
 	}
 
-	/** Calls off what is in hand. */
+	/** Cancels the drags in progress. */
 	protected cancel(): void {
 		this.drags.cancel();
 		this.#released();
 	}
 
-	/** Lets go of what is in hand: it is there no more. */
+	/** Ends the drags in progress, because their handles no longer exist. */
 	protected drop(): void {
 		this.drags.drop();
 		this.#released();
