@@ -7,7 +7,7 @@ import { readPlant } from "../../web/src/plant/read_plant";
 import { grammarText, type WithGrammar } from "../../web/src/specimen/grammar_text";
 import { type Preset, Presets } from "../../web/src/specimen/presets";
 import type { Specimen } from "../../web/src/specimen/specimen";
-import { type Entry, Table } from "../../web/src/specimen/table";
+import { type ParameterEntry, Table } from "../../web/src/specimen/table";
 import source from "./toy.json";
 
 export type ToySpecimen = Specimen & WithGrammar;
@@ -19,7 +19,7 @@ A(n) : n>0 --> F(height) [ +(spread) A(n-1) ] [ /(120) +(spread) A(n-1) ] [ /(24
 A(n) : n=0 --> !(2) F(height/2) S(height/5)
 `;
 
-const table = new Table(source.parameters as readonly Entry[], source.groups);
+const table = new Table(source.parameters as readonly ParameterEntry[], source.groups);
 
 const preset = (name: string, title: string, parameters: Preset["parameters"]): Preset => ({
 	name,

@@ -12,7 +12,7 @@ import * as edit from "../../web/src/specimen/edit";
 import * as link from "../../web/src/specimen/link";
 import type { Preset } from "../../web/src/specimen/presets";
 import * as restored from "../../web/src/specimen/restore";
-import type { CoreEntry, Entry } from "../../web/src/specimen/table";
+import type { CoreEntry, ParameterEntry } from "../../web/src/specimen/table";
 import * as written from "../../web/src/specimen/written";
 import { namesInRun } from "../long_run.mjs";
 
@@ -26,7 +26,7 @@ export {
 export { BUNCH, specimenFromPreset } from "../../web/src/models/bunch/schema";
 export type { BunchSpecimen as Specimen, Look };
 
-export const ENTRIES: readonly Entry[] = BUNCH.table.entries;
+export const ENTRIES: readonly ParameterEntry[] = BUNCH.table.entries;
 export const CORE_ENTRIES: readonly CoreEntry[] = BUNCH.table.core;
 export const entryOf = (key: string) => BUNCH.table.entry(key);
 /** The presets of the gate: shapes without and with wings, a fruit, varieties set by density and by a count of berries. */

@@ -5,7 +5,7 @@ import type { MeasureInfo } from "../../web/src/specimen/measures";
 import type { Field } from "../../web/src/specimen/model_schema";
 import { numbersIn, type Preset, Presets } from "../../web/src/specimen/presets";
 import type { Specimen } from "../../web/src/specimen/specimen";
-import { type Entry, Table } from "../../web/src/specimen/table";
+import { type ParameterEntry, Table } from "../../web/src/specimen/table";
 
 export interface ToySpecimen extends Specimen {
 	/** What is written on the flag. */
@@ -13,7 +13,7 @@ export interface ToySpecimen extends Specimen {
 }
 
 const common = { symbol: "", group: "pole", since: 2, help: "A help." };
-const ENTRIES: readonly Entry[] = [
+const ENTRIES: readonly ParameterEntry[] = [
 	{
 		...common,
 		key: "height",

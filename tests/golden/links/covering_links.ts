@@ -1,6 +1,6 @@
 /** Links that between them use all of a model: each preset, each key by itself, and each detail that only links and files have. */
 import type { Model } from "../../../web/src/models/model";
-import { type Entry, nearestWithin } from "../../../web/src/specimen/table";
+import { nearestWithin, type ParameterEntry } from "../../../web/src/specimen/table";
 
 /** A parameter that keeps plants small; few particles suffice to test a link's meaning. */
 const SMALL: Readonly<Record<string, string>> = { leaf: "n=120", tree: "n=80", root: "n=60", stand: "many=24" };
@@ -56,7 +56,7 @@ function linkOf(model: Model, version: number, parts: readonly string[]): string
 const FEW = 4;
 
 /** Each option of a choice in a link of its own; numbers a third of the way up their range, and colours, a few together. */
-function valuesOf(keys: readonly [key: string, entries: readonly Entry[]][]): string[][] {
+function valuesOf(keys: readonly [key: string, entries: readonly ParameterEntry[]][]): string[][] {
 	const choices: string[][] = [];
 	const others: string[] = [];
 	for (const [key, entries] of keys) {
@@ -70,7 +70,7 @@ function valuesOf(keys: readonly [key: string, entries: readonly Entry[]][]): st
 	return [...choices, ...links];
 }
 
-function valueFor(entry: Entry): string {
+function valueFor(entry: ParameterEntry): string {
 	if (entry.kind === "colour") return "a9b04e";
 	return entry.kind === "choice"
 		? entry.options[0]

@@ -225,8 +225,8 @@ export default [
 			},
 			{
 				id: "alike-turned-twice",
-				find: "rows({ x: -qx, y: -qy, z: -qz, w: qw })",
-				replace: "rows({ x: qx, y: qy, z: qz, w: qw })",
+				find: "rotationMatrix({ x: -qx, y: -qy, z: -qz, w: qw })",
+				replace: "rotationMatrix({ x: qx, y: qy, z: qz, w: qw })",
 				breaks: "instances point anywhere but where their berries do",
 			},
 			{

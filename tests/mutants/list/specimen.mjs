@@ -154,8 +154,8 @@ export default [
 		faults: [
 			{
 				id: "grammar-bytes-as-letters",
-				find: "return overlong(text.length) ?? overlong(new TextEncoder().encode(text).length);",
-				replace: "return overlong(text.length);",
+				find: "return lengthProblem(text.length) ?? lengthProblem(new TextEncoder().encode(text).length);",
+				replace: "return lengthProblem(text.length);",
 				breaks: "a long grammar of accented letters is refused by the core only",
 			},
 		],

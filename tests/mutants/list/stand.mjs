@@ -101,8 +101,8 @@ export default [
 			},
 			{
 				id: "stand-looks-of-its-own",
-				find: "cache?.looks ?? new Looks()",
-				replace: "new Looks()",
+				find: "cache?.materials ?? new SharedMaterials()",
+				replace: "new SharedMaterials()",
 				breaks: "a file's bytes hang on what was edited before",
 			},
 		],
@@ -137,7 +137,7 @@ export default [
 		faults: [
 			{
 				id: "pool-keeps-all-workers",
-				find: "for (const seat of seats) if (seat !== small) this.#leave(seat);",
+				find: "for (const worker of workers) if (worker !== small) this.#terminate(worker);",
 				replace: "",
 				breaks: "a page that has grown a stand keeps the memory of all its workers",
 			},

@@ -14,7 +14,7 @@ export default [
 			},
 			{
 				id: "search-learns-nothing",
-				find: "if (length < NEAR * NEAR) return;",
+				find: "if (length < SHORTEST_STEP * SHORTEST_STEP) return;",
 				replace: "if (length >= 0) return;",
 				breaks: "a search goes on with the slopes it began with, and takes many growths more",
 			},
@@ -32,14 +32,14 @@ export default [
 			},
 			{
 				id: "solve-one-value-of-a-range",
-				find: "const there = isThere(task, values) || isWithin(task, values);",
-				replace: "const there = isThere(task, values);",
+				find: "const isReached = isAimReached(task, values) || isWithin(task, values);",
+				replace: "const isReached = isAimReached(task, values);",
 				breaks: "a target of a range is missed though the plant measures within it",
 			},
 			{
 				id: "solve-spent-unsaid",
-				find: "spent: !there && spent.includes(i)",
-				replace: "spent: false",
+				find: "isAtLimit: !isReached && atLimit.includes(i)",
+				replace: "isAtLimit: false",
 				breaks: "nothing says that a number is out of reach",
 			},
 		],

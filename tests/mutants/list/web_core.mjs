@@ -9,7 +9,7 @@ export default [
 		faults: [
 			{
 				id: "pool-dead-spare-kept",
-				find: "if (this.#spare === seat) this.#spare = undefined;",
+				find: "if (this.#spare === worker) this.#spare = undefined;",
 				replace: "",
 				breaks: "after a spare worker died, the next growth waits for ever",
 			},
@@ -51,13 +51,13 @@ export default [
 		faults: [
 			{
 				id: "client-queues-up",
-				find: "if (this.#running < this.#abreast) begin();",
+				find: "if (this.#running < this.#concurrency) begin();",
 				replace: "if (this.#running >= 0) begin();",
 				breaks: "a drag queues up growths",
 			},
 			{
 				id: "client-never-abreast",
-				find: "if (this.#running < this.#abreast) begin();",
+				find: "if (this.#running < this.#concurrency) begin();",
 				replace: "if (this.#running < 1) begin();",
 				breaks: "a step of a drag waits for the step before",
 			},
@@ -89,13 +89,13 @@ export default [
 			},
 			{
 				id: "seat-heard-after-its-end",
-				find: 'if (this.#over) return;\n\t\tif (message.type === "broken")',
+				find: 'if (this.#hasEnded) return;\n\t\tif (message.type === "broken")',
 				replace: 'if (message.type === "broken")',
 				breaks: "a worker that was ended still answers",
 			},
 			{
 				id: "seat-module-sent-each-time",
-				find: "if (this.#given.has(wasm)) return;",
+				find: "if (this.#sent.has(wasm)) return;",
 				replace: "",
 				breaks: "the core is started anew for every growth",
 			},
@@ -185,7 +185,7 @@ export default [
 		faults: [
 			{
 				id: "pool-last-seat-keeps-memory",
-				find: "(this.#memory.get(seat) ?? 0) <= MOST_MEMORY",
+				find: "(this.#memory.get(worker) ?? 0) <= MOST_MEMORY",
 				replace: "true",
 				breaks: "the page's last worker keeps the memory of its largest plant",
 			},

@@ -37,8 +37,8 @@ export default [
 		faults: [
 			{
 				id: "wind-foot-slides",
-				find: "const bend = TRUNK * height * h * h * (1.5 - 0.5 * h);",
-				replace: "const bend = TRUNK * height * (0.1 + h * h * (1.4 - 0.5 * h));",
+				find: "const bend = TOP_AMPLITUDE * height * h * h * (1.5 - 0.5 * h);",
+				replace: "const bend = TOP_AMPLITUDE * height * (0.1 + h * h * (1.4 - 0.5 * h));",
 				breaks: "in the wind a tree slides over the ground",
 			},
 			{

@@ -14,7 +14,7 @@ describe("the core grower", () => {
 		const columns = new Columns(writeContainer([{ name: "fingerprint", data: "0123" }]));
 		const grow = vi.fn(async () => ({ columns, milliseconds: 7 }));
 		const { signal } = new AbortController();
-		const grown = await new CoreGrower(address, { grow, warm: vi.fn(), among: vi.fn() }).grow(
+		const grown = await new CoreGrower(address, { grow, warm: vi.fn(), growMember: vi.fn() }).grow(
 			model,
 			{ ...fromPreset(model), seed: 5 },
 			{ measures: false, signal },
@@ -46,14 +46,14 @@ describe("the core grower", () => {
 				},
 				encode: () => [{ name: "there", data: Uint32Array.of(there ? 1 : 0) }],
 			};
-			await new CoreGrower(address, { grow, warm: vi.fn(), among: vi.fn() }).grow(needy, fromPreset(model));
+			await new CoreGrower(address, { grow, warm: vi.fn(), growMember: vi.fn() }).grow(needy, fromPreset(model));
 			expect(grow.mock.calls[0][0].blocks).toEqual([{ name: "there", data: Uint32Array.of(comes ? 1 : 0) }]);
 		}
 	});
 
 	it("waits only for the sketch when sketched, for models that have one", async () => {
 		const columns = new Columns(writeContainer([{ name: "fingerprint", data: "0123" }]));
-		const client = { grow: async () => ({ columns, milliseconds: 7 }), warm: vi.fn(), among: vi.fn() };
+		const client = { grow: async () => ({ columns, milliseconds: 7 }), warm: vi.fn(), growMember: vi.fn() };
 		const [prepare, sketch] = [vi.fn(async () => {}), vi.fn(async () => {})];
 		const cores = new CoreGrower(address, client);
 		await cores.grow({ ...model, prepare, sketch }, fromPreset(model), { sketched: true });
@@ -66,7 +66,7 @@ describe("the core grower", () => {
 	it("does not start an older growth after a newer one", async () => {
 		const columns = new Columns(writeContainer([{ name: "fingerprint", data: "0123" }]));
 		const grow = vi.fn(async (_order: { blocks: readonly unknown[] }) => ({ columns, milliseconds: 7 }));
-		const cores = new CoreGrower(address, { grow, warm: vi.fn(), among: vi.fn() });
+		const cores = new CoreGrower(address, { grow, warm: vi.fn(), growMember: vi.fn() });
 		let come = () => {};
 		const slow: PageModel = { ...model, prepare: () => new Promise((resolve) => (come = resolve)) };
 		const older = cores.grow(slow, { ...fromPreset(model), seed: 1 });
@@ -79,7 +79,7 @@ describe("the core grower", () => {
 
 	it("starts fetching cores by known file names only", () => {
 		const warm = vi.fn();
-		const cores = new CoreGrower(address, { grow: vi.fn(), warm, among: vi.fn() });
+		const cores = new CoreGrower(address, { grow: vi.fn(), warm, growMember: vi.fn() });
 		cores.warm("plum.wasm");
 		expect(warm).not.toHaveBeenCalled();
 		cores.warm("toy.wasm");
@@ -87,7 +87,7 @@ describe("the core grower", () => {
 	});
 
 	it("rejects with the model's name if its core is missing", async () => {
-		const cores = new CoreGrower(() => undefined, { grow: vi.fn(), warm: vi.fn(), among: vi.fn() });
+		const cores = new CoreGrower(() => undefined, { grow: vi.fn(), warm: vi.fn(), growMember: vi.fn() });
 		await expect(cores.grow(model, fromPreset(model))).rejects.toThrow(
 			"The core of the pole is not part of this page.",
 		);

@@ -50,7 +50,7 @@ describe("the client", () => {
 	});
 
 	it("may grow two side by side: the second at once, the third when one of them is done, the latest again", async () => {
-		start({ abreast: 2 });
+		start({ concurrency: 2 });
 		const drag = [1, 2, 3, 4].map((seed) => client.grow(withSeed(seed)));
 		const outcomes = Promise.allSettled(drag);
 		await settled();

@@ -1,6 +1,6 @@
 import { afterEach, describe, expect, it, vi } from "vitest";
 import type { Core } from "../../../web/src/core/core";
-import { Cores } from "../../../web/src/core/cores";
+import { CoreCache } from "../../../web/src/core/cores";
 import { CoreError, CoreTrap } from "../../../web/src/core/errors";
 
 const SMALL = 1024;
@@ -19,7 +19,7 @@ function told(...doings: (() => unknown)[]) {
 				},
 			}) as unknown as Core,
 	);
-	return { cores: new Cores(load), load, memory };
+	return { cores: new CoreCache(load), load, memory };
 }
 const fails = (error: Error) => () => {
 	throw error;

@@ -3,7 +3,7 @@ import { Client, type ClientOptions } from "../../../web/src/core/client";
 import { type Block, Columns, writeContainer } from "../../../web/src/core/container";
 import type { Answer } from "../../../web/src/core/core";
 import type { FromWorker, ToWorker } from "../../../web/src/core/messages";
-import type { Order } from "../../../web/src/core/pool";
+import type { CoreRequest } from "../../../web/src/core/pool";
 
 /** A worker that does what the test tells it to. */
 export class FakeWorker {
@@ -55,7 +55,7 @@ export class FakeWorker {
 const seedIn = (blocks: readonly Block[]) => new Columns(writeContainer(blocks)).uint32("seed")[0];
 /** What a request with that seed grows into. */
 export const seedOf = ({ columns }: Answer) => columns.uint32("seed")[0];
-export const withSeed = (seed: number, wasm = "bunch.wasm"): Order => ({
+export const withSeed = (seed: number, wasm = "bunch.wasm"): CoreRequest => ({
 	wasm,
 	blocks: [{ name: "seed", data: Uint32Array.of(seed) }],
 });

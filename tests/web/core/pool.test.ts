@@ -21,7 +21,7 @@ afterEach(() => {
 
 describe("a pool of seats", () => {
 	it("grows side by side on as many seats as there may be; the others wait in turn", async () => {
-		start({ seats: 2 });
+		start({ workers: 2 });
 		const all = [1, 2, 3, 4].map((seed) => pool.run(withSeed(seed)));
 		await settled();
 		expect(FakeWorker.all.map(({ seeds }) => seeds)).toEqual([[1], [2]]);
@@ -36,7 +36,7 @@ describe("a pool of seats", () => {
 	});
 
 	it("ends all seats but one after a rest, and makes others when they are asked for", async () => {
-		start({ seats: 3 });
+		start({ workers: 3 });
 		const grow = async (seeds: number[]) => {
 			const all = seeds.map((seed) => pool.run(withSeed(seed)));
 			await settled();
@@ -57,7 +57,7 @@ describe("a pool of seats", () => {
 	});
 
 	it("ends a seat whose cores hold much memory after a rest, even the last one", async () => {
-		start({ seats: 2 });
+		start({ workers: 2 });
 		const large = 300 * 1024 * 1024;
 		const grow = async (...sizes: number[]) => {
 			const all = sizes.map((size) => pool.run(withSeed(size)));
@@ -118,7 +118,7 @@ describe("a pool of seats", () => {
 	});
 
 	it("goes on when one of its clients is closed", async () => {
-		start({ seats: 2 });
+		start({ workers: 2 });
 		const [one, other] = [new Client({ pool }), new Client({ pool })];
 		const ended = expect(one.grow(withSeed(1))).rejects.toBeInstanceOf(Superseded);
 		const kept = other.grow(withSeed(2));

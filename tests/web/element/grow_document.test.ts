@@ -15,9 +15,9 @@ const stand: SpecimenDocument = { model, specimen: planned(PLAN), notes: [] };
 /** Grows the stand; it is superseded after a number of member plants. */
 async function superseded(after: number) {
 	let grown = 0;
-	const client: Pick<Client, "grow" | "among"> = {
+	const client: Pick<Client, "grow" | "growMember"> = {
 		grow: ({ wasm, blocks }) => run(wasm, blocks),
-		among: async ({ wasm, blocks }) => {
+		growMember: async ({ wasm, blocks }) => {
 			const answer = await run(wasm, blocks);
 			grown++;
 			return answer;
@@ -37,9 +37,9 @@ it("a superseded stand stops growing and is not shown", async () => {
 });
 
 it("a flower and a bed grow from attributes, the flower with parameters defined in its text", async () => {
-	const client: Pick<Client, "grow" | "among"> = {
+	const client: Pick<Client, "grow" | "growMember"> = {
 		grow: ({ wasm, blocks }) => run(wasm, blocks),
-		among: ({ wasm, blocks }) => run(wasm, blocks),
+		growMember: ({ wasm, blocks }) => run(wasm, blocks),
 	};
 	const grown = async (attributes: Record<string, string>) => {
 		const reading = await readAttributes(Object.entries(attributes).map(([name, value]) => ({ name, value })));

@@ -5,7 +5,7 @@ import { exportGlb } from "../../../web/src/formats/glb";
 import { tangentsOf } from "../../../web/src/formats/tangents";
 import { encoded } from "../../../web/src/plant/colour";
 import type { Picture } from "../../../web/src/plant/material";
-import { everyPart, type Finer, type Part, type Shape, type Vector } from "../../../web/src/plant/part";
+import { everyPart, type Part, type Shape, type SurfaceDetail, type Vector } from "../../../web/src/plant/part";
 import { bounced } from "../../../web/src/plant/shade";
 import { complaints, documentOf } from "./reading";
 import { ABOUT, fruits, PULP } from "./toy_parts";
@@ -98,7 +98,7 @@ describe("colours and shade, baked", () => {
 
 describe("what is finer than vertices, baked", () => {
 	const TILTED: Vector = [0.36, 0.48, 0.8];
-	const finer = (relief: boolean): Finer => ({
+	const finer = (relief: boolean): SurfaceDetail => ({
 		relief,
 		at: (_, [first]) => ({ roughness: first, ...(relief ? { normal: TILTED } : {}) }),
 	});

@@ -3,7 +3,7 @@ import { readFileSync } from "node:fs";
 import { validateBytes } from "gltf-validator";
 import { Mesh } from "three";
 import { beforeAll, expect, it } from "vitest";
-import { Cores } from "../../../web/src/core/cores";
+import { CoreCache } from "../../../web/src/core/cores";
 import { loadCoreFromBytes } from "../../../web/src/core/loader";
 import { makeFile } from "../../../web/src/generate/files/make";
 import { growPlant } from "../../../web/src/generate/growth";
@@ -13,7 +13,7 @@ import { fromPreset } from "../../../web/src/specimen/from_preset";
 import type { Specimen } from "../../../web/src/specimen/specimen";
 import { documentOf, load } from "./reading";
 
-const cores = new Cores(async (wasm) =>
+const cores = new CoreCache(async (wasm) =>
 	loadCoreFromBytes(readFileSync(new URL(`../../../build/core/${wasm}`, import.meta.url))),
 );
 const grow = (specimen: Specimen, wanted: GrowthOptions = {}) =>

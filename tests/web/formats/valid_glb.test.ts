@@ -1,6 +1,6 @@
 /** The Khronos validator's verdict on a small plant of every model, in every form of GLB that needs neither ages nor levels. */
 import { beforeAll, describe, expect, it } from "vitest";
-import { Cores } from "../../../web/src/core/cores";
+import { CoreCache } from "../../../web/src/core/cores";
 import { aboutPlant } from "../../../web/src/formats/about_plant";
 import { PLANT_FILES } from "../../../web/src/formats/plant_files";
 import { webGlb } from "../../../web/src/formats/web_glb";
@@ -32,7 +32,7 @@ const FORMS = PLANT_FILES.filter(({ ending, life, levelled }) => ending === "glb
 	.map(({ key }) => key)
 	.filter((key) => key !== "glb-web");
 
-const cores = new Cores(freshCore);
+const cores = new CoreCache(freshCore);
 
 describe.each(modelNames())("a plant of the model %s", (name) => {
 	let model: Model;

@@ -3,7 +3,7 @@ import { AnimationMixer, type Mesh, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import { windGlb } from "../../../web/src/formats/wind_glb";
 import { swayed } from "../../../web/src/generate/files/swayed";
-import { BEAT, type Sway } from "../../../web/src/plant/sway";
+import { PERIOD, type Sway } from "../../../web/src/plant/sway";
 import { swing } from "../../../web/src/plant/swing";
 import { grownParts } from "./grown_parts";
 import { complaints, documentOf, load, meshesOf } from "./reading";
@@ -48,7 +48,7 @@ describe("the wind form", () => {
 		expect(await complaints(glb)).toEqual([]);
 		expect(documentOf(glb).extensionsRequired).toBeUndefined();
 		const { animations, rest, at } = await played(glb);
-		expect(animations.map(({ name, duration }) => [name, duration])).toEqual([["Wind", BEAT]]);
+		expect(animations.map(({ name, duration }) => [name, duration])).toEqual([["Wind", PERIOD]]);
 		const still = rest();
 		const foot = new Vector3(0.3, 1.5, 0.2);
 		const held = (place: Vector3) => (place.distanceTo(foot) < 0.2 ? foot : place);
@@ -57,14 +57,14 @@ describe("the wind form", () => {
 			[0.5, 0, -1],
 			[0.75, -1, 0],
 		]) {
-			const now = at(BEAT * share);
+			const now = at(PERIOD * share);
 			for (const [i, place] of still.entries()) {
 				const { sine, cosine } = swing(SWAY, place.toArray(), held(place).toArray());
 				const there = place.toArray().map((value, k) => value + s * sine[k] + c * cosine[k]);
 				expect(now[i].distanceTo(new Vector3(...there))).toBeLessThan(1e-6);
 			}
 		}
-		const [first, last] = [at(0), at(BEAT - 1e-6)];
+		const [first, last] = [at(0), at(PERIOD - 1e-6)];
 		expect(Math.max(...first.map((place, i) => place.distanceTo(last[i])))).toBeLessThan(1e-4);
 	});
 
@@ -73,7 +73,7 @@ describe("the wind form", () => {
 		const parts = [{ name: "Wall", shape: { mesh: tetrahedron([0.2, 1, 0], 0.5), material: stone } }];
 		const { rest, at } = await played(await windGlb(parts, ABOUT, SWAY));
 		const still = rest();
-		expect(Math.max(...at(BEAT / 4).map((place, i) => place.distanceTo(still[i])))).toBe(0);
+		expect(Math.max(...at(PERIOD / 4).map((place, i) => place.distanceTo(still[i])))).toBe(0);
 	});
 
 	it("is the plant at rest where nothing plays, and without animation where nothing sways", async () => {
@@ -96,7 +96,7 @@ describe.each([
 		const glb = await windGlb(parts(), about, sway);
 		expect(glb.length).toBeLessThan(6e6);
 		const { rest, at } = await played(glb);
-		const [still, now] = [rest(), at(BEAT / 4)];
+		const [still, now] = [rest(), at(PERIOD / 4)];
 		const moved = still.map((place, i) => ({
 			height: (sway.up * (place.y - sway.foot[1])) / sway.height,
 			by: place.distanceTo(now[i]) / sway.height,

@@ -1,9 +1,9 @@
 /** The library on cores of the tests' own, as its front doors lay them. */
-import { Cores } from "../../../web/src/core/cores";
+import { CoreCache } from "../../../web/src/core/cores";
 import { setRuntime } from "../../../web/src/library/runtime";
 import { freshCore } from "../core/wasm";
 
-const cores = new Cores(freshCore);
+const cores = new CoreCache(freshCore);
 
 setRuntime({ grow: (wasm, blocks) => cores.grow(wasm, blocks) });
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { bounced, everywhere, shaded } from "../../../web/src/plant/shade";
+import { bounced, repeatedColour, shaded } from "../../../web/src/plant/shade";
 
 describe("bounced", () => {
 	it.each([0.02, 0.3, 0.8])("leaves an open sky open and a hidden one dark, for albedo %f", (albedo) => {
@@ -32,7 +32,7 @@ describe("shaded", () => {
 	});
 
 	it("never brightens", () => {
-		const all = everywhere([0.99, 0.5, 0.01], 256);
+		const all = repeatedColour([0.99, 0.5, 0.01], 256);
 		const dimmed = shaded(
 			all,
 			Uint8Array.from({ length: 256 }, (_, i) => i),

@@ -1,12 +1,12 @@
 import { describe, expect, it } from "vitest";
-import { type Drawn, drawnOf, trianglesOf } from "../../../web/src/plant/drawn";
-import { sighted } from "../../../web/src/plant/sighting";
+import { type DrawnGeometry, drawnOf, trianglesOf } from "../../../web/src/plant/drawn";
+import { castRay } from "../../../web/src/plant/sighting";
 import { toyPlant } from "./toy_plant";
 
 const line = (origin: number[], direction = [0, 0, -1]) => ({ origin, direction });
 
 /** Two upright lines, 1 m and 2 m away, and a square before the second at the right. */
-const drawn: Drawn = {
+const drawn: DrawnGeometry = {
 	ends: Float32Array.of(0, 0, -1, 0, 1, -1, 0, 0, -2, 0, 3, -2),
 	radii: Float32Array.of(0.1, 0.1, 0.1, 0.02),
 	organs: 2,
@@ -22,25 +22,25 @@ const drawn: Drawn = {
 
 describe("what a line of sight meets", () => {
 	it("is the nearest, segments as thick as they are", () => {
-		expect(sighted(drawn, line([0, 0.5, 0]), 0)).toEqual({ segment: 0 });
-		expect(sighted(drawn, line([0.05, 1.5, 0]), 0)).toEqual({ segment: 1 });
-		expect(sighted(drawn, line([0.09, 2.9, 0]), 0)).toBeUndefined();
-		expect(sighted(drawn, line([0, 0.5, -1.5]), 0)).toEqual({ segment: 1 });
+		expect(castRay(drawn, line([0, 0.5, 0]), 0)).toEqual({ segment: 0 });
+		expect(castRay(drawn, line([0.05, 1.5, 0]), 0)).toEqual({ segment: 1 });
+		expect(castRay(drawn, line([0.09, 2.9, 0]), 0)).toBeUndefined();
+		expect(castRay(drawn, line([0, 0.5, -1.5]), 0)).toEqual({ segment: 1 });
 	});
 
 	it("may miss a thread by a little, the more the farther it is", () => {
-		expect(sighted(drawn, line([0.09, 2.9, 0]), 0.04)).toEqual({ segment: 1 });
-		expect(sighted(drawn, line([0.2, 0.5, 0]), 0.04)).toBeUndefined();
+		expect(castRay(drawn, line([0.09, 2.9, 0]), 0.04)).toEqual({ segment: 1 });
+		expect(castRay(drawn, line([0.2, 0.5, 0]), 0.04)).toBeUndefined();
 	});
 
 	it("is nothing behind the eye", () => {
-		expect(sighted(drawn, line([0, 0.5, 0], [0, 0, 1]), 0)).toBeUndefined();
+		expect(castRay(drawn, line([0, 0.5, 0], [0, 0, 1]), 0)).toBeUndefined();
 	});
 
 	it("is a surface where its triangles are, from both sides", () => {
-		expect(sighted(drawn, line([1.5, 0.2, 0]), 0)).toEqual({ organ: 1 });
-		expect(sighted(drawn, line([1.5, 0.2, -3], [0, 0, 2]), 0)).toEqual({ organ: 1 });
-		expect(sighted(drawn, line([2.05, 0.2, 0]), 0)).toBeUndefined();
+		expect(castRay(drawn, line([1.5, 0.2, 0]), 0)).toEqual({ organ: 1 });
+		expect(castRay(drawn, line([1.5, 0.2, -3], [0, 0, 2]), 0)).toEqual({ organ: 1 });
+		expect(castRay(drawn, line([2.05, 0.2, 0]), 0)).toBeUndefined();
 	});
 });
 
@@ -55,7 +55,7 @@ describe("many organs of one mesh", () => {
 		},
 	});
 	const at = (organ: number) => Float32Array.of(3 * organ, 7, -2, 0, 0, Math.SQRT1_2, Math.SQRT1_2, 0.5);
-	const row: Drawn = {
+	const row: DrawnGeometry = {
 		ends: new Float32Array(0),
 		radii: new Float32Array(0),
 		organs: 1000,
@@ -70,15 +70,15 @@ describe("many organs of one mesh", () => {
 				[-0.49, 0.49],
 				[0.49, -0.49],
 			])
-				expect(sighted(row, line([3 * organ + x, 7 + y, 0]), 0)).toEqual({ organ });
-			expect(sighted(row, line([3 * organ + 0.51, 7, 0]), 0)).toBeUndefined();
+				expect(castRay(row, line([3 * organ + x, 7 + y, 0]), 0)).toEqual({ organ });
+			expect(castRay(row, line([3 * organ + 0.51, 7, 0]), 0)).toBeUndefined();
 		}
 	});
 
 	it("have the triangles of those alone looked at that may be met", () => {
 		const fresh = { ...row };
 		counted.reads = 0;
-		expect(sighted(fresh, line([3 * 20, 7.1, 0]), 0)).toEqual({ organ: 20 });
+		expect(castRay(fresh, line([3 * 20, 7.1, 0]), 0)).toEqual({ organ: 20 });
 		// The mesh once, and the one that is met.
 		expect(counted.reads).toBe(12);
 	});

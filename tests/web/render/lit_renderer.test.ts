@@ -1,9 +1,9 @@
 import { InstancedMesh, Matrix4, type Mesh, type MeshBasicMaterial, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
-import type { Drawn } from "../../../web/src/plant/drawn";
+import type { DrawnGeometry } from "../../../web/src/plant/drawn";
 import { LitRenderer } from "../../../web/src/render/lit_renderer";
 
-const drawn: Drawn = {
+const drawn: DrawnGeometry = {
 	ends: Float32Array.of(0, 0, 0, 0, 2, 0, 0, 2, 0, 3, 2, 0),
 	radii: Float32Array.of(0.2, 0.1, 0.01, 0.01),
 	organs: 1,

@@ -3,18 +3,24 @@ import { explainedBy, presetInWords } from "../../../web/src/app/explained";
 import { FLOWER_TABLE } from "../../../web/src/models/flower/table";
 import { STAND } from "../../../web/src/models/stand/schema";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
-import { rangeInWords, readIn, readOf, scaleOf, typedOf } from "../../../web/src/specimen/lengths";
-import type { Entry, NumberEntry } from "../../../web/src/specimen/table";
+import {
+	displayedNumber,
+	displayedText,
+	displayScaleOf,
+	parseDisplayed,
+	rangeInWords,
+} from "../../../web/src/specimen/lengths";
+import type { NumberEntry, ParameterEntry } from "../../../web/src/specimen/table";
 import { BUNCH, entryOf, specimenFromPreset, withParameters } from "../bunch";
 
 const scale = (key: string, unit = 0.25) =>
-	scaleOf(BUNCH, withParameters(specimenFromPreset(), { unit }), entryOf(key) as Entry);
+	displayScaleOf(BUNCH, withParameters(specimenFromPreset(), { unit }), entryOf(key) as ParameterEntry);
 
 describe("lengths in units of the paper", () => {
 	it("are read in millimetres, by the specimen's scale", () => {
-		expect(readIn(scale("l"), 348)).toBe(150);
-		expect(readIn(scale("l", 0.5), 348)).toBe(300);
-		expect(readIn(scale("wi"), 15)).toBe(3.75);
+		expect(displayedNumber(scale("l"), 348)).toBe(150);
+		expect(displayedNumber(scale("l", 0.5), 348)).toBe(300);
+		expect(displayedNumber(scale("wi"), 15)).toBe(3.75);
 		expect(scale("p3w")).toMatchObject({ unit: "mm", decimals: 1 });
 	});
 
@@ -31,17 +37,21 @@ describe("lengths in units of the paper", () => {
 		expect(presetInWords(STAND, fromPreset(STAND, "orchard"), "many")).toBe("auto");
 		expect(presetInWords(STAND, fromPreset(STAND, "orchard"), "relief")).toBe("1");
 		const scale = { per: 1, unit: "", decimals: 2 };
-		expect([readOf({ zero: "auto" }, scale, 3), readOf({}, scale, 0)]).toEqual(["3", "0"]);
+		expect([displayedText({ zero: "auto" }, scale, 3), displayedText({}, scale, 0)]).toEqual(["3", "0"]);
 	});
 });
 
 it("a word that stands for 0 is read, told with the range, and typed", () => {
 	const entry = FLOWER_TABLE.entry("steps") as NumberEntry;
-	const scale = scaleOf({}, undefined as never, entry);
-	expect(readOf(entry, scale, 0)).toBe("auto");
+	const scale = displayScaleOf({}, undefined as never, entry);
+	expect(displayedText(entry, scale, 0)).toBe("auto");
 	expect(rangeInWords(entry, scale)).toBe("whole numbers 0 (auto) … 400.");
-	expect([" Auto ", "automatic", "3"].map((text) => typedOf(entry, text, Number(text)))).toEqual([0, Number.NaN, 3]);
+	expect([" Auto ", "automatic", "3"].map((text) => parseDisplayed(entry, text, Number(text)))).toEqual([
+		0,
+		Number.NaN,
+		3,
+	]);
 	const age = FLOWER_TABLE.entry("age") as NumberEntry;
 	expect(rangeInWords(age, scale)).toBe("0 … 2.");
-	expect(typedOf(age, "auto", Number.NaN)).toBeNaN();
+	expect(parseDisplayed(age, "auto", Number.NaN)).toBeNaN();
 });

@@ -14,7 +14,7 @@ function searched(
 		const next = search.next();
 		if (!next) break;
 		expect(next.every((value, i) => value >= unknowns[i].from && value <= unknowns[i].to)).toBe(true);
-		search.tell(next, at(next));
+		search.record(next, at(next));
 	}
 	return { search, looks, miss: Math.hypot(...search.best.residuals) };
 }
@@ -55,7 +55,7 @@ describe("a search", () => {
 		const { search, looks } = searched([unknown, { ...unknown, to: 1 }], [0, 0], ([x, y]) => [x - 2, y - 3]);
 		expect(search.best.at[0]).toBeCloseTo(2);
 		expect(search.best.at[1]).toBe(1);
-		expect(search.spent).toEqual([1]);
+		expect(search.atLimit).toEqual([1]);
 		expect(looks).toBeLessThan(10);
 	});
 

@@ -1,8 +1,8 @@
 import { describe, expect, it, vi } from "vitest";
 import { specimenFromPreset } from "../../../web/src/models/bunch/schema";
 import type { BunchSpecimen } from "../../../web/src/models/bunch/specimen";
-import { together } from "../../../web/src/targets/lever";
-import { type Means, MOST_GROWTHS, solve } from "../../../web/src/targets/solve";
+import { proportionalLever } from "../../../web/src/targets/lever";
+import { MOST_GROWTHS, type SolverCallbacks, solve } from "../../../web/src/targets/solve";
 import { changesInWords, reachedInWords } from "../../../web/src/targets/words";
 import { BUNCH } from "../bunch";
 
@@ -10,7 +10,7 @@ const KEYS = BUNCH.table.measures.map(({ key }) => key);
 const place = (key: string) => KEYS.indexOf(key);
 
 /** A plant of which everything is known: as long as `l`, as heavy as `size` cubed and `l` say. */
-const measure: Means<BunchSpecimen>["measure"] = async ({ parameters: { l, size, count } }) => {
+const measure: SolverCallbacks<BunchSpecimen>["measure"] = async ({ parameters: { l, size, count } }) => {
 	const values = new Float32Array(KEYS.length).fill(Number.NaN);
 	values[place("bunch_length")] = 0.4 * l + 10;
 	values[place("bunch_weight")] = 0.0001 * l * size ** 3;
@@ -19,14 +19,14 @@ const measure: Means<BunchSpecimen>["measure"] = async ({ parameters: { l, size,
 };
 
 const levers = {
-	bunch_length: [together(BUNCH, 1, "l", "p3r")],
-	bunch_weight: [together(BUNCH, 3, "size")],
-	berry_count: [together(BUNCH, 1, "count")],
-	spill: [together(BUNCH, 1, "unit")],
+	bunch_length: [proportionalLever(BUNCH, 1, "l", "p3r")],
+	bunch_weight: [proportionalLever(BUNCH, 3, "size")],
+	berry_count: [proportionalLever(BUNCH, 1, "count")],
+	spill: [proportionalLever(BUNCH, 1, "unit")],
 };
 
 const from = specimenFromPreset("long-conical");
-const asked = (aims: Record<string, number>, means: Partial<Means<BunchSpecimen>> = {}) =>
+const asked = (aims: Record<string, number>, means: Partial<SolverCallbacks<BunchSpecimen>> = {}) =>
 	solve(
 		{ table: BUNCH.table, from, levers, aims: Object.entries(aims).map(([key, value]) => ({ measure: key, value })) },
 		{ measure, ...means },
@@ -35,7 +35,7 @@ const asked = (aims: Record<string, number>, means: Partial<Means<BunchSpecimen>
 describe("solve", () => {
 	it("finds the parameter of a measure, and moves what goes with it in proportion", async () => {
 		const { specimen, reached, growths } = await asked({ bunch_length: 160 });
-		expect(reached).toMatchObject([{ measure: "bunch_length", there: true, spent: false }]);
+		expect(reached).toMatchObject([{ measure: "bunch_length", isReached: true, isAtLimit: false }]);
 		expect(specimen.parameters.l).toBeGreaterThan(373);
 		expect(specimen.parameters.l).toBeLessThan(377);
 		expect(specimen.parameters.p3r / from.parameters.p3r).toBeCloseTo(specimen.parameters.l / from.parameters.l, 3);
@@ -44,7 +44,7 @@ describe("solve", () => {
 
 	it("finds several at once, though one depends on the other's parameter", async () => {
 		const { reached, growths } = await asked({ bunch_length: 160, bunch_weight: 400 });
-		expect(reached.map(({ there }) => there)).toEqual([true, true]);
+		expect(reached.map(({ isReached }) => isReached)).toEqual([true, true]);
 		expect(growths).toBeLessThanOrEqual(8);
 	});
 
@@ -56,34 +56,34 @@ describe("solve", () => {
 	});
 
 	it("of a range counts any value within it as met, but searches for the one that was drawn", async () => {
-		const coarse = (step: number): Means<BunchSpecimen> => ({
+		const coarse = (step: number): SolverCallbacks<BunchSpecimen> => ({
 			measure: async (specimen) => (await measure(specimen)).map((value) => step * Math.round(value / step)),
 		});
 		const aims = [{ measure: "bunch_length", value: 147, within: [130, 170] as const }];
 		const question = { table: BUNCH.table, from, levers, aims };
 		const { reached: near } = await solve(question, { measure });
-		expect([near[0].there, Math.abs(near[0].got - 147) < 0.6]).toEqual([true, true]);
+		expect([near[0].isReached, Math.abs(near[0].measured - 147) < 0.6]).toEqual([true, true]);
 		const { reached: far } = await solve(question, coarse(20));
-		expect([far[0].there, far[0].got]).toEqual([true, 140]);
+		expect([far[0].isReached, far[0].measured]).toEqual([true, 140]);
 		expect(reachedInWords(far[0])).toBe("Bunch length: 140 mm reached, within 130 mm to 170 mm");
 		const { reached: none } = await solve({ ...question, aims: [{ ...aims[0], within: [145, 149] }] }, coarse(20));
-		expect([none[0].there, none[0].got]).toEqual([false, 140]);
+		expect([none[0].isReached, none[0].measured]).toEqual([false, 140]);
 	});
 
 	it("stays within the table's limits, and says that they are in the way", async () => {
 		const { specimen, reached } = await asked({ bunch_length: 500 });
 		expect(specimen.parameters.l).toBe(580);
-		expect(reached).toMatchObject([{ there: false, spent: true }]);
+		expect(reached).toMatchObject([{ isReached: false, isAtLimit: true }]);
 		expect(reachedInWords(reached[0])).toBe(
 			"Bunch length: 500 mm asked, 242 mm reached; what moves it goes no further",
 		);
 	});
 
 	it("goes on with the next lever where one comes to its end", async () => {
-		const two = { ...levers, bunch_weight: [together(BUNCH, 1, "l"), together(BUNCH, 3, "size")] };
+		const two = { ...levers, bunch_weight: [proportionalLever(BUNCH, 1, "l"), proportionalLever(BUNCH, 3, "size")] };
 		const aims = [{ measure: "bunch_weight", value: 900 }];
 		const { specimen, reached } = await solve({ table: BUNCH.table, from, levers: two, aims }, { measure });
-		expect(reached).toMatchObject([{ there: true }]);
+		expect(reached).toMatchObject([{ isReached: true }]);
 		expect(specimen.parameters.l).toBe(580);
 		expect(specimen.parameters.size).toBeGreaterThan(from.parameters.size);
 	});
@@ -123,7 +123,7 @@ describe("solve", () => {
 			const twoGrams: typeof measure = async (each) =>
 				(await measure(each)).fill(2, place("berry_weight"), place("berry_weight") + 1);
 			const { specimen, reached, growths } = await asked({ [lost]: 3, bunch_length: 160 }, { measure: twoGrams });
-			expect(reached.map(({ there }) => there)).toEqual([false, true]);
+			expect(reached.map(({ isReached }) => isReached)).toEqual([false, true]);
 			expect(specimen.parameters.l).toBeCloseTo(375, -1);
 			expect(growths).toBeLessThanOrEqual(4);
 			expect(reachedInWords(reached[0])).toBe(words);

@@ -131,7 +131,7 @@ const union = (parameters) => parameters.map((p) => literal(p.key)).join(" | ") 
 function typescript(table, notice) {
 	const look = table.parameters.filter((p) => p.look);
 	return `// ${notice}
-import type { Entry, Group } from "../../specimen/table";
+import type { Group, ParameterEntry } from "../../specimen/table";
 
 ${keyList("NUMBER_KEYS", "Keys of the parameters that the core reads, in the request's order.", ofCore(table))}
 export type NumberKey = (typeof NUMBER_KEYS)[number];
@@ -142,7 +142,7 @@ export type LookKey = (typeof LOOK_KEYS)[number];
 export type ColourKey = ${union(look.filter((p) => p.kind === "colour"))};
 
 /** Every parameter, in the order in which panels and pages show them. */
-export const PARAMETERS: readonly Entry[] = [
+export const PARAMETERS: readonly ParameterEntry[] = [
 ${table.parameters.map((p) => object(info(p), 1)).join("\n")}
 ];
 

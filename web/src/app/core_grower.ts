@@ -24,14 +24,14 @@ export interface Grower {
 
 export class CoreGrower implements Grower {
 	readonly #addressOf: (file: string) => string | undefined;
-	readonly #client: Pick<Client, "warm" | "grow" | "among">;
+	readonly #client: Pick<Client, "warm" | "grow" | "growMember">;
 	readonly #members = new MemberCache();
 	#calls = 0;
 
 	/** @param addressOf address of a core's file; undefined for unknown names */
 	constructor(
 		addressOf: (file: string) => string | undefined,
-		client: Pick<Client, "warm" | "grow" | "among"> = pageClient(),
+		client: Pick<Client, "warm" | "grow" | "growMember"> = pageClient(),
 	) {
 		this.#addressOf = addressOf;
 		this.#client = client;
@@ -64,11 +64,11 @@ export class CoreGrower implements Grower {
 		};
 		const run = async (file: string, blocks: readonly Block[]) => {
 			isNewest();
-			return this.#client.among({ wasm: this.#found(file, "plants there"), blocks }, ending);
+			return this.#client.growMember({ wasm: this.#found(file, "plants there"), blocks }, ending);
 		};
 		return grownMembers(model, grown, run, {
 			meshes: wanted.meshes ?? true,
-			abreast: 2 * seats(),
+			concurrency: 2 * seats(),
 			cache: this.#members,
 			grew: (part) => {
 				isNewest();
@@ -90,8 +90,8 @@ const seats = () => Math.max(1, Math.min(navigator.hardwareConcurrency, 4));
 /** The page's client: grows two plants in parallel where there is a second processor. */
 function pageClient(): Client {
 	return new Client({
-		abreast: Math.min(navigator.hardwareConcurrency, 2),
-		seats: seats(),
+		concurrency: Math.min(navigator.hardwareConcurrency, 2),
+		workers: seats(),
 		onNote: (text) => console.info(text),
 	});
 }

@@ -1,8 +1,8 @@
 /** Explains the parameter or measure of the panel that is under the pointer or in focus, in one sentence. */
-import { readIn, readOf, type Scale, scaleOf } from "../specimen/lengths";
+import { type DisplayScale, displayedNumber, displayedText, displayScaleOf } from "../specimen/lengths";
 import type { ModelSchema } from "../specimen/model_schema";
 import type { Specimen } from "../specimen/specimen";
-import { type Entry, valueIn } from "../specimen/table";
+import { type ParameterEntry, valueIn } from "../specimen/table";
 
 export interface Explained {
 	readonly key: string;
@@ -24,7 +24,7 @@ export function explainedBy(schema: ModelSchema, specimen: Specimen, key: string
 			key,
 			label: entry.label,
 			symbol: entry.symbol,
-			text: `${entry.help} ${range(entry, scaleOf(schema, specimen, entry))}`,
+			text: `${entry.help} ${range(entry, displayScaleOf(schema, specimen, entry))}`,
 		};
 	const measure = table.measures.find((each) => `measure-${each.key}` === key);
 	return measure && { key, label: measure.label, symbol: "", text: measure.help };
@@ -44,10 +44,10 @@ export function presetInWords(schema: ModelSchema, preset: Specimen, key: string
 	const value = valueIn(preset, entry);
 	if (entry.kind === "choice") return entry.options[Number(value)];
 	if (typeof value !== "number" || entry.kind === "colour") return String(value);
-	return readOf(entry, scaleOf(schema, preset, entry), value);
+	return displayedText(entry, displayScaleOf(schema, preset, entry), value);
 }
 
-function range(entry: Entry, scale: Scale): string {
+function range(entry: ParameterEntry, scale: DisplayScale): string {
 	if (entry.kind === "colour" || entry.kind === "choice") return "";
-	return `${readIn(scale, entry.min)} … ${readIn(scale, entry.max)} ${scale.unit}. `;
+	return `${displayedNumber(scale, entry.min)} … ${displayedNumber(scale, entry.max)} ${scale.unit}. `;
 }

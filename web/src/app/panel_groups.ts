@@ -1,12 +1,12 @@
 /** Selects the groups and parameters that the panel shows: those active for the specimen, and the tools' additions. */
 
 import type { Specimen } from "../specimen/specimen";
-import type { Entry, Group, Table } from "../specimen/table";
+import type { Group, ParameterEntry, Table } from "../specimen/table";
 import type { Tool } from "../ui/tool";
 
 export interface PanelGroup {
 	readonly group: Group;
-	readonly entries: readonly Entry[];
+	readonly entries: readonly ParameterEntry[];
 	/** Tools with something above the group's controls, and below them. */
 	readonly above: readonly Tool[];
 	readonly below: readonly Tool[];

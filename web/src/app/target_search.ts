@@ -3,7 +3,7 @@ import { aimed } from "../batch/aimed";
 import { growsAlike, sameSpecimen } from "../specimen/same";
 import type { Specimen } from "../specimen/specimen";
 import type { Aim } from "../targets/aim";
-import { type Answer, MOST_GROWTHS } from "../targets/solve";
+import { MOST_GROWTHS, type Solution } from "../targets/solve";
 import { changesInWords, growthsInWords, reachedInWords } from "../targets/words";
 import type { Stateful } from "../ui/editor_context";
 import type { Studio } from "./studio";
@@ -68,7 +68,7 @@ export async function searchTarget(studio: Studio, aim: Aim): Promise<void> {
 	}
 }
 
-function take(studio: Studio, from: Specimen, aims: readonly Aim[], answer: Answer): void {
+function take(studio: Studio, from: Specimen, aims: readonly Aim[], answer: Solution): void {
 	const { model, specimen } = studio.state;
 	const found = { ...specimen, parameters: answer.specimen.parameters };
 	studio.setToolState(TARGET_SEARCH, { found: { specimen: found, aims } });

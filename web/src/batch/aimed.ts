@@ -3,7 +3,7 @@ import type { Model } from "../models/model";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
 import type { Aim } from "../targets/aim";
-import { type Answer, type Means, solve } from "../targets/solve";
+import { type Solution, type SolverCallbacks, solve } from "../targets/solve";
 
 /** Grows and measures a specimen without meshes. */
 export type Measuring = (specimen: Specimen) => Promise<Pick<Plant, "measures">>;
@@ -14,8 +14,8 @@ export async function aimed(
 	from: Specimen,
 	aims: readonly Aim[],
 	grow: Measuring,
-	progress?: Means["progress"],
-): Promise<Answer> {
+	progress?: SolverCallbacks["progress"],
+): Promise<Solution> {
 	const levers = (await model.targets?.levers())?.(
 		from,
 		aims.map(({ measure }) => measure),

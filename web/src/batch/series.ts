@@ -147,7 +147,7 @@ async function foundFor({ model }: Series, { specimen: from, aims }: Member, { g
 		grow(model, each, { meshes: false, measures: true }),
 	);
 	const missed = reached
-		.filter(({ there }) => !there)
+		.filter(({ isReached }) => !isReached)
 		.map((each) => ({ measure: each.measure, words: `${reachedInWords(each)}.` }));
 	return { specimen, link: await encodeLink(model, specimen), missed };
 }

@@ -2,18 +2,18 @@
  * Parameters that vary between the plants of a series: `age=60..110,density=3..8,fruit=lychee
  * duku`.
  */
-import { halvesOf, keyAndValue } from "../specimen/halves";
+import { keyAndValue, splitAtFirst } from "../specimen/halves";
 import type { ModelSchema } from "../specimen/model_schema";
 import { readNumber } from "../specimen/read_values";
 import { type Restored, restore } from "../specimen/restore";
 import type { Specimen } from "../specimen/specimen";
-import { type Entry, nearestWithin, onStep } from "../specimen/table";
+import { nearestWithin, onStep, type ParameterEntry } from "../specimen/table";
 import type { Draws } from "./draws";
 import { Unusable } from "./unusable";
 
 /** A parameter and its values: a range of numbers, or a list. */
 export type Varied = {
-	readonly entry: Entry;
+	readonly entry: ParameterEntry;
 	/** Whether it is a name in the text, rather than a parameter (`named` in specimen/model_schema.ts). */
 	readonly own?: true;
 } & ({ readonly from: number; readonly to: number } | { readonly values: readonly string[] });
@@ -35,7 +35,7 @@ function readOne<S extends Specimen>(species: ModelSchema<S>, part: string, from
 	if (!key || !values) throw new Unusable(`“${part}”: write KEY=FROM..TO or KEY=ONE|ANOTHER, as in age=60..110`);
 	const entry = entryOf(species, key) ?? constantOf(key);
 	const own = entryOf(species, key) ? {} : ({ own: true } as const);
-	const [low, high] = halvesOf(values, "..") ?? [];
+	const [low, high] = splitAtFirst(values, "..") ?? [];
 	if (low === undefined || high === undefined) {
 		const list = values.split("|").map((value) => value.trim());
 		for (const value of list) check(species, { entry, own }, value, from);
@@ -52,7 +52,7 @@ function readOne<S extends Specimen>(species: ModelSchema<S>, part: string, from
 }
 
 /** The parameter of that key; undefined where it may be a name in the text. */
-function entryOf<S extends Specimen>({ table, details }: ModelSchema<S>, key: string): Entry | undefined {
+function entryOf<S extends Specimen>({ table, details }: ModelSchema<S>, key: string): ParameterEntry | undefined {
 	const entry = table.entry(key);
 	if (entry) return entry;
 	const [first, ...others] = table.linked(key);
@@ -69,7 +69,7 @@ function entryOf<S extends Specimen>({ table, details }: ModelSchema<S>, key: st
 }
 
 /** A parameter for a name in the text: of any size and precision. */
-const constantOf = (key: string): Entry => ({
+const constantOf = (key: string): ParameterEntry => ({
 	...{ key, link: key, label: key, symbol: "", group: "", unit: "", help: "", since: 1 },
 	...{ kind: "number", min: Number.NEGATIVE_INFINITY, max: Number.POSITIVE_INFINITY, default: 0, step: 0 },
 });
@@ -102,14 +102,14 @@ export async function checkVaried<S extends Specimen>(
 	from: S,
 ): Promise<void> {
 	const own = varied.filter((each) => each.own).map(({ entry }) => entry.key);
-	const stranger = await species.details.find(({ stranger }) => stranger)?.stranger?.(from, own);
+	const stranger = await species.details.find(({ unknownName }) => unknownName)?.unknownName?.(from, own);
 	if (stranger) throw new Unusable(`${stranger.name}: no parameter has that key, and ${stranger.problem}`);
 }
 
 /** Refuses values that would be changed. */
 function check<S extends Specimen>(
 	species: ModelSchema<S>,
-	{ entry, own }: { entry: Entry; own: { own?: true } },
+	{ entry, own }: { entry: ParameterEntry; own: { own?: true } },
 	value: string,
 	from: S,
 ): void {

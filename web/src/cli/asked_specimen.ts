@@ -9,7 +9,7 @@ import { type ReadText, readText } from "../models/for_text";
 import { modelNamed } from "../models/index";
 import type { Model } from "../models/model";
 import { fromPreset } from "../specimen/from_preset";
-import { overlongFile } from "../specimen/limits";
+import { fileLengthProblem } from "../specimen/limits";
 import { modelInQuery } from "../specimen/link";
 import { type Note, Notes } from "../specimen/notes";
 import { readNumbers } from "../specimen/read_values";
@@ -94,7 +94,7 @@ function readSettings(model: Model, settings: Call["set"], specimen: Specimen): 
 async function refuseStrangers(model: Model, settings: Call["set"], specimen: Specimen): Promise<void> {
 	const named = Object.keys(settings).filter((key) => !detailOf(model, key) && !entryOf(model, key));
 	if (named.length === 0) return;
-	const stranger = await model.details.find(({ stranger }) => stranger)?.stranger?.(specimen, named);
+	const stranger = await model.details.find(({ unknownName }) => unknownName)?.unknownName?.(specimen, named);
 	if (stranger) throw new UsageError(`--set ${stranger.name}: no parameter has that key, and ${stranger.problem}`);
 }
 
@@ -198,7 +198,7 @@ async function readGrammar(file: string, readFile: Surroundings["readFile"]): Pr
 	const bytes = await readFile(file).catch((error: unknown) => {
 		throw new UsageError(`--grammar ${file}: ${reasonOf(error)}`);
 	});
-	const long = overlongFile(bytes.length, new TextDecoder().decode(bytes.subarray(0, 64)));
+	const long = fileLengthProblem(bytes.length, new TextDecoder().decode(bytes.subarray(0, 64)));
 	if (long) throw new UsageError(`--grammar ${file}: ${long}; make it shorter`);
 	if (bytes.every((byte) => byte <= 32)) throw new UsageError(`--grammar ${file}: is empty; ${BEGIN}`);
 	try {

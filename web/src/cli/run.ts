@@ -2,7 +2,7 @@
 import { aimed } from "../batch/aimed";
 import { literalDraws } from "../batch/draws";
 import { aimsOf } from "../batch/goals";
-import { Cores } from "../core/cores";
+import { CoreCache } from "../core/cores";
 import { CoreError } from "../core/errors";
 import { EmptyPlantError, FileTooLargeError } from "../formats/file_error";
 import { FORMS, plantFile } from "../formats/plant_files";
@@ -81,7 +81,7 @@ async function growAndWrite(call: Call, limit: TimeLimit, world: Surroundings): 
 	await checkForm(call, ending, model, from);
 	refuseUnused(call.files, [plantFile(ending, call.form)?.key ?? ending]);
 	checkTold(call, model, ending);
-	const cores = new Cores((wasm) => world.loadCore(wasm, limit.passed));
+	const cores = new CoreCache((wasm) => world.loadCore(wasm, limit.passed));
 	const run = cores.grow.bind(cores);
 	// Compute only data that the file holds: levels and ages are grown by themselves.
 	const json = ending === "json";
@@ -171,7 +171,7 @@ async function found(
 	for (const each of answer.reached) say(`target: ${reachedInWords(each)}`);
 	const changes = changesInWords(model, from, answer.specimen);
 	if (changes) say(`target: ${changes}; ${growthsInWords(answer)}`);
-	return { specimen: answer.specimen, missed: answer.reached.some(({ there }) => !there) };
+	return { specimen: answer.specimen, missed: answer.reached.some(({ isReached }) => !isReached) };
 }
 
 /** @throws UsageError where there is no such form of the file, or the plant has no ages or levels for it */

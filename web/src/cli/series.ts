@@ -13,7 +13,7 @@ import { partOf, readShard, type Shard } from "../batch/shard";
 import { columnsOf, failedRow, type Line, readLines, rowOf, written } from "../batch/table";
 import { Unusable } from "../batch/unusable";
 import { checkVaried, readVary } from "../batch/vary";
-import { Cores } from "../core/cores";
+import { CoreCache } from "../core/cores";
 import { makeFile } from "../generate/files/make";
 import { growPlant } from "../generate/growth";
 import type { Call } from "./arguments";
@@ -215,12 +215,12 @@ async function areWhole(folder: string, { files }: Line, world: Surroundings): P
 class Grower {
 	readonly #series: Series;
 	readonly #limit: TimeLimit;
-	readonly #cores: Cores;
+	readonly #cores: CoreCache;
 
 	constructor(series: Series, limit: TimeLimit, world: Surroundings) {
 		this.#series = series;
 		this.#limit = limit;
-		this.#cores = new Cores((wasm) => world.loadCore(wasm, limit.passed));
+		this.#cores = new CoreCache((wasm) => world.loadCore(wasm, limit.passed));
 	}
 
 	/**

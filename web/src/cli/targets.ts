@@ -1,7 +1,7 @@
 /** `--target KEY=VALUE` and `KEY=FROM..TO`: target measures in place of parameters. */
 import type { Goal } from "../batch/goals";
 import type { Model } from "../models/model";
-import { halvesOf, keyAndValue } from "../specimen/halves";
+import { keyAndValue, splitAtFirst } from "../specimen/halves";
 import { readNumber } from "../specimen/read_values";
 import type { Specimen } from "../specimen/specimen";
 import { UsageError } from "./usage";
@@ -25,7 +25,7 @@ function readOne(text: string, known: readonly string[], noun: string): Goal {
 	if (!known.includes(key)) {
 		throw new UsageError(`--target ${key}: not a measure of this ${noun} that can be a target; see --help`);
 	}
-	const [from, to] = (halvesOf(written, "..") ?? [written, written]).map((value) => {
+	const [from, to] = (splitAtFirst(written, "..") ?? [written, written]).map((value) => {
 		const number = readNumber(value);
 		if (number === undefined || number < 0)
 			throw new UsageError(`--target ${key}: “${value}” is not a number of 0 or more`);

@@ -5,7 +5,7 @@
 import type { Answer } from "./core";
 import { Superseded } from "./errors";
 import { compileCore } from "./loader";
-import { type Order, Pool } from "./pool";
+import { type CoreRequest, Pool } from "./pool";
 import { spawnWorker } from "./spawn";
 
 export interface ClientOptions {
@@ -19,14 +19,14 @@ export interface ClientOptions {
 	 * The most growths of this document at once; 1 where absent. With two, a step of a drag begins at once while the
 	 * step before still grows; their answers may arrive in another order.
 	 */
-	abreast?: number;
+	concurrency?: number;
 	/** The number of workers in a pool of the client's own; `abreast` where absent. */
-	seats?: number;
+	workers?: number;
 	/** Receives warnings, such as a server that sends a wrong type. */
 	onNote?: (text: string) => void;
 }
 
-export interface GrowOptions {
+export interface CancelOptions {
 	/** Cancels the growth: a running one ends with its worker. The promise rejects with the signal's reason. */
 	signal?: AbortSignal;
 }
@@ -43,7 +43,7 @@ export class Client {
 	/** Ends running growths when the client is closed; a shared pool stays open. */
 	readonly #closing = new AbortController();
 	readonly #ownsPool: boolean;
-	readonly #abreast: number;
+	readonly #concurrency: number;
 	#running = 0;
 	#waiting: Waiting | undefined;
 
@@ -51,18 +51,18 @@ export class Client {
 		pool,
 		workerFactory = spawnWorker,
 		compile,
-		abreast = 1,
-		seats = abreast,
+		concurrency = 1,
+		workers = concurrency,
 		onNote,
 	}: ClientOptions = {}) {
 		this.#ownsPool = pool === undefined;
-		this.#abreast = abreast;
+		this.#concurrency = concurrency;
 		this.#pool =
 			pool ??
 			new Pool({
 				spawn: workerFactory,
 				compile: compile ?? ((wasm) => compileCore(wasm, onNote)),
-				seats,
+				workers,
 			});
 	}
 
@@ -75,26 +75,26 @@ export class Client {
 	 * Grows a request. The promise rejects with Superseded when a newer call replaced this one before it began: ignore
 	 * that, the newer answer follows. Otherwise it rejects as Pool.run does.
 	 */
-	grow(order: Order, { signal }: GrowOptions = {}): Promise<Answer> {
+	grow(order: CoreRequest, { signal }: CancelOptions = {}): Promise<Answer> {
 		return new Promise((resolve, reject) => {
 			signal?.throwIfAborted();
 			const begin = () => {
 				this.#running++;
 				this.#pool
-					.run(order, { worthAgain: () => this.#waiting === undefined, signal: this.#ending(signal) })
+					.run(order, { shouldRetry: () => this.#waiting === undefined, signal: this.#ending(signal) })
 					.finally(() => {
 						this.#running--;
 						this.#next();
 					})
 					.then(resolve, reject);
 			};
-			if (this.#running < this.#abreast) begin();
+			if (this.#running < this.#concurrency) begin();
 			else this.#wait(begin, reject, signal);
 		});
 	}
 
 	/** Grows one of many plants of a document: none replaces another. Rejects as Pool.run does. */
-	among(order: Order, { signal }: GrowOptions = {}): Promise<Answer> {
+	growMember(order: CoreRequest, { signal }: CancelOptions = {}): Promise<Answer> {
 		return this.#pool.run(order, { signal: this.#ending(signal) });
 	}
 

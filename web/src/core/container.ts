@@ -5,7 +5,7 @@
 
 /** Types of an array's elements, by their numbers in the layout. */
 export const ELEMENTS = ["text", "uint8", "int32", "uint32", "float32"] as const;
-export type Element = (typeof ELEMENTS)[number];
+export type ElementType = (typeof ELEMENTS)[number];
 
 export type ColumnData = Uint8Array | Int32Array | Uint32Array | Float32Array;
 
@@ -82,7 +82,7 @@ export function copyContainer(memory: ArrayBuffer, at: number): Uint8Array<Array
 }
 
 interface Column {
-	readonly element: Element;
+	readonly element: ElementType;
 	readonly width: number;
 	readonly data: ColumnData;
 }
@@ -156,7 +156,7 @@ export class Columns {
 		return column;
 	}
 
-	#of(name: string, element: Element): ColumnData {
+	#of(name: string, element: ElementType): ColumnData {
 		const column = this.#column(name);
 		if (column.element !== element) throw new RangeError(`Column “${name}” is ${column.element}, not ${element}.`);
 		return column.data;

@@ -148,11 +148,11 @@ function stubs(module: WebAssembly.Module): WebAssembly.Imports {
 	for (const { module: from, name, kind } of WebAssembly.Module.imports(module)) {
 		if (kind !== "function") continue;
 		imports[from] ??= {};
-		imports[from][name] = name === "proc_exit" || name === "abort" ? leave : () => WASI_NOT_SUPPORTED;
+		imports[from][name] = name === "proc_exit" || name === "abort" ? exitProgram : () => WASI_NOT_SUPPORTED;
 	}
 	return imports;
 }
 
-function leave(code?: number): never {
+function exitProgram(code?: number): never {
 	throw new WebAssembly.RuntimeError(`left with status ${code ?? "unknown"}`);
 }

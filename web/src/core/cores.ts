@@ -6,7 +6,7 @@ import { CoreError } from "./errors";
 /** Bytes of memory beyond which a core is dropped; the next request gets a new one. */
 const MOST_MEMORY = 256 * 1024 * 1024;
 
-export class Cores {
+export class CoreCache {
 	readonly #load: (wasm: string) => Promise<Core>;
 	readonly #cores = new Map<string, Promise<Core>>();
 

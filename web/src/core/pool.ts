@@ -10,7 +10,7 @@ import type { FromWorker } from "./messages";
 import { type Compiling, PoolWorker } from "./pool_worker";
 
 /** A request to a core. */
-export interface Order {
+export interface CoreRequest {
 	/** Address of the model's core. */
 	readonly wasm: string;
 	readonly blocks: readonly Block[];
@@ -20,7 +20,7 @@ export interface RunOptions {
 	/** Cancels the growth: a running one ends with its worker. The promise rejects with the signal's reason. */
 	signal?: AbortSignal;
 	/** Whether to retry when the worker crashes; if not, the promise rejects with Superseded. */
-	worthAgain?: () => boolean;
+	shouldRetry?: () => boolean;
 }
 
 export interface PoolOptions {
@@ -29,13 +29,13 @@ export interface PoolOptions {
 	/** Fetches and compiles a module. The next request repeats a failed fetch. */
 	compile: (wasm: string) => Promise<WebAssembly.Module>;
 	/** The most growths at once, without the spare; 1 where absent. */
-	seats?: number;
+	workers?: number;
 }
 
-interface Job extends Order {
+interface Job extends CoreRequest {
 	readonly id: number;
 	attempts: number;
-	readonly worthAgain: () => boolean;
+	readonly shouldRetry: () => boolean;
 	resolve(answer: Answer): void;
 	reject(reason: unknown): void;
 }
@@ -48,7 +48,7 @@ const SPARE_DELAY = 400;
  * Milliseconds without a request after which all workers but one end: a core never gives back the memory of its largest
  * plant.
  */
-const REST = 4000;
+const IDLE_DELAY = 4000;
 /** Bytes of memory above which an idle worker ends, too: an instance of WebAssembly never shrinks. */
 const MOST_MEMORY = 256 * 1024 * 1024;
 
@@ -56,7 +56,7 @@ export class Pool {
 	readonly #options: Required<PoolOptions>;
 	readonly #modules = new Map<string, Promise<WebAssembly.Module>>();
 	/** The workers with their jobs, without the spare. */
-	readonly #seats = new Map<PoolWorker, Job | undefined>();
+	readonly #workers = new Map<PoolWorker, Job | undefined>();
 	/** Bytes of memory of each worker's cores after the last growth. */
 	readonly #memory = new WeakMap<PoolWorker, number>();
 	readonly #waiting: Job[] = [];
@@ -66,13 +66,13 @@ export class Pool {
 	#lastId = 0;
 
 	constructor(options: PoolOptions) {
-		this.#options = { seats: 1, ...options };
+		this.#options = { workers: 1, ...options };
 	}
 
 	/** Starts a worker and fetches a module for requests to come. The first request reports errors. */
 	warm(wasm: string): void {
 		try {
-			if (this.#seats.size === 0) this.#newWorker().warm(this.#compiling(wasm));
+			if (this.#workers.size === 0) this.#newWorker().warm(this.#compiling(wasm));
 		} catch {
 			// The first request tries again and reports the reason.
 		}
@@ -83,13 +83,13 @@ export class Pool {
 	 * - CoreError when the request cannot be grown, with line and column for a grammar;
 	 * - CoreTrap when the core crashed twice;
 	 * - UnsupportedError when nothing can be grown here; a later call tries again;
-	 * - Superseded when the pool was closed, or the worker crashed and `worthAgain` is false;
+	 * - Superseded when the pool was closed, or the worker crashed and `shouldRetry` is false;
 	 * - the signal's reason when it was cancelled.
 	 */
-	run(order: Order, { signal, worthAgain = () => true }: RunOptions = {}): Promise<Answer> {
+	run(order: CoreRequest, { signal, shouldRetry = () => true }: RunOptions = {}): Promise<Answer> {
 		return new Promise((resolve, reject) => {
 			signal?.throwIfAborted();
-			const job: Job = { ...order, id: ++this.#lastId, attempts: 0, worthAgain, resolve, reject };
+			const job: Job = { ...order, id: ++this.#lastId, attempts: 0, shouldRetry, resolve, reject };
 			if (signal) this.#listen(job, signal);
 			this.#begin(job);
 		});
@@ -100,9 +100,9 @@ export class Pool {
 		clearTimeout(this.#spareTimer);
 		clearTimeout(this.#restTimer);
 		this.#spareTimer = undefined;
-		const jobs = [...this.#seats.values(), ...this.#waiting.splice(0)];
-		for (const seat of this.#seats.keys()) seat.end();
-		this.#seats.clear();
+		const jobs = [...this.#workers.values(), ...this.#waiting.splice(0)];
+		for (const worker of this.#workers.keys()) worker.end();
+		this.#workers.clear();
 		this.#spare?.end();
 		this.#spare = undefined;
 		for (const job of jobs) job?.reject(new Superseded());
@@ -125,22 +125,22 @@ export class Pool {
 	#cancel(job: Job, reason: unknown): void {
 		const at = this.#waiting.indexOf(job);
 		if (at >= 0) this.#waiting.splice(at, 1);
-		const seat = this.#seatOf(job);
-		if (seat) this.#leave(seat);
+		const worker = this.#workerOf(job);
+		if (worker) this.#terminate(worker);
 		job.reject(reason);
-		if (seat) this.#next();
+		if (worker) this.#next();
 	}
 
 	#begin(job: Job): void {
 		try {
-			const seat = this.#freeWorker();
-			if (!seat) {
+			const worker = this.#freeWorker();
+			if (!worker) {
 				this.#waiting.push(job);
 				return;
 			}
-			this.#seats.set(seat, job);
+			this.#workers.set(worker, job);
 			job.attempts++;
-			seat.grow(job.id, job.blocks, this.#compiling(job.wasm));
+			worker.grow(job.id, job.blocks, this.#compiling(job.wasm));
 		} catch (cause) {
 			job.reject(noWorker(cause instanceof Error ? cause.message : String(cause)));
 			this.#next();
@@ -149,39 +149,39 @@ export class Pool {
 
 	/** An idle worker, the spare, or a new worker; undefined where the pool is full. */
 	#freeWorker(): PoolWorker | undefined {
-		for (const [seat, job] of this.#seats) if (!job) return seat;
-		if (this.#seats.size >= this.#options.seats) return undefined;
+		for (const [worker, job] of this.#workers) if (!job) return worker;
+		if (this.#workers.size >= this.#options.workers) return undefined;
 		const spare = this.#spare;
 		this.#spare = undefined;
-		if (spare) this.#seats.set(spare, undefined);
+		if (spare) this.#workers.set(spare, undefined);
 		return spare ?? this.#newWorker();
 	}
 
 	#newWorker(): PoolWorker {
-		const seat = this.#makeWorker();
-		this.#seats.set(seat, undefined);
-		return seat;
+		const worker = this.#makeWorker();
+		this.#workers.set(worker, undefined);
+		return worker;
 	}
 
 	#makeWorker(): PoolWorker {
-		const seat: PoolWorker = new PoolWorker(this.#options.spawn, {
-			answered: (message) => this.#answered(seat, message),
+		const worker: PoolWorker = new PoolWorker(this.#options.spawn, {
+			answered: (message) => this.#answered(worker, message),
 			died: (message, started) =>
-				this.#lost(seat, started ? new CoreTrap(`The worker ended: ${message}.`) : noWorker(message)),
+				this.#replace(worker, started ? new CoreTrap(`The worker ended: ${message}.`) : noWorker(message)),
 		});
-		return seat;
+		return worker;
 	}
 
-	#answered(seat: PoolWorker, message: Exclude<FromWorker, { type: "ready" | "broken" }>): void {
-		const job = this.#seats.get(seat);
+	#answered(worker: PoolWorker, message: Exclude<FromWorker, { type: "ready" | "broken" }>): void {
+		const job = this.#workers.get(worker);
 		if (!job || message.id !== job.id) return;
 		if (message.type === "trapped") {
-			seat.end();
-			this.#lost(seat, new CoreTrap(message.message));
+			worker.end();
+			this.#replace(worker, new CoreTrap(message.message));
 			return;
 		}
-		this.#seats.set(seat, undefined);
-		this.#memory.set(seat, message.memoryBytes);
+		this.#workers.set(worker, undefined);
+		this.#memory.set(worker, message.memoryBytes);
 		if (message.type === "failed") {
 			job.reject(new CoreError(message.reason, message.message, message.line, message.column));
 		} else {
@@ -201,8 +201,8 @@ export class Pool {
 			this.#modules.delete(wasm);
 			const waiting = this.#waiting.filter((job) => job.wasm === wasm);
 			for (const job of waiting) this.#waiting.splice(this.#waiting.indexOf(job), 1);
-			const running = [...this.#seats].filter(([, job]) => job?.wasm === wasm);
-			for (const [seat] of running) this.#seats.set(seat, undefined);
+			const running = [...this.#workers].filter(([, job]) => job?.wasm === wasm);
+			for (const [worker] of running) this.#workers.set(worker, undefined);
 			for (const job of [...running.map(([, each]) => each), ...waiting]) job?.reject(error);
 			this.#next();
 		});
@@ -210,13 +210,13 @@ export class Pool {
 	}
 
 	/** Removes a crashed worker and retries its job once on another. */
-	#lost(seat: PoolWorker, error: Error): void {
-		if (this.#spare === seat) this.#spare = undefined;
-		if (!this.#seats.has(seat)) return;
-		const job = this.#seats.get(seat);
-		this.#seats.delete(seat);
+	#replace(worker: PoolWorker, error: Error): void {
+		if (this.#spare === worker) this.#spare = undefined;
+		if (!this.#workers.has(worker)) return;
+		const job = this.#workers.get(worker);
+		this.#workers.delete(worker);
 		if (!job) return;
-		if (!job.worthAgain()) job.reject(new Superseded());
+		if (!job.shouldRetry()) job.reject(new Superseded());
 		else if (job.attempts >= MOST_ATTEMPTS) job.reject(error);
 		else {
 			this.#begin(job);
@@ -225,14 +225,14 @@ export class Pool {
 		this.#next();
 	}
 
-	#seatOf(job: Job): PoolWorker | undefined {
-		for (const [seat, each] of this.#seats) if (each === job) return seat;
+	#workerOf(job: Job): PoolWorker | undefined {
+		for (const [worker, each] of this.#workers) if (each === job) return worker;
 		return undefined;
 	}
 
-	#leave(seat: PoolWorker): void {
-		seat.end();
-		this.#seats.delete(seat);
+	#terminate(worker: PoolWorker): void {
+		worker.end();
+		this.#workers.delete(worker);
 	}
 
 	/** Begins the oldest waiting job; without one, schedules the spare and the release of idle workers. */
@@ -244,15 +244,15 @@ export class Pool {
 		}
 		this.#scheduleSpare();
 		clearTimeout(this.#restTimer);
-		this.#restTimer = setTimeout(() => this.#rest(), REST);
+		this.#restTimer = setTimeout(() => this.#releaseIdle(), IDLE_DELAY);
 	}
 
 	/** Ends idle workers, unless one of them still works. */
-	#rest(): void {
-		if ([...this.#seats.values()].some((job) => job)) return;
-		const seats = [...this.#seats.keys()];
-		const small = seats.find((seat) => (this.#memory.get(seat) ?? 0) <= MOST_MEMORY);
-		for (const seat of seats) if (seat !== small) this.#leave(seat);
+	#releaseIdle(): void {
+		if ([...this.#workers.values()].some((job) => job)) return;
+		const workers = [...this.#workers.keys()];
+		const small = workers.find((worker) => (this.#memory.get(worker) ?? 0) <= MOST_MEMORY);
+		for (const worker of workers) if (worker !== small) this.#terminate(worker);
 	}
 
 	#scheduleSpare(): void {

@@ -19,15 +19,15 @@ export class PoolWorker {
 	readonly #worker: Worker;
 	readonly #events: PoolWorkerEvents;
 	/** Modules that the worker has received. */
-	readonly #given = new Set<string>();
+	readonly #sent = new Set<string>();
 	#started = false;
-	#over = false;
+	#hasEnded = false;
 
 	/** Throws what `spawn` throws. */
 	constructor(spawn: () => Worker, events: PoolWorkerEvents) {
 		this.#events = events;
 		this.#worker = spawn();
-		this.#worker.onmessage = ({ data }: MessageEvent<FromWorker>) => this.#hear(data);
+		this.#worker.onmessage = ({ data }: MessageEvent<FromWorker>) => this.#receive(data);
 		this.#worker.onerror = (event) => {
 			event.preventDefault(); // Handled here; keep it out of the console.
 			this.#die(event.message || "its script could not be run");
@@ -37,25 +37,25 @@ export class PoolWorker {
 
 	/** Instantiates the module's core in the worker once it is compiled. */
 	warm({ wasm, module }: Compiling): void {
-		this.#when(module, (compiled) => this.#give(wasm, compiled));
+		this.#whenCompiled(module, (compiled) => this.#sendModule(wasm, compiled));
 	}
 
 	grow(id: number, blocks: readonly Block[], { wasm, module }: Compiling): void {
-		this.#when(module, (compiled) => {
-			this.#give(wasm, compiled);
-			if (!this.#over) this.#post({ type: "grow", id, wasm, blocks });
+		this.#whenCompiled(module, (compiled) => {
+			this.#sendModule(wasm, compiled);
+			if (!this.#hasEnded) this.#post({ type: "grow", id, wasm, blocks });
 		});
 	}
 
 	/** Ends the worker at once; no more events follow. */
 	end(): void {
-		this.#over = true;
+		this.#hasEnded = true;
 		this.#worker.terminate();
 	}
 
-	#give(wasm: string, module: WebAssembly.Module): void {
-		if (this.#given.has(wasm)) return;
-		this.#given.add(wasm);
+	#sendModule(wasm: string, module: WebAssembly.Module): void {
+		if (this.#sent.has(wasm)) return;
+		this.#sent.add(wasm);
 		this.#post({ type: "start", wasm, module });
 	}
 
@@ -63,10 +63,10 @@ export class PoolWorker {
 	 * Calls `then` once the module is compiled. Where it cannot be compiled, the pool learns that from the same
 	 * promise.
 	 */
-	#when(module: Promise<WebAssembly.Module>, then: (module: WebAssembly.Module) => void): void {
+	#whenCompiled(module: Promise<WebAssembly.Module>, then: (module: WebAssembly.Module) => void): void {
 		module.then(
 			(compiled) => {
-				if (!this.#over) then(compiled);
+				if (!this.#hasEnded) then(compiled);
 			},
 			() => {},
 		);
@@ -84,15 +84,15 @@ export class PoolWorker {
 		}
 	}
 
-	#hear(message: FromWorker): void {
-		if (this.#over) return;
+	#receive(message: FromWorker): void {
+		if (this.#hasEnded) return;
 		if (message.type === "broken") this.#die(message.message);
 		else if (message.type === "ready") this.#started = true;
 		else this.#events.answered(message);
 	}
 
 	#die(message: string): void {
-		if (this.#over) return;
+		if (this.#hasEnded) return;
 		this.end();
 		this.#events.died(message, this.#started);
 	}

@@ -73,7 +73,7 @@ export class Commons {
 export const commons = new Commons();
 
 function ownPool(): Pool {
-	return new Pool({ spawn: spawnWorker, compile: compileCore, seats: Math.min(navigator.hardwareConcurrency, 2) });
+	return new Pool({ spawn: spawnWorker, compile: compileCore, workers: Math.min(navigator.hardwareConcurrency, 2) });
 }
 
 /** Holds the element's scripts, which the service worker serves to pages in the app's folder and to `embed.html`. */

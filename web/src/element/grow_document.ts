@@ -15,7 +15,7 @@ const ABREAST = 4;
  * @param isNewest whether this is the newest request; once it is not, no more member plants are grown, and the promise rejects with Superseded
  */
 export async function growDocument(
-	client: Pick<Client, "grow" | "among">,
+	client: Pick<Client, "grow" | "growMember">,
 	{ model, specimen }: SpecimenDocument,
 	options: GrowthOptions,
 	signal: AbortSignal,
@@ -34,11 +34,11 @@ export async function growDocument(
 			const wasm = coreAddress(file);
 			if (wasm === undefined) throw new Error(`The core ${file} is not beside the script.`);
 			// A newer document supersedes the running growth of a document, but not those of member plants.
-			const grown = first ? client.grow({ wasm, blocks }, { signal }) : client.among({ wasm, blocks }, { signal });
+			const grown = first ? client.grow({ wasm, blocks }, { signal }) : client.growMember({ wasm, blocks }, { signal });
 			first = false;
 			return grown;
 		},
-		{ abreast: ABREAST },
+		{ concurrency: ABREAST },
 	);
 	// A late stand must not replace a newer plant. Other plants are all shown, so that a drag shows intermediate states.
 	if (model.members) go();

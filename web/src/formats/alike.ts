@@ -2,7 +2,7 @@
  * Makes similar bodies share meshes: for each material, variant and step of shade, the body that sees most of the sky
  * replaces all others, placed by `pose`. The differences between bodies get lost: their deformation, tint and patches.
  */
-import { placeVectors, rows } from "../plant/orientation";
+import { placeVectors, rotationMatrix } from "../plant/orientation";
 import { everyPart, type Part, type PartMesh, type Shape, TRANSFORM } from "../plant/part";
 
 /** Steps of shade, from the inside of a plant to its outside. */
@@ -68,7 +68,7 @@ function joined(parts: readonly Part[]): Part[] {
 function sharedMesh(members: readonly Posed[]): PartMesh {
 	const { mesh, pose } = members.reduce((best, each) => (openOf(each.mesh) > openOf(best.mesh) ? each : best));
 	const [x, y, z, qx, qy, qz, qw, size] = pose.subarray(0, TRANSFORM);
-	const back = rows({ x: -qx, y: -qy, z: -qz, w: qw });
+	const back = rotationMatrix({ x: -qx, y: -qy, z: -qz, w: qw });
 	const about = mesh.positions.map((value, i) => value - [x, y, z][i % 3]);
 	const own = { positions: new Float32Array(about.length), normals: new Float32Array(about.length) };
 	placeVectors(about, back, 1 / size, ORIGIN, own.positions);

@@ -1,5 +1,5 @@
 /** Elements of a glTF animation: nodes that are visible for a time, and nodes that sway without end. */
-import { BEAT } from "../plant/sway";
+import { PERIOD } from "../plant/sway";
 
 type Json = Record<string, unknown>;
 
@@ -32,7 +32,7 @@ export function swingKeys(): { times: number[]; weights: number[] } {
 	const steps = Array.from({ length: KEYS + 1 }, (_, i) => i);
 	const angle = (i: number) => (2 * Math.PI * (i % KEYS)) / KEYS;
 	return {
-		times: steps.map((i) => (BEAT * i) / KEYS),
+		times: steps.map((i) => (PERIOD * i) / KEYS),
 		weights: steps.flatMap((i) => [Math.sin(angle(i)), Math.cos(angle(i))]),
 	};
 }

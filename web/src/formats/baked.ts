@@ -6,7 +6,7 @@
  */
 import { type Colour, encoded } from "../plant/colour";
 import type { Material } from "../plant/material";
-import { everyPart, type Finer, type Part, type PartMesh, type Shape, type Vector } from "../plant/part";
+import { everyPart, type Part, type PartMesh, type Shape, type SurfaceDetail, type Vector } from "../plant/part";
 import { bounced } from "../plant/shade";
 import { Atlas, type Paint } from "./atlas";
 import { tangentsOf } from "./tangents";
@@ -59,7 +59,11 @@ const FLAT = [128, 128, 255];
  * The colours of a shape's pixels.
  * @param mesh the shape's mesh with its final texture coordinates
  */
-function painted({ mesh: { colours, sky }, material }: Shape, mesh: PartMesh, finer: Finer | undefined): Paint<Kind> {
+function painted(
+	{ mesh: { colours, sky }, material }: Shape,
+	mesh: PartMesh,
+	finer: SurfaceDetail | undefined,
+): Paint<Kind> {
 	const open = opennessOf(sky, material.colour);
 	const frame = finer?.relief ? frameOf(mesh) : undefined;
 	return (corners, weights) => {

@@ -2,7 +2,7 @@
  * Merges instances that are no parts by themselves, such as thousands of leaves, into meshes. Readers take minutes to
  * open one node per instance, and one node for all needs an extension.
  */
-import { placeVectors, rows } from "../plant/orientation";
+import { placeVectors, rotationMatrix } from "../plant/orientation";
 import { type Instances, type Part, type PartMesh, type Shape, TRANSFORM } from "../plant/part";
 
 /** The most vertices of a mesh, for 16-bit indices. */
@@ -57,7 +57,7 @@ function meshOf(mesh: PartMesh, { transforms, sky }: Instances, from: number, to
 
 /** A mesh's vertices after the transform of one of its instances. */
 export function placed(mesh: PartMesh, [x, y, z, qx, qy, qz, qw, scale]: Float32Array) {
-	const turn = rows({ x: qx, y: qy, z: qz, w: qw });
+	const turn = rotationMatrix({ x: qx, y: qy, z: qz, w: qw });
 	const positions = new Float64Array(mesh.positions.length);
 	const normals = new Float64Array(mesh.normals.length);
 	placeVectors(mesh.positions, turn, scale, [x, y, z], positions);

@@ -6,7 +6,7 @@
 import type { Colour } from "../plant/colour";
 import type { Material } from "../plant/material";
 import type { PartMesh } from "../plant/part";
-import { everywhere, shaded } from "../plant/shade";
+import { repeatedColour, shaded } from "../plant/shade";
 
 /** The brightest of 3 × vertices and of `soFar`, channel by channel; linear. */
 export function brightest(colours: Float32Array, soFar: Colour = [0, 0, 0]): Colour {
@@ -42,5 +42,5 @@ export function writtenColours(mesh: PartMesh, material: Material): Float32Array
 	const { colours, sky, positions } = mesh;
 	if (!sky) return colours;
 	const under = colours ? undefined : material.textures?.colour && material.colour;
-	return shaded(colours ?? everywhere(plainBase(material), positions.length / 3), sky, under);
+	return shaded(colours ?? repeatedColour(plainBase(material), positions.length / 3), sky, under);
 }

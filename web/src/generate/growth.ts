@@ -7,14 +7,14 @@ import type { Specimen } from "../specimen/specimen";
 import { grownMembers, type MembersOptions } from "./members";
 
 /** Runs a request in the core of a file (`bunch.wasm`). */
-export type Run = (wasm: string, blocks: readonly Block[]) => Promise<Answer>;
+export type RunCore = (wasm: string, blocks: readonly Block[]) => Promise<Answer>;
 
 /** Grows a specimen and its members; rejects as `run` does. */
 export async function growPlant(
 	model: Model,
 	specimen: Specimen,
 	options: GrowthOptions,
-	run: Run,
+	run: RunCore,
 	members: Omit<MembersOptions, "meshes"> = {},
 ): Promise<Plant> {
 	await model.prepare?.(specimen);

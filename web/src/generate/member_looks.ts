@@ -12,7 +12,7 @@ import type { Specimen } from "../specimen/specimen";
 const TRIANGLES = [3000, 600];
 
 /** Materials, one object per look. Pictures are dropped: their mean is the colour. */
-export class Looks {
+export class SharedMaterials {
 	readonly #known = new Map<string, Material>();
 
 	of({ textures: _, flesh: __, ...material }: Material): Material {
@@ -29,7 +29,7 @@ export async function levelsOf(
 	plant: Plant,
 	specimen: Specimen,
 	meshes: boolean,
-	looks: Looks,
+	looks: SharedMaterials,
 ): Promise<Pick<Member, "levels" | "extent">> {
 	if (!meshes) return { levels: [], extent: extentOf(plant.segments.ends, 1) };
 	const own = model.levels?.(plant, specimen);

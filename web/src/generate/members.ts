@@ -13,7 +13,7 @@ import { fromPreset } from "../specimen/from_preset";
 import { encodeLink } from "../specimen/link";
 import { restore } from "../specimen/restore";
 import type { Specimen } from "../specimen/specimen";
-import { Looks, levelsOf } from "./member_looks";
+import { levelsOf, SharedMaterials } from "./member_looks";
 import { spotsOf } from "./member_spots";
 
 /** Runs a request in the core of a file (`growth.wasm`). */
@@ -23,7 +23,7 @@ export interface MembersOptions {
 	/** Whether to make meshes; the default is true. */
 	meshes?: boolean;
 	/** The most members that grow at once; 1 where absent. */
-	abreast?: number;
+	concurrency?: number;
 	/** Members that have grown before; equal requests reuse them. */
 	cache?: MemberCache;
 	/** The most bytes of all their meshes; the default is the limit of a page. */
@@ -40,19 +40,19 @@ export class MemberCache {
 	 * Looks of all members, so that new ones share materials with cached ones; files do not depend on the order of
 	 * growing.
 	 */
-	readonly looks = new Looks();
+	readonly materials = new SharedMaterials();
 	#known = new Map<string, Member>();
 
 	/** Returns the cached members of these requests, and drops all others. */
-	keep(asked: readonly MemberRequest[], meshes: boolean): (Member | undefined)[] {
-		const keys = asked.map((each) => keyOf(each, meshes));
+	retain(requests: readonly MemberRequest[], meshes: boolean): (Member | undefined)[] {
+		const keys = requests.map((each) => keyOf(each, meshes));
 		const found = keys.map((key) => this.#known.get(key));
 		this.#known = new Map(keys.flatMap((key, i) => (found[i] ? [[key, found[i]] as const] : [])));
 		return found;
 	}
 
-	add(asked: MemberRequest, meshes: boolean, member: Member): void {
-		this.#known.set(keyOf(asked, meshes), member);
+	add(request: MemberRequest, meshes: boolean, member: Member): void {
+		this.#known.set(keyOf(request, meshes), member);
 	}
 }
 
@@ -74,40 +74,40 @@ export async function grownMembers(
 	model: Model,
 	grown: Plant,
 	run: RunCore,
-	{ meshes = true, abreast = 1, cache, most = MOST, timeIsOver = () => false, grew }: MembersOptions = {},
+	{ meshes = true, concurrency = 1, cache, most = MOST, timeIsOver = () => false, grew }: MembersOptions = {},
 ): Promise<Plant> {
 	const { members } = model;
 	if (!members) return grown;
-	const asked = members.requests(grown);
+	const requests = members.requests(grown);
 	const notes = new Set<string>();
-	const read = await resolved(model, asked, notes);
-	const heard = read.map(({ asked: each }) => each);
-	const looks = cache?.looks ?? new Looks();
-	const order = alikeTogether(asked);
-	const done: (Member | undefined)[] = cache?.keep(heard, meshes) ?? asked.map(() => undefined);
+	const read = await resolved(model, requests, notes);
+	const usedRequests = read.map(({ request: each }) => each);
+	const looks = cache?.materials ?? new SharedMaterials();
+	const order = growingOrder(requests);
+	const done: (Member | undefined)[] = cache?.retain(usedRequests, meshes) ?? requests.map(() => undefined);
 	const joined = () => members.joined({ ...grown, notes: [...grown.notes, ...notes, ...notesOf(done)] }, [...done]);
 	let count = done.filter(Boolean).length;
 	let bytes = done.reduce((sum, member) => sum + (member ? bytesOf(member) : 0), 0);
-	let tell = Math.max(16, count + 1);
+	let nextReport = Math.max(16, count + 1);
 	let next = 0;
 	let failed = false;
 	const work = async () => {
-		while (next < asked.length && !failed) {
+		while (next < requests.length && !failed) {
 			const at = order[next++];
 			if (done[at]) continue;
 			if (timeIsOver()) return;
 			const member = await memberOf(read[at], run, meshes, looks);
 			bytes += bytesOf(member);
-			if (bytes > most) throw tooMuch(asked[at], most);
+			if (bytes > most) throw tooMuch(requests[at], most);
 			done[at] = member;
 			// Cache no member whose resources could not be fetched: the next try may succeed.
-			if (read[at].prepared) cache?.add(heard[at], meshes, member);
-			if (++count < tell || count === asked.length) continue;
-			tell = Math.ceil(count * (1 + STEP));
-			grew?.(joined(), count, asked.length);
+			if (read[at].prepared) cache?.add(usedRequests[at], meshes, member);
+			if (++count < nextReport || count === requests.length) continue;
+			nextReport = Math.ceil(count * (1 + STEP));
+			grew?.(joined(), count, requests.length);
 		}
 	};
-	const works = Array.from({ length: Math.max(1, abreast) }, () =>
+	const works = Array.from({ length: Math.max(1, concurrency) }, () =>
 		work().catch((error: unknown) => {
 			failed = true;
 			throw error;
@@ -115,9 +115,9 @@ export async function grownMembers(
 	);
 	await Promise.all(works);
 	const cuts = new Set(done.map((member) => member?.cutShort));
-	if (count < asked.length) {
+	if (count < requests.length) {
 		notes.add(
-			`What grew so far is shown. The time limit is reached: ${count} of ${asked.length} plants are there; give it more time, or ask for fewer plants.`,
+			`What grew so far is shown. The time limit is reached: ${count} of ${requests.length} plants are there; give it more time, or ask for fewer plants.`,
 		);
 		cuts.add("time");
 	}
@@ -126,9 +126,9 @@ export async function grownMembers(
 }
 
 /** The order of growing: members of one preset one after the other, because cores cache results for the next plant. */
-function alikeTogether(asked: readonly MemberRequest[]): readonly number[] {
+function growingOrder(requests: readonly MemberRequest[]): readonly number[] {
 	const presets = new Map<string, number[]>();
-	for (const [i, { model, preset }] of asked.entries()) {
+	for (const [i, { model, preset }] of requests.entries()) {
 		const key = `${model}/${preset}`;
 		const those = presets.get(key) ?? [];
 		presets.set(key, those);
@@ -145,8 +145,8 @@ function notesOf(members: readonly (Member | undefined)[]): Set<string> {
 	return new Set(
 		members.flatMap((member) => {
 			const { model, preset } = member?.specimen ?? {};
-			const told = member?.notes.filter((note) => !/^Line \d+: /.test(note)) ?? [];
-			return told.map((note) => `${model}/${preset}: ${note}`);
+			const reported = member?.notes.filter((note) => !/^Line \d+: /.test(note)) ?? [];
+			return reported.map((note) => `${model}/${preset}: ${note}`);
 		}),
 	);
 }
@@ -163,9 +163,9 @@ function tooMuch({ place }: MemberRequest, most: number): CoreError {
 	return new CoreError("limit", message, place.line, place.column);
 }
 
-interface Read {
+interface PreparedMember {
 	/** The request without values that the model ignores. */
-	readonly asked: MemberRequest;
+	readonly request: MemberRequest;
 	readonly model: Model;
 	readonly specimen: Specimen;
 	/** Whether all resources besides the core are there. */
@@ -173,31 +173,31 @@ interface Read {
 }
 
 /** Turns requests into specimens, and fetches the resources of each. */
-async function resolved(of: Model, asked: readonly MemberRequest[], notes: Set<string>): Promise<Read[]> {
+async function resolved(of: Model, requests: readonly MemberRequest[], notes: Set<string>): Promise<PreparedMember[]> {
 	const models = new Map<string, Model>();
-	const read: Omit<Read, "prepared">[] = [];
+	const read: Omit<PreparedMember, "prepared">[] = [];
 	// Whether resources could be fetched, by the values that determine them.
 	const fetched = new Map<string, Promise<boolean>>();
 	const keys: string[] = [];
-	for (const told of asked) {
-		const model = models.get(told.model) ?? (await known(of, told));
-		models.set(told.model, model);
-		const each = heeded(model, told);
+	for (const request of requests) {
+		const model = models.get(request.model) ?? (await known(of, request));
+		models.set(request.model, model);
+		const each = withoutUnused(model, request);
 		checked(model, each);
 		const { values, seed, preset, surroundings } = each;
 		const own = ownNames(model, each);
 		const restored = restore(model, {
 			...{ model: model.name, preset, seed, surroundings },
-			...whole(model, values),
-			...(own ? namerOf(model)?.named?.(fromPreset(model, preset), own) : {}),
+			...roundedValues(model, values),
+			...(own ? ownNamesField(model)?.named?.(fromPreset(model, preset), own) : {}),
 		});
 		for (const { text } of restored.notes) notes.add(`${each.model}/${preset}: ${text}`);
 		const { specimen } = restored;
-		read.push({ asked: each, model, specimen });
+		read.push({ request: each, model, specimen });
 		const key = preparedBy(each);
 		keys.push(key);
 		if (fetched.has(key)) continue;
-		if (own) await noStranger(model, specimen, each);
+		if (own) await checkOwnNames(model, specimen, each);
 		const failed = (error: unknown) => {
 			const why = error instanceof Error ? error.message : String(error);
 			notes.add(`${each.model}/${preset}: What it needs could not be fetched: ${why}`);
@@ -214,19 +214,19 @@ async function resolved(of: Model, asked: readonly MemberRequest[], notes: Set<s
 }
 
 /** Drops surroundings where the model has no such field. */
-function heeded({ details }: Model, { surroundings, ...asked }: MemberRequest): MemberRequest {
+function withoutUnused({ details }: Model, { surroundings, ...request }: MemberRequest): MemberRequest {
 	const isActive = surroundings !== undefined && details.some(({ keys }) => keys.includes("surroundings"));
-	return isActive ? { ...asked, surroundings } : asked;
+	return isActive ? { ...request, surroundings } : request;
 }
 
 /** A key of the values that determine which resources are needed: choices, and whether numbers are above 0. */
 function preparedBy({ model, preset, values }: MemberRequest): string {
-	const telling = Object.entries(values).map(([key, value]) => [key, typeof value === "number" ? value > 0 : value]);
-	return JSON.stringify([model, preset, telling]);
+	const relevant = Object.entries(values).map(([key, value]) => [key, typeof value === "number" ? value > 0 : value]);
+	return JSON.stringify([model, preset, relevant]);
 }
 
 /** The field that reads a text's own names. */
-const namerOf = ({ details }: Model) => details.find(({ named }) => named);
+const ownNamesField = ({ details }: Model) => details.find(({ named }) => named);
 
 /** Values of the text's own names; undefined where all names are in the table. */
 function ownNames({ table }: Model, { values }: MemberRequest): Record<string, string> | undefined {
@@ -235,8 +235,12 @@ function ownNames({ table }: Model, { values }: MemberRequest): Record<string, s
 }
 
 /** @throws CoreError at the position of a name that neither the table nor the text has */
-async function noStranger(model: Model, specimen: Specimen, { place, places, preset }: MemberRequest): Promise<void> {
-	const stranger = await namerOf(model)?.stranger?.(specimen);
+async function checkOwnNames(
+	model: Model,
+	specimen: Specimen,
+	{ place, places, preset }: MemberRequest,
+): Promise<void> {
+	const stranger = await ownNamesField(model)?.unknownName?.(specimen);
 	if (!stranger) return;
 	const { name, problem } = stranger;
 	const keys = model.table.entries.map(({ key }) => key).join(", ");
@@ -247,7 +251,7 @@ async function noStranger(model: Model, specimen: Specimen, { place, places, pre
 }
 
 /** Rounds values of integer parameters; drops values that are no parameters. */
-function whole({ table }: Model, values: MemberRequest["values"]): MemberRequest["values"] {
+function roundedValues({ table }: Model, values: MemberRequest["values"]): MemberRequest["values"] {
 	const counted = (key: string) => table.entry(key)?.kind === "integer";
 	return Object.fromEntries(
 		Object.entries(values)
@@ -272,7 +276,7 @@ function checked(model: Model, { preset, values, place, places }: MemberRequest)
 		);
 	for (const key of Object.keys(values)) {
 		// Whether the text has such a name of its own is known once it is fetched.
-		if (table.entry(key) || (namerOf(model) && typeof values[key] === "number")) continue;
+		if (table.entry(key) || (ownNamesField(model) && typeof values[key] === "number")) continue;
 		const keys = table.entries.map((each) => each.key).join(", ");
 		throw wrong(`The ${noun} has no parameter ${key}; there are ${keys}.`, places[key] ?? place);
 	}
@@ -283,18 +287,23 @@ function wrong(message: string, { line, column }: TextPosition): CoreError {
 }
 
 /** Errors of a member refer to the line that requests it: a position in the member's own text means nothing here. */
-async function memberOf(read: Read, run: RunCore, meshes: boolean, looks: Looks): Promise<Member> {
+async function memberOf(read: PreparedMember, run: RunCore, meshes: boolean, looks: SharedMaterials): Promise<Member> {
 	try {
 		return await grownMember(read, run, meshes, looks);
 	} catch (error) {
 		if (!(error instanceof CoreError)) throw error;
-		const { model, preset, place } = read.asked;
+		const { model, preset, place } = read.request;
 		throw new CoreError(error.reason, `${model}/${preset}: ${error.message}`, place.line, place.column);
 	}
 }
 
-async function grownMember(read: Read, run: RunCore, meshes: boolean, looks: Looks): Promise<Member> {
-	const { model, specimen, asked } = read;
+async function grownMember(
+	read: PreparedMember,
+	run: RunCore,
+	meshes: boolean,
+	looks: SharedMaterials,
+): Promise<Member> {
+	const { model, specimen, request } = read;
 	const levels = meshes && model.levels !== undefined;
 	const options: GrowthOptions = {
 		meshes: meshes && !levels,
@@ -309,7 +318,7 @@ async function grownMember(read: Read, run: RunCore, meshes: boolean, looks: Loo
 	return {
 		...{ specimen, title, link, fingerprint, notes },
 		...(cutShort ? { cutShort } : {}),
-		...spotsOf(plant, asked),
+		...spotsOf(plant, request),
 		...(await levelsOf(model, plant, specimen, meshes, looks)),
 	};
 }

@@ -1,6 +1,6 @@
 import { html, nothing } from "lit";
 import { repeat } from "lit/directives/repeat.js";
-import { LARGEST } from "../specimen/constants";
+import { LARGEST_CONSTANT } from "../specimen/constants";
 import { ControlElement } from "../ui/control_element";
 import { HeldKey } from "../ui/held_key";
 import { sliderRow } from "../ui/slider_row";
@@ -180,12 +180,12 @@ async function fetchLongList(context: GrammarContext): Promise<void> {
 }
 
 /** Clamps a typed number to the range that links can store. */
-export const takenOf = (typed: number): number => Math.min(Math.max(typed, -LARGEST), LARGEST);
+export const takenOf = (typed: number): number => Math.min(Math.max(typed, -LARGEST_CONSTANT), LARGEST_CONSTANT);
 
 /** Returns a message if the number accepted is not the one typed, else undefined. */
 export function complaintOf(name: string, text: string, typed: number, taken: Pick<NumberAt, "text" | "value">) {
 	if (typed === taken.value) return undefined;
-	return refusal(name, `${-LARGEST} … ${LARGEST}.`, text, typed, taken.text);
+	return refusal(name, `${-LARGEST_CONSTANT} … ${LARGEST_CONSTANT}.`, text, typed, taken.text);
 }
 
 customElements.define("panicle-constants", ConstantsPanel);

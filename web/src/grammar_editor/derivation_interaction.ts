@@ -1,7 +1,7 @@
 /** Draws the derivation in the 3-D view: the step's plant, highlighted modules and the module under the pointer. */
-import type { Drawn } from "../plant/drawn";
+import type { DrawnGeometry } from "../plant/drawn";
 import type { Plant } from "../plant/plant";
-import { sighted } from "../plant/sighting";
+import { castRay } from "../plant/sighting";
 import type { Specimen } from "../specimen/specimen";
 import type { EditorContext, EditorState } from "../ui/editor_context";
 import type { Ray } from "../ui/handles/handle_ways";
@@ -23,7 +23,7 @@ export class DerivationInteraction<S extends Specimen, G extends Plant> implemen
 	readonly #pointer: PickPointer;
 	#renderer: LitDrawing | undefined;
 	#disposed = false;
-	#drawn: { readonly of: Plant; readonly drawn: Drawn } | undefined;
+	#drawn: { readonly of: Plant; readonly drawn: DrawnGeometry } | undefined;
 	/** Inputs of the last highlight, to detect changes. */
 	#shone: readonly unknown[] = [];
 
@@ -87,7 +87,7 @@ export class DerivationInteraction<S extends Specimen, G extends Plant> implemen
 		const { scene } = this.#context.toolState(DERIVATION);
 		if (!scene) return undefined;
 		const sight = this.#view.rayThrough(x, y);
-		const met = sighted(this.#drawnOf(scene), sight, MISSED * apart(sight, this.#view.rayThrough(x + 1, y)));
+		const met = castRay(this.#drawnOf(scene), sight, MISSED * apart(sight, this.#view.rayThrough(x + 1, y)));
 		return met && drawnIn(scene, met);
 	}
 
@@ -99,13 +99,13 @@ export class DerivationInteraction<S extends Specimen, G extends Plant> implemen
 		this.#context.setToolState(DERIVATION, { ...state, met: next });
 	}
 
-	#drawnOf({ grown }: DerivedScene): Drawn {
+	#drawnOf({ grown }: DerivedScene): DrawnGeometry {
 		if (this.#drawn?.of !== grown) this.#drawn = { of: grown, drawn: this.#source.drawn(grown as G) };
 		return this.#drawn.drawn;
 	}
 
 	/** Returns the least visible radius at the plant's distance. */
-	#thinnest({ ends }: Drawn): number {
+	#thinnest({ ends }: DrawnGeometry): number {
 		const { clientWidth, clientHeight } = this.#view.canvas;
 		const [x, y] = [clientWidth / 2, clientHeight / 2];
 		const sight = this.#view.rayThrough(x, y);

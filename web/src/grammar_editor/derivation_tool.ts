@@ -1,7 +1,7 @@
 /** Tool for the derivation of a plant: its state, and its interaction in the 3-D view (docs/studio.md#steps). */
 import type { Object3D } from "three";
 import type { ModuleSpan } from "../plant/derivation_trace";
-import type { Drawn } from "../plant/drawn";
+import type { DrawnGeometry } from "../plant/drawn";
 import type { Plant } from "../plant/plant";
 import type { WithGrammar } from "../specimen/grammar_text";
 import type { Specimen } from "../specimen/specimen";
@@ -11,14 +11,20 @@ import type { Tool, ToolInteraction } from "../ui/tool";
 /** Draws the highlight; implemented by render/lit_renderer.ts. */
 export interface LitDrawing {
 	readonly object: Object3D;
-	show(drawn: Drawn, segments: readonly number[], organs: readonly number[], thin: number, colour: string): void;
+	show(
+		drawn: DrawnGeometry,
+		segments: readonly number[],
+		organs: readonly number[],
+		thin: number,
+		colour: string,
+	): void;
 	dispose(): void;
 }
 
 /** Describes a model for the stepper. */
 export interface DerivationSource<S extends Specimen = Specimen, G extends Plant = Plant> {
 	/** Returns a plant's drawn segments and organs, in the order of its trace. */
-	drawn(grown: G): Drawn;
+	drawn(grown: G): DrawnGeometry;
 	/** Loads the renderer of the highlight. */
 	renderer(): Promise<LitDrawing>;
 	/** Returns whether another tool uses the pointer. */

@@ -1,7 +1,7 @@
 /** Maps modules of a string to the parts of a plant that they drew, and to modules of other strings. */
 import type { DerivationTrace, ModuleSpan, TraceEntry } from "../plant/derivation_trace";
 import { NOT_DRAWN } from "../plant/derivation_trace";
-import type { Sighted } from "../plant/sighting";
+import type { RayHit } from "../plant/sighting";
 import type { DerivedScene } from "./derivation_tool";
 
 type Marks = Pick<DerivedScene, "segments" | "organs">;
@@ -23,7 +23,7 @@ export function drawnBy(
 }
 
 /** Returns the module that drew a part; undefined if the text did not draw it. */
-export function drawnIn({ segments, organs }: Marks, { segment, organ }: Sighted): number | undefined {
+export function drawnIn({ segments, organs }: Marks, { segment, organ }: RayHit): number | undefined {
 	const module = segment === undefined ? organs[organ ?? -1] : segments[segment];
 	return module === NOT_DRAWN ? undefined : module;
 }

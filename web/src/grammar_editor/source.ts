@@ -1,6 +1,12 @@
 /** Reads a model's grammars, and computes the changes that edit them in the document. */
 import type { Plant } from "../plant/plant";
-import { type Constants, inOrder, isHeld, MOST_CONSTANTS, type WithConstants } from "../specimen/constants";
+import {
+	type ConstantValues,
+	isStorableConstant,
+	MOST_CONSTANTS,
+	sortedConstants,
+	type WithConstants,
+} from "../specimen/constants";
 import type { WithGrammar } from "../specimen/grammar_text";
 import type { Specimen } from "../specimen/specimen";
 import type { Change, EditorContext } from "../ui/editor_context";
@@ -43,7 +49,7 @@ export interface GrammarSource<S extends Specimen & WithGrammar = Specimen & Wit
 	 * Returns the constants' values of a preset, for documents that store such values (specimen/constants.ts): sliders
 	 * then leave the text unchanged.
 	 */
-	presetConstants?(preset: string): Constants;
+	presetConstants?(preset: string): ConstantValues;
 }
 
 /**
@@ -84,7 +90,7 @@ export function withText(source: GrammarSource, specimen: Specimen & WithGrammar
 					!source.governed?.has(name) && (Object.hasOwn(published, name) || builtInValues.get(name) !== number.text),
 			)
 			.map(({ name, number }) => [name, number.value] as const);
-		const own = inOrder([...strange, ...changed]);
+		const own = sortedConstants([...strange, ...changed]);
 		if (areHeld(own) && text === valued(source, builtIn, own))
 			return { details: { grammar: undefined, constants: own } };
 	}
@@ -98,7 +104,7 @@ export function withText(source: GrammarSource, specimen: Specimen & WithGrammar
 export function withValues(
 	source: GrammarSource,
 	specimen: Specimen & WithGrammar,
-	values: Constants,
+	values: ConstantValues,
 ): Change | undefined {
 	const text = textOf(source, specimen, () => {});
 	if (text === undefined) return undefined;
@@ -112,27 +118,27 @@ export function withValues(
 	const changed = Object.entries({ ...constantsOf(specimen), ...values }).filter(
 		([name, value]) => Object.hasOwn(published, name) || builtInValues.get(name)?.value !== value,
 	);
-	const constants = inOrder(changed);
+	const constants = sortedConstants(changed);
 	if (areHeld(constants)) return { details: { constants } };
 	return withText(source, specimen, withConstants(text, values, readOutline(text, source.dialect).pieces));
 }
 
 /** Returns whether links can store the values; a text can contain any. */
-const areHeld = (constants: Constants): boolean => {
+const areHeld = (constants: ConstantValues): boolean => {
 	const all = Object.entries(constants);
-	return all.length <= MOST_CONSTANTS && all.every(([name, value]) => isHeld(name, value));
+	return all.length <= MOST_CONSTANTS && all.every(([name, value]) => isStorableConstant(name, value));
 };
 
 /** Returns the definitions of a text: name and value as written. */
 const definitionsOf = ({ dialect }: GrammarSource, text: string) =>
 	readOutline(text, dialect).definitions.map(({ name, from, to }) => [name, text.slice(from, to)] as const);
 
-const constantsOf = (specimen: Specimen & Partial<WithConstants>): Constants => specimen.constants ?? {};
+const constantsOf = (specimen: Specimen & Partial<WithConstants>): ConstantValues => specimen.constants ?? {};
 
 /** Cache of texts with substituted values, by the values: needed at every drawing. */
-const written = new WeakMap<Constants, { readonly text: string; readonly valued: string }>();
+const written = new WeakMap<ConstantValues, { readonly text: string; readonly valued: string }>();
 
-function valued({ dialect, governed }: GrammarSource, text: string, constants: Constants): string {
+function valued({ dialect, governed }: GrammarSource, text: string, constants: ConstantValues): string {
 	const before = written.get(constants);
 	if (before?.text === text) return before.valued;
 	const free = Object.entries(constants).filter(([name]) => !governed?.has(name));

@@ -11,7 +11,7 @@ import { setRuntime } from "./runtime";
 import { threadRuntime } from "./thread_runtime";
 
 const workers = () =>
-	new Pool({ spawn: spawnWorker, compile: compileCore, seats: Math.min(navigator.hardwareConcurrency, 2) });
+	new Pool({ spawn: spawnWorker, compile: compileCore, workers: Math.min(navigator.hardwareConcurrency, 2) });
 
 setRuntime(
 	typeof document === "undefined"

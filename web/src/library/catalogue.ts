@@ -51,7 +51,7 @@ export interface ParameterInfo {
 
 /** A measure of a grown plant. */
 export interface MeasureInfo {
-	/** The key in `Grown.measures` and `GrowOptions.targets`. */
+	/** The key in `Grown.measures` and `CancelOptions.targets`. */
 	readonly key: string;
 	/** The label in tables. */
 	readonly label: string;

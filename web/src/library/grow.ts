@@ -165,6 +165,6 @@ async function aim(model: Model, from: Held, targets: Readonly<Record<string, nu
 	const answer = await aimed(model, from, aims, (each) =>
 		growHeld(model, each, { meshes: false, measures: true }, signal),
 	);
-	const short = answer.reached.filter(({ there }) => !there);
+	const short = answer.reached.filter(({ isReached }) => !isReached);
 	return { specimen: answer.specimen, notes: short.map((each) => `${reachedInWords(each)}.`) };
 }

@@ -9,7 +9,7 @@ export type { OrganRecord, SegmentRecord, Vector } from "../formats/json";
 export type { Colour } from "../plant/colour";
 export type {
 	Chance,
-	DerivationTrace,
+	DerivationTrace as Chronicle,
 	ModuleAnswer,
 	ModuleSpan,
 	Refusal,

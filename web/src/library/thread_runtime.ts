@@ -1,5 +1,5 @@
 import type { Core } from "../core/core";
-import { Cores } from "../core/cores";
+import { CoreCache } from "../core/cores";
 import { addressOf } from "./address_of";
 import type { Runtime } from "./runtime";
 
@@ -8,7 +8,7 @@ import type { Runtime } from "./runtime";
  * @param load instantiates the core at an address
  */
 export function threadRuntime(load: (address: string) => Promise<Core>): Runtime {
-	const cores = new Cores((wasm) => load(addressOf(wasm)));
+	const cores = new CoreCache((wasm) => load(addressOf(wasm)));
 	return {
 		grow: async (wasm, blocks, signal) => {
 			signal?.throwIfAborted();

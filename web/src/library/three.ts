@@ -7,7 +7,7 @@ import { Group, InstancedBufferAttribute, InstancedMesh, type MeshStandardMateri
 import { writtenColours } from "../formats/vertex_colours";
 import type { Material } from "../plant/material";
 import { everyPart, type Part, type PartMesh, type Shape } from "../plant/part";
-import { everywhere, shaded } from "../plant/shade";
+import { repeatedColour, shaded } from "../plant/shade";
 import { PartMeshes } from "../render/part_meshes";
 import { pictureTexture } from "../render/picture_texture";
 import { plainMaterial } from "../render/standard_material";
@@ -72,7 +72,7 @@ class Shade {
 /** Factors on the colours of instances, where instances see different shares of the sky; linear. */
 function tintsOf({ mesh, material, instances }: Shape): InstancedBufferAttribute | null {
 	if (!instances?.sky || mesh.sky) return null;
-	const open = everywhere([1, 1, 1], instances.sky.length);
+	const open = repeatedColour([1, 1, 1], instances.sky.length);
 	return new InstancedBufferAttribute(shaded(open, instances.sky, material.colour), 3);
 }
 

@@ -24,8 +24,8 @@ export interface ReadText {
  * @param fileName the file's name, with a suffix such as `.growth`
  * @throws TextError where the text is in a translatable form and has a mistake
  */
-export async function readText(said: string, fileName = ""): Promise<ReadText> {
-	const file = readTextFile(said);
+export async function readText(contents: string, fileName = ""): Promise<ReadText> {
+	const file = readTextFile(contents);
 	const model = (await modelNamedIn(file)) ?? (await modelForText(file.text, fileName));
 	const text = (await model?.translated?.(file.text)) ?? file.text;
 	return { model, text, specimen: model && specimenOf(model, file) };

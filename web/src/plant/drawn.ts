@@ -17,7 +17,7 @@ export interface DrawnSurface {
 	readonly transform?: Float32Array | undefined;
 }
 
-export interface Drawn {
+export interface DrawnGeometry {
 	/** 6 × segments: start x y z, end x y z. */
 	readonly ends: Float32Array;
 	/** 2 × segments: radius at the start, at the end. */
@@ -35,7 +35,7 @@ export interface Drawn {
 export function drawnOf(
 	{ segments, organs, meshes }: Pick<Plant, "segments" | "organs" | "meshes">,
 	runs: Readonly<Record<string, Uint32Array>> = {},
-): Drawn {
+): DrawnGeometry {
 	const apart = new Map<number, { mesh: PlantMesh; run: MeshRun }>();
 	for (const mesh of meshes) {
 		runs[mesh.name]?.forEach((organ, index) => {

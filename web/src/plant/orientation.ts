@@ -22,10 +22,10 @@ export function fromUp(x: number, y: number, z: number): Quaternion {
 }
 
 /** A 3 × 3 matrix, row by row. */
-export type Rows = [number, number, number, number, number, number, number, number, number];
+export type Matrix3 = [number, number, number, number, number, number, number, number, number];
 
 /** The rotation as a matrix. */
-export function rows({ x, y, z, w }: Quaternion): Rows {
+export function rotationMatrix({ x, y, z, w }: Quaternion): Matrix3 {
 	return [
 		1 - 2 * (y * y + z * z),
 		2 * (x * y - w * z),
@@ -42,7 +42,7 @@ export function rows({ x, y, z, w }: Quaternion): Rows {
 /** Rotates, scales and moves `vectors`, and writes them into `into` from `at` on. */
 export function placeVectors(
 	vectors: Float32Array,
-	turn: Rows,
+	turn: Matrix3,
 	scale: number,
 	centre: readonly number[],
 	into: Float32Array | Float64Array,

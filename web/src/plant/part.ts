@@ -46,14 +46,14 @@ export interface Part {
 export type Vector = [x: number, y: number, z: number];
 
 /** Detail of a surface finer than its vertices, sampled at any point. */
-export interface Finer {
+export interface SurfaceDetail {
 	/** Whether it has finer normals, too. */
 	readonly relief: boolean;
 	/** The detail at a point between three of the mesh's vertices, by weights that sum to 1. */
-	at(corners: readonly number[], weights: readonly number[]): Fine;
+	at(corners: readonly number[], weights: readonly number[]): DetailSample;
 }
 
-export interface Fine {
+export interface DetailSample {
 	/** 0 mirror … 1 matt. */
 	roughness: number;
 	/** In the mesh's frame, of unit length; with a relief only. */
@@ -75,7 +75,7 @@ export interface Shape {
 	 */
 	pose?: Float32Array;
 	/** For files that hold detail in pictures; loads its sampler. */
-	finer?: () => Promise<Finer>;
+	finer?: () => Promise<SurfaceDetail>;
 	/**
 	 * For readers without vertex colours: parts of one material and one variant are written in the mean of their
 	 * colours. Without it they have the material's.
@@ -95,7 +95,7 @@ export function* everyPart(parts: Iterable<Part>): Generator<Part> {
 }
 
 /** A contiguous run of vertices and triangles; its indices count from the whole mesh's first vertex. */
-export interface Run {
+export interface VertexRun {
 	firstVertex: number;
 	vertexCount: number;
 	firstIndex: number;
@@ -103,7 +103,7 @@ export interface Run {
 }
 
 /** A run of a mesh as a mesh of its own; its indices count from its first vertex. */
-export function cut(mesh: PartMesh, { firstVertex, vertexCount, firstIndex, indexCount }: Run): PartMesh {
+export function cut(mesh: PartMesh, { firstVertex, vertexCount, firstIndex, indexCount }: VertexRun): PartMesh {
 	const lastVertex = firstVertex + vertexCount;
 	const colours = mesh.colours?.subarray(3 * firstVertex, 3 * lastVertex);
 	const sky = mesh.sky?.subarray(firstVertex, lastVertex);

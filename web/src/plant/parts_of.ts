@@ -17,8 +17,8 @@ export function* partsOf(
 	for (const [index, mesh] of meshes.entries()) {
 		const material = materials[mesh.material] ?? dressed.get(mesh.material) ?? standardMaterial(mesh.material);
 		dressed.set(mesh.material, material);
-		const borne = membersOf(organs, index);
-		if (borne.length > 0) yield organsOf(organs, borne, mesh, material, names);
+		const attached = membersOf(organs, index);
+		if (attached.length > 0) yield organsOf(organs, attached, mesh, material, names);
 		else yield* runsOf(mesh, material, names);
 	}
 }

@@ -3,7 +3,7 @@ import { type Colour, clamp, encoded, linear } from "./colour";
 import type { Picture } from "./material";
 
 /** Four numbers per pixel, the last one 255: graphics cards make smaller copies of sRGB only with four channels. */
-export function asCardsTakeIt(picture: Picture): Picture {
+export function rgbaPicture(picture: Picture): Picture {
 	const { width, height, pixels } = picture;
 	if (pixels.length === 4 * width * height) return picture;
 	const four = new Uint8Array(4 * width * height);

@@ -36,7 +36,7 @@ export function shaded(colours: Float32Array, sky: Uint8Array, under: Colour = [
 }
 
 /** One colour, repeated for all vertices. */
-export function everywhere(colour: Colour, vertices: number): Float32Array {
+export function repeatedColour(colour: Colour, vertices: number): Float32Array {
 	const colours = new Float32Array(3 * vertices);
 	for (let i = 0; i < vertices; i++) colours.set(colour, 3 * i);
 	return colours;

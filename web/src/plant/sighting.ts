@@ -1,21 +1,21 @@
 /** Picking: the first segment or organ that a ray meets. */
-import { type Drawn, type DrawnSurface, trianglesOf } from "./drawn";
+import { type DrawnGeometry, type DrawnSurface, trianglesOf } from "./drawn";
 
 /** A ray, in metres. */
-export interface Line {
+export interface Ray {
 	readonly origin: ArrayLike<number>;
 	/** Of any length. */
 	readonly direction: ArrayLike<number>;
 }
 
 /** The first hit: a segment or an organ. */
-export interface Sighted {
+export interface RayHit {
 	readonly segment?: number;
 	readonly organ?: number;
 }
 
 /** A bounding sphere of an organ. */
-interface Ball {
+interface BoundingSphere {
 	readonly x: number;
 	readonly y: number;
 	readonly z: number;
@@ -26,41 +26,41 @@ interface Ball {
  * Bounding spheres, made on first use. Triangles are not cached: those of many thousands of organs take hundreds of
  * megabytes.
  */
-const known = new WeakMap<Drawn, (Ball | undefined)[]>();
+const known = new WeakMap<DrawnGeometry, (BoundingSphere | undefined)[]>();
 
 /**
  * The first hit of a ray.
  * @param slack tolerance for segments per unit of distance: thin ones are hard to hit
  */
-export function sighted(drawn: Drawn, { origin, direction }: Line, slack: number): Sighted | undefined {
+export function castRay(drawn: DrawnGeometry, { origin, direction }: Ray, slack: number): RayHit | undefined {
 	const length = Math.hypot(direction[0], direction[1], direction[2]);
 	const along = [direction[0] / length, direction[1] / length, direction[2] / length] as const;
-	let [nearest, found] = [Number.POSITIVE_INFINITY, undefined as Sighted | undefined];
+	let [nearest, found] = [Number.POSITIVE_INFINITY, undefined as RayHit | undefined];
 	ballsOf(drawn).forEach((ball, index) => {
-		if (!ball || !meetsBall(ball, origin, along, nearest)) return;
+		if (!ball || !hitsSphere(ball, origin, along, nearest)) return;
 		const surface = drawn.surface(index);
-		const at = surface && meetsTriangles(trianglesOf(surface), origin, along, nearest);
+		const at = surface && hitTriangles(trianglesOf(surface), origin, along, nearest);
 		if (at !== undefined) [nearest, found] = [at, { organ: index }];
 	});
 	for (let segment = 0; segment < drawn.radii.length / 2; segment++) {
-		const at = meetsSegment(drawn, segment, origin, along, slack);
+		const at = hitSegment(drawn, segment, origin, along, slack);
 		if (at !== undefined && at < nearest) [nearest, found] = [at, { segment }];
 	}
 	return found;
 }
 
-function ballsOf(drawn: Drawn): (Ball | undefined)[] {
+function ballsOf(drawn: DrawnGeometry): (BoundingSphere | undefined)[] {
 	let balls = known.get(drawn);
 	if (!balls) {
 		// Bounding spheres of meshes that several organs share, before their transforms.
-		const shared = new Map<Float32Array, Ball | undefined>();
+		const shared = new Map<Float32Array, BoundingSphere | undefined>();
 		balls = Array.from({ length: drawn.organs }, (_, index) => {
 			const surface = drawn.surface(index);
 			if (!surface) return undefined;
 			const { positions, transform, run } = surface;
 			if (run) return ballAbout(trianglesOf(surface));
 			if (!shared.has(positions)) shared.set(positions, ballAbout(trianglesOf({ ...surface, transform: undefined })));
-			return standing(shared.get(positions), transform);
+			return transformedSphere(shared.get(positions), transform);
 		});
 		known.set(drawn, balls);
 	}
@@ -68,14 +68,17 @@ function ballsOf(drawn: Drawn): (Ball | undefined)[] {
 }
 
 /** Transforms a mesh's bounding sphere to an organ. */
-function standing(ball: Ball | undefined, transform: DrawnSurface["transform"]): Ball | undefined {
+function transformedSphere(
+	ball: BoundingSphere | undefined,
+	transform: DrawnSurface["transform"],
+): BoundingSphere | undefined {
 	if (!ball || !transform) return ball;
 	const [x, y, z] = trianglesOf({ positions: Float32Array.of(ball.x, ball.y, ball.z), indices: [0], transform });
 	// Enlarge the sphere: rounding must not leave a corner outside.
 	return { x, y, z, radius: 1.0001 * Math.abs(transform[7]) * ball.radius + 1e-6 * Math.hypot(x, y, z) };
 }
 
-function ballAbout(corners: Float32Array): Ball | undefined {
+function ballAbout(corners: Float32Array): BoundingSphere | undefined {
 	if (corners.length === 0) return undefined;
 	let [x, y, z] = [0, 0, 0];
 	for (let i = 0; i < corners.length; i += 3) {
@@ -95,7 +98,7 @@ function ballAbout(corners: Float32Array): Ball | undefined {
 type Direction = readonly [number, number, number];
 
 /** Whether a ray meets a sphere nearer than the nearest hit so far. */
-function meetsBall(ball: Ball, origin: ArrayLike<number>, along: Direction, nearest: number): boolean {
+function hitsSphere(ball: BoundingSphere, origin: ArrayLike<number>, along: Direction, nearest: number): boolean {
 	const [x, y, z] = [ball.x - origin[0], ball.y - origin[1], ball.z - origin[2]];
 	const middle = x * along[0] + y * along[1] + z * along[2];
 	if (middle - ball.radius > nearest || middle + ball.radius < 0) return false;
@@ -103,7 +106,7 @@ function meetsBall(ball: Ball, origin: ArrayLike<number>, along: Direction, near
 }
 
 /** The distance of the first triangle that is nearer than the nearest hit so far; undefined where there is none. */
-function meetsTriangles(
+function hitTriangles(
 	corners: Float32Array,
 	origin: ArrayLike<number>,
 	along: Direction,
@@ -111,14 +114,14 @@ function meetsTriangles(
 ): number | undefined {
 	let best: number | undefined;
 	for (let i = 0; i < corners.length; i += 9) {
-		const at = meetsTriangle(corners, i, origin, along);
+		const at = hitTriangle(corners, i, origin, along);
 		if (at !== undefined && at < (best ?? nearest)) best = at;
 	}
 	return best;
 }
 
 /** Intersection with a triangle from both sides (Möller and Trumbore 1997). */
-function meetsTriangle(c: Float32Array, i: number, o: ArrayLike<number>, d: Direction): number | undefined {
+function hitTriangle(c: Float32Array, i: number, o: ArrayLike<number>, d: Direction): number | undefined {
 	const [ax, ay, az] = [c[i + 3] - c[i], c[i + 4] - c[i + 1], c[i + 5] - c[i + 2]];
 	const [bx, by, bz] = [c[i + 6] - c[i], c[i + 7] - c[i + 1], c[i + 8] - c[i + 2]];
 	const [px, py, pz] = [d[1] * bz - d[2] * by, d[2] * bx - d[0] * bz, d[0] * by - d[1] * bx];
@@ -134,8 +137,8 @@ function meetsTriangle(c: Float32Array, i: number, o: ArrayLike<number>, d: Dire
 }
 
 /** The distance along the ray of the point nearest to a segment, where that is within its radius and the slack. */
-function meetsSegment(
-	{ ends, radii }: Drawn,
+function hitSegment(
+	{ ends, radii }: DrawnGeometry,
 	segment: number,
 	origin: ArrayLike<number>,
 	d: Direction,

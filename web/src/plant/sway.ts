@@ -8,14 +8,14 @@ import type { Vector } from "./part";
 import type { Plant } from "./plant";
 
 /** The period in seconds. */
-export const BEAT = 5;
+export const PERIOD = 5;
 /** Amplitude of the top as a share of the height; ends of branches move further, by a share of their reach. */
-export const TRUNK = 0.022;
+export const TOP_AMPLITUDE = 0.022;
 export const BRANCH = 0.012;
 /** The angle by which a leaf turns about its fixed point, radians. */
-export const LEAF = 0.1;
+export const LEAF_ANGLE = 0.1;
 /** Phase lag of the wind from end to end of a plant, and phase difference between neighbouring leaves, radians. */
-export const WAVE = 3;
+export const PHASE_LAGS = 3;
 export const FLUTTER = 60;
 
 /** The numbers of a plant's motion. */

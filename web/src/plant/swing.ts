@@ -1,6 +1,6 @@
 /** Motion of a point by the numbers of plant/sway.ts: for files. Shaders have the same in render/wind.ts. */
 import type { Vector } from "./part";
-import { BRANCH, FLUTTER, LEAF, type Sway, TRUNK, WAVE } from "./sway";
+import { BRANCH, FLUTTER, LEAF_ANGLE, PHASE_LAGS, type Sway, TOP_AMPLITUDE } from "./sway";
 
 /** Displacement of a point: coefficients of the sine and the cosine of the time's angle. */
 export interface Swing {
@@ -18,14 +18,14 @@ export function swing({ foot, up, height, reach }: Sway, place: Vector, held: Ve
 	const [dx, dy, dz] = [held[0] - foot[0], held[1] - foot[1], held[2] - foot[2]];
 	const h = clamped((up * dy) / height);
 	const r = clamped(Math.hypot(dx, dz) / reach);
-	const bend = TRUNK * height * h * h * (1.5 - 0.5 * h);
+	const bend = TOP_AMPLITUDE * height * h * h * (1.5 - 0.5 * h);
 	const bob = BRANCH * reach * r * r * h * (2 - h);
 	const size = Math.max(height, reach);
-	const late = (WAVE * (0.8 * dx + 0.5 * dy + 0.6 * dz)) / size;
+	const late = (PHASE_LAGS * (0.8 * dx + 0.5 * dy + 0.6 * dz)) / size;
 	const [c, s] = [bob * Math.cos(late), bob * Math.sin(late)];
 	const own = (FLUTTER * (held[0] + 1.7 * held[1] + 2.3 * held[2])) / size;
 	// Fallen parts do not turn.
-	const turns = LEAF * Math.min(1, 8 * h);
+	const turns = LEAF_ANGLE * Math.min(1, 8 * h);
 	const [lc, ls] = [turns * Math.cos(own), turns * Math.sin(own)];
 	// Turn about the horizontal axis across the wind.
 	const [ox, oy, oz] = [place[0] - held[0], place[1] - held[1], place[2] - held[2]];

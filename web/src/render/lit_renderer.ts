@@ -15,7 +15,7 @@ import {
 	Quaternion,
 	Vector3,
 } from "three";
-import { type Drawn, trianglesOf } from "../plant/drawn";
+import { type DrawnGeometry, trianglesOf } from "../plant/drawn";
 
 /** Drawn after the plant. */
 const ORDER = 8;
@@ -42,7 +42,13 @@ export class LitRenderer {
 	 * @param thin least visible radius of a segment, metres
 	 * @param colour any CSS colour
 	 */
-	show(drawn: Drawn, segments: readonly number[], organs: readonly number[], thin: number, colour: string): void {
+	show(
+		drawn: DrawnGeometry,
+		segments: readonly number[],
+		organs: readonly number[],
+		thin: number,
+		colour: string,
+	): void {
 		this.#clear();
 		for (const each of this.#materials) each.color.set(colour);
 		const lines = thinned(segments, MOST_SEGMENTS);
@@ -99,7 +105,7 @@ function thinned(all: readonly number[], most: number): readonly number[] {
 function tubes(
 	tube: BufferGeometry,
 	worn: MeshBasicMaterial,
-	{ ends, radii }: Drawn,
+	{ ends, radii }: DrawnGeometry,
 	lines: readonly number[],
 	thin: number,
 ): InstancedMesh {

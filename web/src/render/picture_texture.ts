@@ -7,14 +7,14 @@ import {
 	SRGBColorSpace,
 } from "three";
 import type { Picture } from "../plant/material";
-import { asCardsTakeIt } from "../plant/picture";
+import { rgbaPicture } from "../plant/picture";
 
 /** Anisotropic filtering, because a leaf's veins would blur at a slant. */
 const ANISOTROPY = 4;
 
 /** Converts a picture to a three.js texture: the first row is v = 0. */
 export function pictureTexture(picture: Picture, isColour: boolean, repeats = false): DataTexture {
-	const { width, height, pixels } = asCardsTakeIt(picture);
+	const { width, height, pixels } = rgbaPicture(picture);
 	const texture = new DataTexture(pixels, width, height);
 	texture.colorSpace = isColour ? SRGBColorSpace : NoColorSpace;
 	if (repeats) texture.wrapS = texture.wrapT = RepeatWrapping;

@@ -1,6 +1,6 @@
 /** Wind on the stage: the shader code of plant/swing.ts, and its clock. */
 import { Vector2, Vector3, Vector4 } from "three";
-import { BEAT, BRANCH, FLUTTER, LEAF, type Sway, TRUNK, WAVE } from "../plant/sway";
+import { BRANCH, FLUTTER, LEAF_ANGLE, PERIOD, PHASE_LAGS, type Sway, TOP_AMPLITUDE } from "../plant/sway";
 import { float } from "./glsl";
 
 /** Rate at which the wind rises and falls, per second. */
@@ -19,13 +19,13 @@ vec3 swung(vec3 point, vec3 held, vec3 foot, vec4 form, vec2 beat) {
 	vec3 d = held - foot;
 	float h = clamp(form.x * d.y / form.y, 0.0, 1.0);
 	float r = clamp(length(d.xz) / form.z, 0.0, 1.0);
-	float bend = ${float(TRUNK)} * form.y * h * h * (1.5 - 0.5 * h);
+	float bend = ${float(TOP_AMPLITUDE)} * form.y * h * h * (1.5 - 0.5 * h);
 	float bob = ${float(BRANCH)} * form.z * r * r * h * (2.0 - h);
-	float late = ${float(WAVE)} * dot(vec3(0.8, 0.5, 0.6), d) / form.w;
+	float late = ${float(PHASE_LAGS)} * dot(vec3(0.8, 0.5, 0.6), d) / form.w;
 	float c = bob * cos(late), s = bob * sin(late);
 	float own = ${float(FLUTTER)} * dot(vec3(1.0, 1.7, 2.3), held) / form.w;
 	vec3 o = point - held;
-	vec3 turn = ${float(LEAF)} * min(1.0, 8.0 * h) * vec3(-0.8 * o.y, 0.8 * o.x + 0.6 * o.z, -0.6 * o.y);
+	vec3 turn = ${float(LEAF_ANGLE)} * min(1.0, 8.0 * h) * vec3(-0.8 * o.y, 0.8 * o.x + 0.6 * o.z, -0.6 * o.y);
 	float along = bend + c, across = 0.4 * bend + 0.5 * c;
 	vec3 sine = vec3(0.8 * along - 0.3 * s, 0.6 * c, 0.6 * along + 0.4 * s) + cos(own) * turn;
 	vec3 cosine = vec3(-0.8 * s - 0.6 * across, -0.6 * s, -0.6 * s + 0.8 * across) - sin(own) * turn;
@@ -91,7 +91,7 @@ export class Wind {
 		this.#before = moves ? now : undefined;
 		const step = RISE * seconds;
 		this.#strength = Math.max(0, this.#strength + Math.min(step, Math.max(-step, wanted - this.#strength)));
-		const angle = (2 * Math.PI * now) / (1000 * BEAT);
+		const angle = (2 * Math.PI * now) / (1000 * PERIOD);
 		const eased = this.#strength * this.#strength * (3 - 2 * this.#strength);
 		this.uniforms.windBeat.value.set(eased * Math.sin(angle), eased * Math.cos(angle));
 		return moves;

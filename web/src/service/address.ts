@@ -109,7 +109,7 @@ async function readPreset(folder: string | undefined, preset: string, query: URL
 	const { specimen, notes: more } = restore(model, namer?.named?.(linked, own), linked);
 	const [note] = [...notes, ...more];
 	if (note) throw new Refused(400, `${note.key}: ${note.problem}`);
-	const stranger = await namer?.stranger?.(specimen);
+	const stranger = await namer?.unknownName?.(specimen);
 	if (stranger) throw new Refused(400, `${stranger.name}: ${stranger.problem}`);
 	return { model, specimen, notes };
 }

@@ -4,7 +4,7 @@
  */
 import { crc32 } from "../batch/crc32";
 import type { Core } from "../core/core";
-import { Cores } from "../core/cores";
+import { CoreCache } from "../core/cores";
 import { CoreError, CoreTrap } from "../core/errors";
 import { aboutPlant } from "../formats/about_plant";
 import { EmptyPlantError, FileTooLargeError } from "../formats/file_error";
@@ -12,7 +12,7 @@ import { writeJson } from "../formats/json";
 import { writeObj } from "../formats/obj";
 import { PLANT_FILES } from "../formats/plant_files";
 import { hasAges } from "../generate/files/aged";
-import type { Growing } from "../generate/files/levelled";
+import type { GrowSpecimen } from "../generate/files/levelled";
 import { makeFile } from "../generate/files/make";
 import { growPlant, untimed } from "../generate/growth";
 import type { Plant } from "../plant/plant";
@@ -51,7 +51,7 @@ const OF_MATERIAL = /-(?:colour|normal)$/;
 const encoder = new TextEncoder();
 
 export function makeService({ loadCore, release }: Surroundings): Service {
-	const cores = new Cores(loadCore);
+	const cores = new CoreCache(loadCore);
 	const known = new Known(4096);
 	const run = cores.grow.bind(cores);
 
@@ -139,7 +139,7 @@ async function fileOf(
 	{ model, specimen, name, neighbours, options }: Asked,
 	format: string,
 	grown: Plant,
-	growing: Growing,
+	growing: GrowSpecimen,
 ): Promise<Blob> {
 	if (format === "json") return new Blob(writeJson(model, grown, specimen).chunks(), { type: "application/json" });
 	const link = await encodeLink(model, specimen);

@@ -5,16 +5,16 @@ const NUMBER = /\d+(?:\.\d+)?|\.\d+/g;
 const SHARE = 0.5;
 
 /** The last result: titles are computed at every frame of a drag. */
-let last: { readonly text: string; readonly from: string; readonly comes: boolean } | undefined;
+let last: { readonly text: string; readonly from: string; readonly isVariant: boolean } | undefined;
 
 /** Whether a text contains most lines of `from`, whatever their numbers. */
-export function comesOf(text: string, from: string): boolean {
-	if (last?.text === text && last.from === from) return last.comes;
+export function isVariantOf(text: string, from: string): boolean {
+	if (last?.text === text && last.from === from) return last.isVariant;
 	const own = new Set(linesOf(text));
 	const lines = linesOf(from);
-	const comes = lines.filter((line) => own.has(line)).length > SHARE * lines.length;
-	last = { text, from, comes };
-	return comes;
+	const isVariant = lines.filter((line) => own.has(line)).length > SHARE * lines.length;
+	last = { text, from, isVariant };
+	return isVariant;
 }
 
 const linesOf = (text: string): string[] =>

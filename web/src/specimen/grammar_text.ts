@@ -1,5 +1,5 @@
 /** The field of models that grow by a grammar: a text in place of the built-in one. */
-import { GRAMMAR_BYTES, overlongText } from "./limits";
+import { GRAMMAR_BYTES, textLengthProblem } from "./limits";
 import type { Field } from "./model_schema";
 import { type Notes, quote } from "./notes";
 import type { Specimen } from "./specimen";
@@ -33,7 +33,7 @@ export function grammarText<S extends Specimen & WithGrammar>(claims?: ((text: s
 
 /** Line ends become those of the page, because the text is compared with texts that the page writes. */
 function readGrammar(specimen: WithGrammar, value: unknown, notes: Notes): void {
-	const problem = typeof value === "string" ? overlongText(value) : `${quote(value)} is not text`;
+	const problem = typeof value === "string" ? textLengthProblem(value) : `${quote(value)} is not text`;
 	if (problem) notes.add("grammar", problem, specimen.grammar ? "the one before is used" : BUILT_IN);
 	else if (value === "") delete specimen.grammar;
 	else specimen.grammar = wellFormed(value as string).replaceAll("\r\n", "\n");

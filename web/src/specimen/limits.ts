@@ -7,17 +7,17 @@ export const GRAMMAR_BYTES = 256 * 1024;
 const XML_BYTES = 32 * GRAMMAR_BYTES;
 
 /** The problem with this many bytes of a grammar, if any. */
-function overlong(bytes: number, most = GRAMMAR_BYTES): string | undefined {
+function lengthProblem(bytes: number, most = GRAMMAR_BYTES): string | undefined {
 	return bytes > most ? `longer than ${most / 1024} KiB` : undefined;
 }
 
 /** The problem with the length of a grammar's file that begins with `head`, if any. */
-export function overlongFile(bytes: number, head: string): string | undefined {
-	return overlong(bytes, /^\s*</.test(head) ? XML_BYTES : GRAMMAR_BYTES);
+export function fileLengthProblem(bytes: number, head: string): string | undefined {
+	return lengthProblem(bytes, /^\s*</.test(head) ? XML_BYTES : GRAMMAR_BYTES);
 }
 
 /** The problem with a grammar's length, if any. */
-export function overlongText(text: string): string | undefined {
+export function textLengthProblem(text: string): string | undefined {
 	// A text has at least as many bytes as UTF-16 code units.
-	return overlong(text.length) ?? overlong(new TextEncoder().encode(text).length);
+	return lengthProblem(text.length) ?? lengthProblem(new TextEncoder().encode(text).length);
 }

@@ -30,9 +30,9 @@ export interface Field<S extends Specimen = Specimen> {
 	 * The first such name that a specimen's text does not define, with the problem; undefined where it defines all.
 	 * @param names names to check; all names in the specimen where absent
 	 */
-	stranger?(
+	unknownName?(
 		specimen: S,
-		asked?: readonly string[],
+		names?: readonly string[],
 	): Promise<{ readonly name: string; readonly problem: string } | undefined>;
 	/** Whether a grammar's text without a model's name is for this model; at most one model claims a text. */
 	claims?(text: string): boolean;

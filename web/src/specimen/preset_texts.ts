@@ -1,9 +1,9 @@
 /** The texts of presets. A page does not load them at first: the first use fetches all of them together. */
 
-import { comesOf } from "./altered_text";
+import { isVariantOf } from "./altered_text";
 
 /** A preset and the text it grows by. */
-interface Named {
+interface NamedText {
 	readonly name: string;
 	/** The name of the text: presets may share one. */
 	readonly text: string;
@@ -20,7 +20,7 @@ export interface PresetTexts {
  * Makes the title of plants with a text of their own; undefined for plants that grow by their preset's text, altered or
  * not. Before the preset's text has been fetched, a plant counts as having a text of its own.
  */
-export function titledBy(own: string, fetchedText: PresetTexts["fetchedText"]) {
+export function titleForOwnText(own: string, fetchedText: PresetTexts["fetchedText"]) {
 	return ({
 		grammar,
 		preset,
@@ -30,12 +30,12 @@ export function titledBy(own: string, fetchedText: PresetTexts["fetchedText"]) {
 	}): string | undefined => {
 		if (grammar === undefined) return undefined;
 		const published = fetchedText({ preset });
-		return published !== undefined && comesOf(grammar, published) ? undefined : own;
+		return published !== undefined && isVariantOf(grammar, published) ? undefined : own;
 	};
 }
 
 export function presetTexts(
-	presets: readonly Named[],
+	presets: readonly NamedText[],
 	fetch: () => Promise<{ readonly TEXTS: Readonly<Record<string, string>> }>,
 ): PresetTexts {
 	const names = new Map(presets.map(({ name, text }) => [name, text]));

@@ -1,14 +1,14 @@
 /** Reads a number that has a range, with a note for one that does not fit. */
 import { type Notes, quote } from "./notes";
 import { readNumber } from "./read_values";
-import { inGap, nearestWithin, type Range } from "./table";
+import { inGap, nearestWithin, type ValueRange } from "./table";
 
 /**
  * The number, moved into the range with a note where it does not fit; undefined where there is none.
  * @param before the value that is used where it is no number, in the words of the note
  */
 export function readWithin(
-	range: Range,
+	range: ValueRange,
 	key: string,
 	value: unknown,
 	before: unknown,
@@ -25,7 +25,7 @@ export function readWithin(
 	return used;
 }
 
-function misfit(range: Range, number: number): string | undefined {
+function misfit(range: ValueRange, number: number): string | undefined {
 	const { kind, min, max, gapBelow } = range;
 	if (number < min) return `${number} is below the least value, ${min}`;
 	if (number > max) return `${number} is above the greatest value, ${max}`;

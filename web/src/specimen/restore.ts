@@ -9,7 +9,7 @@ import { type Note, Notes, quote } from "./notes";
 import { isRecord, readChoice, readColour, readNumber, readNumbers } from "./read_values";
 import { readWithin } from "./read_within";
 import { SPECIMEN_VERSION, type Specimen } from "./specimen";
-import { type Entry, valueIn, writtenIn } from "./table";
+import { type ParameterEntry, valueIn, writtenIn } from "./table";
 
 export interface Restored<S extends Specimen = Specimen> {
 	/** Complete and in range for any input. */
@@ -137,7 +137,7 @@ function readPart<S extends Specimen>(
 	else notes.add(key, "not known here", "ignored");
 }
 
-function readEntry(specimen: Specimen, entry: Entry, name: string, value: unknown, notes: Notes): void {
+function readEntry(specimen: Specimen, entry: ParameterEntry, name: string, value: unknown, notes: Notes): void {
 	const before = writtenIn(specimen, entry);
 	if (entry.kind === "colour") {
 		const colour = readColour(value);
@@ -154,7 +154,13 @@ function readEntry(specimen: Specimen, entry: Entry, name: string, value: unknow
 }
 
 /** Reads parameters that share a link key, such as a control point's `w,r`: all or none. */
-function readPoint(specimen: Specimen, entries: readonly Entry[], key: string, value: unknown, notes: Notes): void {
+function readPoint(
+	specimen: Specimen,
+	entries: readonly ParameterEntry[],
+	key: string,
+	value: unknown,
+	notes: Notes,
+): void {
 	const numbers = readNumbers(value);
 	if (numbers?.length !== entries.length) {
 		const used = entries.map((entry) => valueIn(specimen, entry)).join(",");
@@ -166,6 +172,6 @@ function readPoint(specimen: Specimen, entries: readonly Entry[], key: string, v
 	});
 }
 
-function setValue(specimen: Specimen, { key, look }: Entry, value: number | string): void {
+function setValue(specimen: Specimen, { key, look }: ParameterEntry, value: number | string): void {
 	Object.assign(look ? specimen.look : specimen.parameters, { [key]: value });
 }

@@ -2,7 +2,7 @@
 import type { MeasureGroup, MeasureInfo } from "./measures";
 import type { Specimen } from "./specimen";
 
-interface Common {
+interface CommonEntry {
 	readonly key: string;
 	/** Key in the link, frozen. Parameters that share one are its comma-separated values, by `slot`. */
 	readonly link: string;
@@ -24,7 +24,7 @@ interface Common {
 	readonly where?: Readonly<Record<string, string>>;
 }
 
-interface Numeric extends Common {
+interface NumericEntry extends CommonEntry {
 	readonly min: number;
 	readonly max: number;
 	/** Values between 0 and this are raised to it. */
@@ -37,27 +37,30 @@ interface Numeric extends Common {
 	readonly define?: string;
 }
 
-export interface NumberEntry extends Numeric {
+export interface NumberEntry extends NumericEntry {
 	readonly kind: "number" | "integer";
 	/** The text displayed in place of 0, where 0 leaves the number to the grammar: "auto". */
 	readonly zero?: string;
 }
 
 /** A choice among a few named options; its number is the option's index. */
-export interface ChoiceEntry extends Numeric {
+export interface ChoiceEntry extends NumericEntry {
 	readonly kind: "choice";
 	/** Names as links write them. */
 	readonly options: readonly string[];
 }
 
-export interface ColourEntry extends Common {
+export interface ColourEntry extends CommonEntry {
 	readonly kind: "colour";
 	/** Six hexadecimal digits, lower case. */
 	readonly default: string;
 }
 
 /** One parameter: its label, range, and place in a link. */
-export type Entry = NumberEntry | ChoiceEntry | ColourEntry;
+export type ParameterEntry = NumberEntry | ChoiceEntry | ColourEntry;
+
+/** The former name, in tables that were generated before the generator was changed. */
+export type Entry = ParameterEntry;
 
 /** A parameter that the core reads. */
 export type CoreEntry = NumberEntry | ChoiceEntry;
@@ -82,8 +85,8 @@ export class Table {
 	/** Parameters that the core reads, in the order of its request. */
 	readonly core: readonly CoreEntry[];
 	/** Every link key once with its parameters, in the order of the table. */
-	readonly links: ReadonlyMap<string, readonly Entry[]>;
-	readonly #byKey: ReadonlyMap<string, Entry>;
+	readonly links: ReadonlyMap<string, readonly ParameterEntry[]>;
+	readonly #byKey: ReadonlyMap<string, ParameterEntry>;
 
 	/**
 	 * @param entries in the order of links and panels
@@ -91,7 +94,7 @@ export class Table {
 	 * @param measures in the order in which the core returns them
 	 */
 	constructor(
-		readonly entries: readonly Entry[],
+		readonly entries: readonly ParameterEntry[],
 		readonly groups: readonly Group[],
 		readonly measures: readonly MeasureInfo[] = [],
 		readonly measureGroups: readonly MeasureGroup[] = [],
@@ -102,17 +105,17 @@ export class Table {
 	}
 
 	/** The parameter of that key. */
-	entry(key: string): Entry | undefined {
+	entry(key: string): ParameterEntry | undefined {
 		return this.#byKey.get(key);
 	}
 
 	/** The parameters of a link key, in the order of its values; empty where the key is unknown. */
-	linked(link: string): readonly Entry[] {
+	linked(link: string): readonly ParameterEntry[] {
 		return this.links.get(link) ?? [];
 	}
 
 	/** Whether a parameter or field applies with a specimen's choices. */
-	isActive(specimen: Specimen, { where = {} }: Pick<Entry, "where">): boolean {
+	isActive(specimen: Specimen, { where = {} }: Pick<ParameterEntry, "where">): boolean {
 		return Object.entries(where).every(([key, option]) => this.option(specimen, key) === option);
 	}
 
@@ -123,8 +126,8 @@ export class Table {
 	}
 }
 
-function groupByLink(entries: readonly Entry[]): Map<string, Entry[]> {
-	const groups = new Map<string, Entry[]>();
+function groupByLink(entries: readonly ParameterEntry[]): Map<string, ParameterEntry[]> {
+	const groups = new Map<string, ParameterEntry[]>();
 	for (const entry of entries) {
 		const group = groups.get(entry.link);
 		if (group) group[entry.slot ?? group.length] = entry;
@@ -137,10 +140,10 @@ function groupByLink(entries: readonly Entry[]): Map<string, Entry[]> {
 const STEPS_PER_UNIT = 100;
 
 /** The limits of a number. */
-export type Range = Pick<CoreEntry, "kind" | "min" | "max" | "gapBelow">;
+export type ValueRange = Pick<CoreEntry, "kind" | "min" | "max" | "gapBelow">;
 
 /** The nearest value within the range that a link can hold. */
-export function nearestWithin(range: Range, value: number): number {
+export function nearestWithin(range: ValueRange, value: number): number {
 	const inside = Math.min(Math.max(value, range.min), range.max);
 	const raised = inGap(range, inside) ? range.gapBelow : inside;
 	return onStep(raised, range.kind === "number" ? STEPS_PER_UNIT : 1);
@@ -152,17 +155,20 @@ export function onStep(value: number, stepsPerUnit = STEPS_PER_UNIT): number {
 }
 
 /** Whether a value lies between 0 and `gapBelow`, where no value is allowed. */
-export function inGap(range: Range, value: number): range is Range & { gapBelow: number } {
+export function inGap(range: ValueRange, value: number): range is ValueRange & { gapBelow: number } {
 	return range.gapBelow !== undefined && value > 0 && value < range.gapBelow;
 }
 
 /** The value of a parameter in a specimen. */
-export function valueIn({ look, parameters }: Pick<Specimen, "look" | "parameters">, entry: Entry): number | string {
+export function valueIn(
+	{ look, parameters }: Pick<Specimen, "look" | "parameters">,
+	entry: ParameterEntry,
+): number | string {
 	return entry.look ? look[entry.key] : parameters[entry.key];
 }
 
 /** The value of a parameter in a specimen as links and files write it: a choice by the name of its option. */
-export function writtenIn(specimen: Pick<Specimen, "look" | "parameters">, entry: Entry): number | string {
+export function writtenIn(specimen: Pick<Specimen, "look" | "parameters">, entry: ParameterEntry): number | string {
 	const value = valueIn(specimen, entry);
 	return entry.kind === "choice" ? entry.options[value as number] : value;
 }

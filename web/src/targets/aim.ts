@@ -24,12 +24,12 @@ export function digitOf({ kind, decimals }: MeasureInfo): number {
 }
 
 /** The text of a reached value, with one more digit where only that tells it from the target. */
-export function reachedText(info: MeasureInfo, value: number, asked: number): string {
+export function reachedText(info: MeasureInfo, value: number, target: number): string {
 	const text = measureText(info, value);
 	const finer = { ...info, decimals: info.decimals + 1 };
 	return info.kind !== "whole" &&
-		text === measureText(info, asked) &&
-		measureText(finer, value) !== measureText(finer, asked)
+		text === measureText(info, target) &&
+		measureText(finer, value) !== measureText(finer, target)
 		? measureText(finer, value)
 		: text;
 }

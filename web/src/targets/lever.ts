@@ -23,7 +23,7 @@ export interface Lever<S extends Specimen = Specimen> {
 export type Levers<S extends Specimen = Specimen> = Readonly<Record<string, readonly Lever<S>[]>>;
 
 /** Parameters that keep their proportions; the first one is the lever's value. */
-export function together<S extends Specimen>(
+export function proportionalLever<S extends Specimen>(
 	species: ModelSchema<S>,
 	power: number,
 	...keys: readonly string[]

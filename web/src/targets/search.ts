@@ -19,9 +19,9 @@ interface Point {
 }
 
 /** The longest step of an unknown. */
-const FAR = 1.2;
+const LONGEST_STEP = 1.2;
 /** The shortest step that updates slopes. */
-const NEAR = 0.004;
+const SHORTEST_STEP = 0.004;
 /** The number of points without progress after which the search stops. */
 const PATIENCE = 5;
 /** Share of a bracket at each end that the next point avoids. */
@@ -48,14 +48,14 @@ export class Search {
 	}
 
 	/** Unknowns at a bound whose root is beyond it. */
-	get spent(): number[] {
-		return this.#unknowns.flatMap((_, i) => (this.#isSpent(i) ? [i] : []));
+	get atLimit(): number[] {
+		return this.#unknowns.flatMap((_, i) => (this.#isAtLimit(i) ? [i] : []));
 	}
 
 	/** The next point to evaluate; undefined where none is promising. */
 	next(): readonly number[] | undefined {
 		if (this.#idle >= PATIENCE) return undefined;
-		const free = this.#unknowns.flatMap((_, i) => (this.#isSpent(i) ? [] : [i]));
+		const free = this.#unknowns.flatMap((_, i) => (this.#isAtLimit(i) ? [] : [i]));
 		if (free.length === 0) return undefined;
 		const { at, residuals } = this.#best;
 		const steps = solved(
@@ -65,15 +65,15 @@ export class Search {
 		const far = this.#reach();
 		const next = at.map((value, i) => {
 			const place = free.indexOf(i);
-			return place < 0 ? value : this.#within(i, value + far * clamped(steps?.[place] ?? 0, FAR));
+			return place < 0 ? value : this.#within(i, value + far * clamped(steps?.[place] ?? 0, LONGEST_STEP));
 		});
 		return this.#unknowns.length === 1 ? [this.#bracketed(next[0])] : next;
 	}
 
 	/** Records the residuals at a point, which is the point of `next` or as near to it as possible. */
-	tell(at: readonly number[], residuals: readonly number[]): void {
+	record(at: readonly number[], residuals: readonly number[]): void {
 		const last = this.#seen[this.#seen.length - 1];
-		this.#learn({ at, residuals }, last === this.#best ? last : this.#best);
+		this.#updateSlopes({ at, residuals }, last === this.#best ? last : this.#best);
 		const point = { at, residuals };
 		this.#seen.push(point);
 		const better = sumOfSquares(residuals) < sumOfSquares(this.#best.residuals);
@@ -82,12 +82,12 @@ export class Search {
 	}
 
 	/** Counts the point of `next` as no progress, because it has been evaluated. */
-	pass(): void {
+	skip(): void {
 		this.#idle++;
 	}
 
 	/** Whether a point has been evaluated. */
-	knows(at: readonly number[]): boolean {
+	hasSample(at: readonly number[]): boolean {
 		return this.#seen.some((point) => point.at.every((value, i) => Math.abs(value - at[i]) < 1e-9));
 	}
 
@@ -100,7 +100,7 @@ export class Search {
 		return this.#idle === 0 ? 1 : (this.#idle % 2 === 0 ? 1 : -1) / (1 + this.#idle);
 	}
 
-	#isSpent(i: number): boolean {
+	#isAtLimit(i: number): boolean {
 		const { from, to, slope } = this.#unknowns[i];
 		const { at, residuals } = this.#best;
 		const onwards = -residuals[i] / slope;
@@ -113,10 +113,10 @@ export class Search {
 	}
 
 	/** Broyden's rank-one update; slopes on the diagonal keep their signs. */
-	#learn(to: Point, from: Point): void {
+	#updateSlopes(to: Point, from: Point): void {
 		const step = to.at.map((value, i) => value - from.at[i]);
 		const length = sumOfSquares(step);
-		if (length < NEAR * NEAR) return;
+		if (length < SHORTEST_STEP * SHORTEST_STEP) return;
 		for (const [row, slopes] of this.#slopes.entries()) {
 			const change = to.residuals[row] - from.residuals[row];
 			const miss = change - slopes.reduce((sum, slope, i) => sum + slope * step[i], 0);

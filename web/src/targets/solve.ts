@@ -12,7 +12,7 @@ import { Search } from "./search";
 /** The most growths for one solution. */
 export const MOST_GROWTHS = 15;
 
-export interface Question<S extends Specimen = Specimen> {
+export interface TargetProblem<S extends Specimen = Specimen> {
 	readonly table: Table;
 	readonly from: S;
 	/** Each for a different measure. */
@@ -20,7 +20,7 @@ export interface Question<S extends Specimen = Specimen> {
 	readonly levers: Levers<S>;
 }
 
-export interface Means<S extends Specimen = Specimen> {
+export interface SolverCallbacks<S extends Specimen = Specimen> {
 	/** Grows a specimen and returns its measures, in the table's order. An error ends the search. */
 	measure(specimen: S): Promise<Float32Array>;
 	/** Called after each growth. */
@@ -28,34 +28,34 @@ export interface Means<S extends Specimen = Specimen> {
 }
 
 /** The result for one target. */
-export interface Reached extends Aim {
+export interface AimResult extends Aim {
 	readonly info: MeasureInfo;
 	/** The measure of the found specimen; NaN where it has no such measure. */
-	readonly got: number;
+	readonly measured: number;
 	/** Whether that is the target value, except for invisible differences, or within its range. */
-	readonly there: boolean;
+	readonly isReached: boolean;
 	/** Whether a parameter changes the measure. */
-	readonly moved: boolean;
+	readonly hasLever: boolean;
 	/** Whether its parameters are at their limits, so that no nearer value is possible. */
-	readonly spent: boolean;
+	readonly isAtLimit: boolean;
 }
 
-export interface Answer<S extends Specimen = Specimen> {
+export interface Solution<S extends Specimen = Specimen> {
 	/** The specimen nearest to the targets; `from` itself where none is nearer. */
 	readonly specimen: S;
-	readonly reached: readonly Reached[];
+	readonly reached: readonly AimResult[];
 	readonly growths: number;
 }
 
 /** A target, and the index of its measure. */
-interface Place extends Aim {
+interface AimedMeasure extends Aim {
 	readonly info: MeasureInfo;
 	readonly index: number;
 	readonly tolerance: number;
 }
 
 /** A target with its remaining levers; the first is in use. */
-interface Task<S extends Specimen> extends Place {
+interface Task<S extends Specimen> extends AimedMeasure {
 	levers: readonly Lever<S>[];
 }
 
@@ -65,12 +65,15 @@ interface Sample<S> {
 }
 
 /** Solves for all targets at once. */
-export async function solve<S extends Specimen>(question: Question<S>, means: Means<S>): Promise<Answer<S>> {
+export async function solve<S extends Specimen>(
+	question: TargetProblem<S>,
+	means: SolverCallbacks<S>,
+): Promise<Solution<S>> {
 	return new Solver(question, means).run();
 }
 
 class Solver<S extends Specimen> {
-	readonly #means: Means<S>;
+	readonly #means: SolverCallbacks<S>;
 	readonly #from: S;
 	readonly #tasks: readonly Task<S>[];
 	/** Reachable targets: the plant has the measure, and a lever changes it. The others do not count as misses. */
@@ -78,7 +81,7 @@ class Solver<S extends Specimen> {
 	#best: Sample<S> | undefined;
 	#growths = 0;
 
-	constructor({ table, aims, levers, from }: Question<S>, means: Means<S>) {
+	constructor({ table, aims, levers, from }: TargetProblem<S>, means: SolverCallbacks<S>) {
 		this.#means = means;
 		this.#from = from;
 		const { measures } = table;
@@ -90,27 +93,27 @@ class Solver<S extends Specimen> {
 		});
 	}
 
-	async run(): Promise<Answer<S>> {
+	async run(): Promise<Solution<S>> {
 		const first = await this.#grow(this.#from);
 		this.#sought = this.#tasks.filter(({ levers, index }) => levers.length > 0 && Number.isFinite(first.values[index]));
 		this.#best = first;
-		let spent: readonly number[] = [];
-		while (this.#growths < MOST_GROWTHS && !this.#isThere()) {
-			spent = await this.#searchOnce(this.#best);
-			const further = spent.filter((i) => this.#tasks[i].levers.length > 1);
+		let atLimit: readonly number[] = [];
+		while (this.#growths < MOST_GROWTHS && !this.#areAimsReached()) {
+			atLimit = await this.#searchOnce(this.#best);
+			const further = atLimit.filter((i) => this.#tasks[i].levers.length > 1);
 			if (further.length === 0) break;
 			for (const i of further) this.#tasks[i].levers = this.#tasks[i].levers.slice(1);
 		}
 		const { specimen, values } = this.#best;
 		const reached = this.#tasks.map((task, i) => {
 			const { measure, value, within, info, index, levers } = task;
-			const there = isThere(task, values) || isWithin(task, values);
+			const isReached = isAimReached(task, values) || isWithin(task, values);
 			return {
 				...{ measure, value, info, ...(within && { within }) },
-				got: values[index],
-				there,
-				moved: levers.length > 0,
-				spent: !there && spent.includes(i),
+				measured: values[index],
+				isReached,
+				hasLever: levers.length > 0,
+				isAtLimit: !isReached && atLimit.includes(i),
 			};
 		});
 		return { specimen, reached, growths: this.#growths };
@@ -133,16 +136,16 @@ class Solver<S extends Specimen> {
 		const residuals = ({ values }: Sample<S>) => tasks.map((task) => residualOf(task, values));
 		const unknowns = levers.map(({ from, to, power }) => ({ from: Math.log(from), to: Math.log(to), slope: power }));
 		const search = new Search(unknowns, at(first.specimen), residuals(first));
-		while (this.#growths < MOST_GROWTHS && !this.#isThere()) {
-			if (search.spent.some((i) => tasks[i].levers.length > 1)) break;
+		while (this.#growths < MOST_GROWTHS && !this.#areAimsReached()) {
+			if (search.atLimit.some((i) => tasks[i].levers.length > 1)) break;
 			const next = search.next();
 			if (!next) break;
 			const wanted = next.reduce((done, value, i) => levers[i].set(done, Math.exp(value)), first.specimen);
 			const place = at(wanted);
-			if (search.knows(place)) search.pass();
-			else search.tell(place, residuals(await this.#grow(wanted)));
+			if (search.hasSample(place)) search.skip();
+			else search.record(place, residuals(await this.#grow(wanted)));
 		}
-		return search.spent.map((i) => active[i]);
+		return search.atLimit.map((i) => active[i]);
 	}
 
 	async #grow(specimen: S): Promise<Sample<S>> {
@@ -153,9 +156,9 @@ class Solver<S extends Specimen> {
 		return sample;
 	}
 
-	#isThere(): boolean {
+	#areAimsReached(): boolean {
 		const values = this.#best?.values;
-		return values !== undefined && this.#sought.every((task) => isThere(task, values));
+		return values !== undefined && this.#sought.every((task) => isAimReached(task, values));
 	}
 
 	#missOf(values: Float32Array): number {
@@ -171,21 +174,21 @@ function setAll<S extends Specimen>(specimen: S, tasks: readonly Task<S>[]): S {
 	);
 }
 
-const isThere = ({ index, value, tolerance }: Place, values: Float32Array) =>
+const isAimReached = ({ index, value, tolerance }: AimedMeasure, values: Float32Array) =>
 	Math.abs(values[index] - value) <= tolerance;
 
 /**
  * Whether a value is within its target's range. The search aims at one value of the range, so that plants of a series
  * are spread over it; any other is as good.
  */
-const isWithin = ({ index, within, tolerance }: Place, values: Float32Array) =>
+const isWithin = ({ index, within, tolerance }: AimedMeasure, values: Float32Array) =>
 	within !== undefined && values[index] >= within[0] - tolerance && values[index] <= within[1] + tolerance;
 
 /**
  * Difference of logarithms where the measure is large, since lengths, volumes and weights grow by powers; linear near
  * 0.
  */
-function residualOf({ index, value, tolerance }: Place, values: Float32Array): number {
+function residualOf({ index, value, tolerance }: AimedMeasure, values: Float32Array): number {
 	const scaled = (measure: number) => Math.asinh(measure / (2 * tolerance));
 	return Number.isFinite(values[index]) ? scaled(values[index]) - scaled(value) : Number.POSITIVE_INFINITY;
 }

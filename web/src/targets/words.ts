@@ -1,20 +1,20 @@
 /** Describes the results of targets. */
-import { readIn, scaleOf } from "../specimen/lengths";
+import { displayedNumber, displayScaleOf } from "../specimen/lengths";
 import { measureText } from "../specimen/measures";
 import type { ModelSchema } from "../specimen/model_schema";
 import type { Specimen } from "../specimen/specimen";
 import { reachedText, toleranceOf } from "./aim";
-import type { Answer, Reached } from "./solve";
+import type { AimResult, Solution } from "./solve";
 
 /** "Bunch length: 160 mm reached", or "Bunch length: 300 mm asked, 158.9 mm reached; nothing goes further". */
-export function reachedInWords({ info, value, within, got, there, moved, spent }: Reached): string {
-	const asked = measureText(info, value);
-	if (there && Math.abs(got - value) <= toleranceOf(info, value)) return `${info.label}: ${asked} reached`;
-	if (there && within)
-		return `${info.label}: ${reachedText(info, got, value)} reached, within ${measureText(info, within[0])} to ${measureText(info, within[1])}`;
-	if (!Number.isFinite(got)) return `${info.label}: this has none`;
-	const end = !moved ? "; nothing moves it" : spent ? "; what moves it goes no further" : "";
-	return `${info.label}: ${asked} asked, ${reachedText(info, got, value)} reached${end}`;
+export function reachedInWords({ info, value, within, measured, isReached, hasLever, isAtLimit }: AimResult): string {
+	const target = measureText(info, value);
+	if (isReached && Math.abs(measured - value) <= toleranceOf(info, value)) return `${info.label}: ${target} reached`;
+	if (isReached && within)
+		return `${info.label}: ${reachedText(info, measured, value)} reached, within ${measureText(info, within[0])} to ${measureText(info, within[1])}`;
+	if (!Number.isFinite(measured)) return `${info.label}: this has none`;
+	const end = !hasLever ? "; nothing moves it" : isAtLimit ? "; what moves it goes no further" : "";
+	return `${info.label}: ${target} asked, ${reachedText(info, measured, value)} reached${end}`;
 }
 
 /** The most changes that are listed; the others are counted. */
@@ -26,13 +26,17 @@ export function changesInWords<S extends Specimen>(
 	from: S,
 	to: S,
 ): string {
-	const heeded = species.table.core.filter((entry) => species.table.isActive(to, entry));
-	const changes = heeded.flatMap((entry) => {
+	const active = species.table.core.filter((entry) => species.table.isActive(to, entry));
+	const changes = active.flatMap((entry) => {
 		// Compare lengths in the displayed unit: one that only follows its scale has not changed.
 		if (from.parameters[entry.key] === to.parameters[entry.key]) return [];
 		const values = [from, to].map((each) => {
-			const scale = scaleOf(species, each, entry);
-			return { scale, exact: scale.per * each.parameters[entry.key], read: readIn(scale, each.parameters[entry.key]) };
+			const scale = displayScaleOf(species, each, entry);
+			return {
+				scale,
+				exact: scale.per * each.parameters[entry.key],
+				read: displayedNumber(scale, each.parameters[entry.key]),
+			};
 		});
 		const [before, after] = values;
 		// The same length in another unit is no change for users.
@@ -49,5 +53,5 @@ export function changesInWords<S extends Specimen>(
 }
 
 /** How many growths it took: "in 6 growths". */
-export const growthsInWords = ({ growths }: Pick<Answer, "growths">): string =>
+export const growthsInWords = ({ growths }: Pick<Solution, "growths">): string =>
 	`in ${growths} ${growths === 1 ? "growth" : "growths"}`;

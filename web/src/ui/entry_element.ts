@@ -1,9 +1,9 @@
-import { type Entry, valueIn } from "../specimen/table";
+import { type ParameterEntry, valueIn } from "../specimen/table";
 import { ControlElement } from "./control_element";
 import type { Change } from "./editor_context";
 
 /** Base class of the control of one parameter. A double click on the label, or Delete, restores the preset's value. */
-export abstract class EntryElement<E extends Entry> extends ControlElement {
+export abstract class EntryElement<E extends ParameterEntry> extends ControlElement {
 	static override properties = { ...ControlElement.properties, entry: { attribute: false } };
 	declare entry: E;
 

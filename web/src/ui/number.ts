@@ -1,5 +1,5 @@
 import { html, nothing } from "lit";
-import { rangeInWords, readOf, type Scale, scaleOf, typedOf } from "../specimen/lengths";
+import { type DisplayScale, displayedText, displayScaleOf, parseDisplayed, rangeInWords } from "../specimen/lengths";
 import { type NumberEntry, nearestWithin } from "../specimen/table";
 import type { Change } from "./editor_context";
 import { EntryElement } from "./entry_element";
@@ -20,10 +20,10 @@ export class NumberControl extends EntryElement<NumberEntry> {
 		return [...super.shows(), this.#scale.per, this.context.toolState(OWN_LENGTHS)];
 	}
 
-	/** Scale of the displayed value: lengths are in millimetres. */
-	get #scale(): Scale {
+	/** DisplayScale of the displayed value: lengths are in millimetres. */
+	get #scale(): DisplayScale {
 		const { model, specimen } = this.context.state;
-		return scaleOf(model, specimen, this.entry);
+		return displayScaleOf(model, specimen, this.entry);
 	}
 
 	protected override draw(): unknown {
@@ -32,7 +32,7 @@ export class NumberControl extends EntryElement<NumberEntry> {
 		const scale = this.#scale;
 		const { key, label } = entry;
 		const { unit } = scale;
-		const read = readOf(entry, scale, value);
+		const read = displayedText(entry, scale, value);
 		const own = unit !== entry.unit && this.context.toolState(OWN_LENGTHS);
 		return html`<div class="control ${value === this.published ? "" : "changed"}" data-key=${key}>${sliderRow({
 			id: this.idOf("slide"),
@@ -71,20 +71,26 @@ export class NumberControl extends EntryElement<NumberEntry> {
 
 	readonly #type = (number: number, text: string): string => {
 		const scale = this.#scale;
-		const typed = typedOf(this.entry, text, number);
+		const typed = parseDisplayed(this.entry, text, number);
 		if (Number.isFinite(typed)) this.context.set(this.change(typed / scale.per));
 		const value = Number(this.value);
 		this.#message = { text: complaint(this.entry, scale, text, typed, value), value };
 		this.requestUpdate();
-		return readOf(this.entry, scale, value);
+		return displayedText(this.entry, scale, value);
 	};
 }
 
 /** Returns a message if the number accepted is not the one typed, else undefined. */
-function complaint(entry: NumberEntry, scale: Scale, text: string, typed: number, value: number): string | undefined {
+function complaint(
+	entry: NumberEntry,
+	scale: DisplayScale,
+	text: string,
+	typed: number,
+	value: number,
+): string | undefined {
 	// More decimals than the field shows were accepted.
 	if (Math.abs(typed - scale.per * value) < (scale.per === 1 ? 1e-9 : 10 ** -scale.decimals)) return undefined;
-	return refusal(entry.label, rangeInWords(entry, scale), text, typed, readOf(entry, scale, value));
+	return refusal(entry.label, rangeInWords(entry, scale), text, typed, displayedText(entry, scale, value));
 }
 
 customElements.define("panicle-number", NumberControl);

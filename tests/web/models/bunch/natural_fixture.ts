@@ -7,7 +7,7 @@ import type {
 	Mesh,
 } from "../../../../web/src/models/bunch/bunch_plant";
 import { MEASURES } from "../../../../web/src/models/bunch/measures.generated";
-import { fromUp, rows } from "../../../../web/src/plant/orientation";
+import { fromUp, rotationMatrix } from "../../../../web/src/plant/orientation";
 import { fingerprintOf } from "./fingerprint";
 import { type GrownSketch, makeBerry, makeGrown } from "./fixture";
 
@@ -73,7 +73,7 @@ function pressedSurfaces({ berries }: BunchPlant, pattern: Mesh): BerrySurfaces 
 		const [cx, cy, cz] = berries.spheres.subarray(4 * i, 4 * i + 3);
 		const [width, length] = berries.traits.subarray(8 * i, 8 * i + 2);
 		const [dx, dy, dz] = berries.directions.subarray(3 * i, 3 * i + 3);
-		const [a, b, c, d, e, f, g, h, k] = rows(fromUp(dx, dy, dz));
+		const [a, b, c, d, e, f, g, h, k] = rotationMatrix(fromUp(dx, dy, dz));
 		for (let vertex = 0; vertex < vertices; vertex++) {
 			const at = 3 * (i * vertices + vertex);
 			const [nx, ny, nz] = pattern.normals.subarray(3 * vertex, 3 * vertex + 3);

@@ -15,7 +15,7 @@ import {
 } from "../../../../web/src/models/leaf/render/paint";
 import { PaintQueue, type PaintWorker } from "../../../../web/src/models/leaf/render/paint_queue";
 import { leafFromPreset } from "../../../../web/src/models/leaf/schema";
-import { asCardsTakeIt } from "../../../../web/src/plant/picture";
+import { rgbaPicture } from "../../../../web/src/plant/picture";
 import { PaperShadow } from "../../../../web/src/render/paper_shadow";
 import { StageLight } from "../../../../web/src/render/stage_light";
 import { windUniforms } from "../../../../web/src/render/wind";
@@ -69,7 +69,7 @@ function written(of: Leaf, side: "upper" | "lower", as = specimen) {
 	const part = [...leafParts(of, as)].find(({ name }) => name === `Blade, ${side} face`);
 	const { colour, normal } = part?.shape?.material.textures ?? {};
 	if (!colour || !normal) throw new Error("The face has no pictures.");
-	return { colour: asCardsTakeIt(colour).pixels, normal: asCardsTakeIt(normal).pixels };
+	return { colour: rgbaPicture(colour).pixels, normal: rgbaPicture(normal).pixels };
 }
 
 const coarse = (of: Leaf, side: "upper" | "lower") =>
@@ -140,7 +140,7 @@ describe("a leaf on the stage", () => {
 		expect(changed).toHaveBeenCalledTimes(1);
 		for (const side of ["upper", "lower"] as const) {
 			expect([drawn(side).colour.width, drawn(side).normal.width]).toEqual([256, 1]);
-			expect(same(drawn(side).colour.data, asCardsTakeIt(coarse(running, side)).pixels)).toBe(true);
+			expect(same(drawn(side).colour.data, rgbaPicture(coarse(running, side)).pixels)).toBe(true);
 		}
 		const { colour, normal } = drawn("upper");
 		figure.show({ ...running }, specimen);
@@ -156,7 +156,7 @@ describe("a leaf on the stage", () => {
 		const { figure, drawn } = staged();
 		figure.show(running, specimen);
 		const passed = drawn("upper").colour;
-		expect(same(passed.data, asCardsTakeIt(coarse(running, "upper")).pixels)).toBe(true);
+		expect(same(passed.data, rgbaPicture(coarse(running, "upper")).pixels)).toBe(true);
 		figure.show({ ...running }, { ...specimen, preset: "oak" });
 		expect(drawn("upper").colour === passed).toBe(false);
 	});

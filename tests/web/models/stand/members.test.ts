@@ -37,7 +37,7 @@ describe("the members of a stand", () => {
 			await new Promise((resolve) => setTimeout(resolve, (turn++ % 3) * 7));
 			return answer;
 		};
-		const again = await grownStand(planned(PLAN), { abreast: 5, run: uneven });
+		const again = await grownStand(planned(PLAN), { concurrency: 5, run: uneven });
 		expect(prints(again)).toEqual(prints(stand));
 		expect(again.fingerprint).toBe(stand.fingerprint);
 		expect(stand.fingerprint).toMatch(/^[0-9a-f]{16}$/);
@@ -163,11 +163,11 @@ describe("problems with members", () => {
 		const why = "What it needs could not be fetched: No network.";
 		expect(lacking.notes).toContain(`growth/figure-5: ${why}`);
 		expect(lacking.notes).toContain(`growth/table-1-star: ${why}`);
-		expect(cache.keep(model.members.requests(lacking), false).every((member) => member === undefined)).toBe(true);
+		expect(cache.retain(model.members.requests(lacking), false).every((member) => member === undefined)).toBe(true);
 		prepare.mockRestore();
 		const { notes, members } = await grownStand(plan, { cache });
 		expect(notes).toEqual([]);
-		expect(cache.keep(model.members.requests(lacking), false)).toEqual(members);
+		expect(cache.retain(model.members.requests(lacking), false)).toEqual(members);
 	});
 
 	it("reports each core's notes once", async () => {

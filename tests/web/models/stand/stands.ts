@@ -1,7 +1,7 @@
 /** Helpers for tests of stands: plans grown by the built cores. */
 import { readFileSync } from "node:fs";
 import type { Block } from "../../../../web/src/core/container";
-import { Cores } from "../../../../web/src/core/cores";
+import { CoreCache } from "../../../../web/src/core/cores";
 import { loadCoreFromBytes } from "../../../../web/src/core/loader";
 import { growPlant } from "../../../../web/src/generate/growth";
 import type { MembersOptions } from "../../../../web/src/generate/members";
@@ -10,7 +10,7 @@ import type { StandSpecimen } from "../../../../web/src/models/stand/specimen";
 import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
 
-const cores = new Cores(async (wasm) =>
+const cores = new CoreCache(async (wasm) =>
 	loadCoreFromBytes(readFileSync(new URL(`../../../../build/core/${wasm}`, import.meta.url))),
 );
 

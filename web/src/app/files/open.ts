@@ -1,7 +1,7 @@
 import { readText } from "../../models/for_text";
 import { modelNamed, modelNames } from "../../models/index";
 import { fromPreset } from "../../specimen/from_preset";
-import { overlongFile, overlongText } from "../../specimen/limits";
+import { fileLengthProblem, textLengthProblem } from "../../specimen/limits";
 import { decodeLink, linkParts, modelInQuery } from "../../specimen/link";
 import { modelIn, restore } from "../../specimen/restore";
 import { SPECIMEN_VERSION } from "../../specimen/specimen";
@@ -58,13 +58,13 @@ const TEXT_FILE = /\.(?:lsys|gl3|growth|stand|xml)$/i;
 async function openText(studio: Studio, file: File): Promise<void> {
 	const refuse = (why: string) => studio.notify("The file was not opened", [why], { topic: FILE_TOPIC });
 	try {
-		const long = overlongFile(file.size, await file.slice(0, 64).text());
+		const long = fileLengthProblem(file.size, await file.slice(0, 64).text());
 		if (long) return refuse(`${file.name} is ${long}.`);
 		const decoded = new TextDecoder("utf-8", { fatal: true }).decode(await file.arrayBuffer());
 		if (decoded.trim() === "") return refuse(`${file.name} is empty.`);
 		const { model, text: grammar, specimen } = await readText(decoded, file.name);
 		// An XML file may be longer than the grammar in it: check the grammar's own length, too.
-		const longText = overlongText(grammar);
+		const longText = textLengthProblem(grammar);
 		if (longText) return refuse(`${file.name} is ${longText} as a grammar’s text.`);
 		if (model) studio.take(model, restore(model, { v: SPECIMEN_VERSION, grammar }, specimen), FILE_TOPIC);
 	} catch (error) {

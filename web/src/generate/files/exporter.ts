@@ -28,14 +28,14 @@ export interface ExportOptions {
  * @throws NotFetched, or an Error with the message of the failure
  */
 export async function exportFile(model: Model, request: FileRequest, options: ExportOptions = {}): Promise<Blob> {
-	const answer = await ask(request, options);
+	const answer = await postRequest(request, options);
 	if (answer.type === "made") return answer.file;
 	if (answer.type === "failed") throw new Error(answer.message);
 	const { makeFile } = answer.type === "unknown" ? await import("./make").catch(notFetched) : notFetched();
 	return makeFile(model, request);
 }
 
-function ask(request: FileRequest, { signal, spawn = spawnExporter }: ExportOptions): Promise<FromExporter> {
+function postRequest(request: FileRequest, { signal, spawn = spawnExporter }: ExportOptions): Promise<FromExporter> {
 	return new Promise<FromExporter>((resolve, reject) => {
 		signal?.throwIfAborted();
 		const worker = spawn();

@@ -5,10 +5,10 @@ import type { Plant } from "../../plant/plant";
 import type { Specimen } from "../../specimen/specimen";
 
 /** Grows a specimen, with its meshes by default. */
-export type Growing = (specimen: Specimen, wanted?: GrowthOptions) => Promise<Plant>;
+export type GrowSpecimen = (specimen: Specimen, wanted?: GrowthOptions) => Promise<Plant>;
 
 /** Undefined for models without levels. */
-export function levelledOf(model: Model, specimen: Specimen, grow: Growing): Levels | undefined {
+export function levelledOf(model: Model, specimen: Specimen, grow: GrowSpecimen): Levels | undefined {
 	const { levels } = model;
 	if (!levels) return undefined;
 	return async () => levels(await grow(specimen, { levels: true, meshes: false, measures: false }), specimen);

@@ -5,7 +5,7 @@ import { writeObj } from "../../formats/obj";
 import { PLANT_FILES } from "../../formats/plant_files";
 import type { Model } from "../../models/model";
 import { agedOf } from "./aged";
-import { type Growing, levelledOf } from "./levelled";
+import { type GrowSpecimen, levelledOf } from "./levelled";
 import type { FileRequest } from "./messages";
 import { swayed } from "./swayed";
 import { zip } from "./zip";
@@ -17,7 +17,7 @@ const encoder = new TextEncoder();
  * @param grow for files that show the plant at many ages or levels of detail
  * @throws RangeError where neither all plants nor the model have such a file, and errors of the writer
  */
-export async function makeFile(model: Model, request: FileRequest, grow?: Growing): Promise<Blob> {
+export async function makeFile(model: Model, request: FileRequest, grow?: GrowSpecimen): Promise<Blob> {
 	const { format, grown, specimen, link, name, options } = request;
 	if (format === "json") return json(model, request);
 	const own = model.formats?.find(({ key }) => key === format);

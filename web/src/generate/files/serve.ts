@@ -4,7 +4,7 @@ import { compileCore } from "../../core/loader";
 import { isModel, modelNamed } from "../../models/index";
 import type { Model } from "../../models/model";
 import { growPlant } from "../growth";
-import type { Growing } from "./levelled";
+import type { GrowSpecimen } from "./levelled";
 import { makeFile } from "./make";
 import type { FileRequest, FromExporter } from "./messages";
 
@@ -21,7 +21,7 @@ export async function answerTo(request: FileRequest): Promise<FromExporter> {
 }
 
 /** A function that grows with a core of its own; undefined where the core's address is unknown. */
-function growing(model: Model, { core: address }: FileRequest): Growing | undefined {
+function growing(model: Model, { core: address }: FileRequest): GrowSpecimen | undefined {
 	if (address === undefined) return undefined;
 	let core: Promise<Core> | undefined;
 	return (specimen, wanted) =>

@@ -1,5 +1,5 @@
 /** Axes that gestures can control: numeric parameters of the table, and constants of the document's text. */
-import { scaleOf } from "../../specimen/lengths";
+import { displayScaleOf } from "../../specimen/lengths";
 import { nearestWithin } from "../../specimen/table";
 import type { Change, EditorState } from "../../ui/editor_context";
 import { decimals } from "../outline";
@@ -80,7 +80,7 @@ function parametersOf({ model, specimen }: EditorState): readonly Axis[] {
 		if (!model.table.isActive(specimen, entry)) return [];
 		const { key, label, min, max, step } = entry;
 		const value = specimen.parameters[key];
-		const { unit, per } = scaleOf(model, specimen, entry);
+		const { unit, per } = displayScaleOf(model, specimen, entry);
 		const read = `${Number((value * per).toPrecision(6))} ${unit}`.trim();
 		return [{ id: `parameter ${key}`, label, read, min, max, step, value }];
 	});

@@ -3,7 +3,7 @@
  * from p1 at the origin; p3 is +X, p4 −X, p5 +Z, p6 −Z. wasm-core/src/models/bunch/model.hpp lists the columns.
  */
 import type { Veins } from "../../plant/leaf";
-import type { Run } from "../../plant/part";
+import type { VertexRun } from "../../plant/part";
 import type { Mesh, Plant } from "../../plant/plant";
 
 export type { Mesh };
@@ -185,7 +185,7 @@ export type FlowerPiece = (typeof FLOWER_PIECES)[number];
 
 /** Mesh around an ovary of unit radius facing +Y; a calyx is placed at its berry's seat. */
 export interface FlowerMesh extends Mesh {
-	pieces: (Run & { piece: FlowerPiece })[];
+	pieces: (VertexRun & { piece: FlowerPiece })[];
 	/** Scale of the mesh in metres: an ovary's radius. */
 	unit: number;
 }

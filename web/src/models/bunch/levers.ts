@@ -1,7 +1,7 @@
 /** Levers of a bunch: which parameters change which measure (targets/). */
 import { withParameters } from "../../specimen/edit";
 import { nearestWithin } from "../../specimen/table";
-import { type Lever, type Levers, together } from "../../targets/lever";
+import { type Lever, type Levers, proportionalLever } from "../../targets/lever";
 import type { MeasureKey } from "./measures.generated";
 import type { NumberKey } from "./parameters.generated";
 import { metresPerPixel, type ShapeKey } from "./profile/handles";
@@ -10,7 +10,7 @@ import type { BunchSpecimen } from "./specimen";
 
 type BunchLever = Lever<BunchSpecimen>;
 
-const lever = (power: number, ...keys: NumberKey[]): BunchLever => together(BUNCH, power, ...keys);
+const lever = (power: number, ...keys: NumberKey[]): BunchLever => proportionalLever(BUNCH, power, ...keys);
 
 const HEIGHTS: readonly ShapeKey[] = ["l", "p3r", "p4r", "p5r", "p6r"];
 const WIDTHS: readonly ShapeKey[] = ["p3w", "p4w", "p5w", "p6w"];

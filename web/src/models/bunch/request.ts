@@ -2,7 +2,7 @@
 import type { Block } from "../../core/container";
 import { CoreError } from "../../core/errors";
 import { type TraceRequest, traceBlocks } from "../../plant/derivation_trace";
-import { overlongText } from "../../specimen/limits";
+import { textLengthProblem } from "../../specimen/limits";
 import type { CoreEntry } from "../../specimen/table";
 import type { Procedure } from "./bunch_plant";
 import { INPUT_N_LENGTH } from "./details/inputs";
@@ -48,7 +48,7 @@ export function encodeRequest(specimen: Specimen, options: BunchRequestOptions =
 	const { meshes = true, preview = false, meshFingerprint = false, stemSides = 0, berrySegments = 0, trace } = options;
 	const { measures = !preview, sky = meshes && !preview } = options;
 	const { inputs, thinned, grammar, parameters } = specimen;
-	const long = grammar === undefined ? undefined : overlongText(grammar);
+	const long = grammar === undefined ? undefined : textLengthProblem(grammar);
 	if (long) {
 		throw new CoreError("limit", `The grammar is ${long}; shorten it.`);
 	}

@@ -1,5 +1,5 @@
 /** Flowers from generalized maps (Petrenko 2014): docs/models/flower/flower.md. */
-import { titledBy } from "../../specimen/preset_texts";
+import { titleForOwnText } from "../../specimen/preset_texts";
 import type { PageModel } from "../page_model";
 import { type FlowerPlant, readFlowerPlant } from "./flower_plant";
 import { FLOWER_FORMATS } from "./formats";
@@ -25,7 +25,7 @@ export const model = {
 	ages: usesAge,
 	parts: flowerParts,
 	levels: flowerLevels,
-	titled: titledBy("A flower grammar of one’s own", fetchedText),
+	titled: titleForOwnText("A flower grammar of one’s own", fetchedText),
 	words: flowerInWords,
 	record: flowerRecord,
 	heavy: tooHeavy,

@@ -1,5 +1,5 @@
 /** Trees by divisor functions (Kim, Kim and Cho 2013): docs/models/growth/growth.md. */
-import { titledBy } from "../../specimen/preset_texts";
+import { titleForOwnText } from "../../specimen/preset_texts";
 import type { PageModel } from "../page_model";
 import { GROWTH_FORMATS } from "./formats";
 import { fetchLeafOf, type GrowthPlant, readGrowthPlant } from "./growth_plant";
@@ -26,7 +26,7 @@ export const model = {
 	read: readGrowthPlant,
 	parts: growthParts,
 	levels: growthLevels,
-	titled: titledBy("A growth grammar of one’s own", fetchedText),
+	titled: titleForOwnText("A growth grammar of one’s own", fetchedText),
 	words: growthInWords,
 	record: growthRecord,
 	formats: GROWTH_FORMATS,

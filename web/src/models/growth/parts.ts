@@ -5,7 +5,7 @@ import type { Material } from "../../plant/material";
 import type { Part } from "../../plant/part";
 import type { Plant } from "../../plant/plant";
 import { type BarkKind, barkPicture, barkRelief } from "../../plant/wood/bark_picture";
-import { attachedParts, type Dress, woodenParts } from "../../plant/wood/wooden_parts";
+import { attachedParts, type WoodMaterials, woodenParts } from "../../plant/wood/wooden_parts";
 import type { GrowthPlant } from "./growth_plant";
 import type { GrowthSpecimen } from "./specimen";
 import { GROWTH_TABLE } from "./table";
@@ -37,7 +37,7 @@ export function* growthParts(plant: GrowthPlant, specimen: GrowthSpecimen): Gene
 	yield* attachedParts(withOrgans(plant, ["blossom"]), { petal: [petal(look.petal)] });
 }
 
-function woodOf(specimen: GrowthSpecimen): Omit<Dress, "tints"> {
+function woodOf(specimen: GrowthSpecimen): Omit<WoodMaterials, "tints"> {
 	const { look } = specimen;
 	const kind = BARKS[GROWTH_TABLE.option(specimen, "bark_kind") ?? ""] ?? "furrowed";
 	const old = linear(look.bark);

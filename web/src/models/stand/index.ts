@@ -1,5 +1,5 @@
 /** The model of stands of many plants on a ground: docs/models/stand/stand.md. */
-import { titledBy } from "../../specimen/preset_texts";
+import { titleForOwnText } from "../../specimen/preset_texts";
 import { writeTextFile } from "../../specimen/text_file";
 import type { PageModel } from "../page_model";
 import { fetchSoil } from "./fetched_soil";
@@ -31,7 +31,7 @@ export const model = {
 	still: "in files",
 	parts: standParts,
 	instanced: ({ members, memberOf }) => members.length < memberOf.length,
-	titled: titledBy("A plan of one’s own", fetchedText),
+	titled: titleForOwnText("A plan of one’s own", fetchedText),
 	words: standInWords,
 	record: standRecord,
 	formats: [

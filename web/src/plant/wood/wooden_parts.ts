@@ -11,7 +11,7 @@ import type { Wooden } from "./wooden";
 export type Tints = readonly Material[];
 
 /** Materials of trees and roots. */
-export interface Dress {
+export interface WoodMaterials {
 	/** The material of all solid meshes. */
 	readonly wood: Material;
 	readonly bark: Bark;
@@ -22,11 +22,11 @@ export interface Dress {
 /** The most organs of a kind with names of their own, for picking; files hold more than these in a few meshes. */
 const MOST_NAMED = 300;
 
-export function* woodenParts(plant: Wooden, { wood, bark, tints }: Dress): Generator<Part> {
+export function* woodenParts(plant: Wooden, { wood, bark, tints }: WoodMaterials): Generator<Part> {
 	const { meshes, organs } = plant;
-	const borne = attachedMeshes(organs);
+	const withInstances = attachedMeshes(organs);
 	// Leave out meshes of organs that have no instance.
-	const solid = meshes.filter(({ material }, index) => !borne.has(index) && !Object.hasOwn(tints, material));
+	const solid = meshes.filter(({ material }, index) => !withInstances.has(index) && !Object.hasOwn(tints, material));
 	for (const mesh of solid) {
 		const colours = woodColours(plant, mesh, bark);
 		const coloured = colours ? { ...mesh, colours } : mesh;
@@ -36,7 +36,7 @@ export function* woodenParts(plant: Wooden, { wood, bark, tints }: Dress): Gener
 }
 
 /** The attached organs of a plant, without its wood. */
-export function* attachedParts({ meshes, organs }: Plant, tints: Dress["tints"]): Generator<Part> {
+export function* attachedParts({ meshes, organs }: Plant, tints: WoodMaterials["tints"]): Generator<Part> {
 	const borne = attachedMeshes(organs);
 	for (const [index, mesh] of meshes.entries()) {
 		if (borne.has(index)) yield* instancesOf(organs, index, mesh, tints[mesh.material] ?? []);

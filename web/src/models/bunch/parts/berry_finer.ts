@@ -4,7 +4,7 @@
  */
 import { mix } from "../../../plant/colour";
 import { noise } from "../../../plant/noise";
-import type { Finer, Vector } from "../../../plant/part";
+import type { SurfaceDetail, Vector } from "../../../plant/part";
 import type { BerrySurfaces, BunchPlant } from "../bunch_plant";
 import { traitOf } from "../traits";
 import { Ball } from "./ball";
@@ -24,7 +24,7 @@ const WAXED_ROUGHNESS = 0.6;
 const DULL = { shrivel: 0.6, scar: 0.7 };
 
 /** Returns the details of berry `index`. */
-export function berryFiner(grown: BunchPlant, index: number, surfaces: BerrySurfaces, skin: Skin): Finer {
+export function berryFiner(grown: BunchPlant, index: number, surfaces: BerrySurfaces, skin: Skin): SurfaceDetail {
 	const { berries } = grown;
 	const { uvs, pressed } = surfaces;
 	const first = (index * uvs.length) / 2;

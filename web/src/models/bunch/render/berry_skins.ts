@@ -1,5 +1,5 @@
 import { clamp } from "../../../plant/colour";
-import { fromUp, placeVectors, rows } from "../../../plant/orientation";
+import { fromUp, placeVectors, rotationMatrix } from "../../../plant/orientation";
 import type { Berries, BerrySurfaces, BunchPlant, SharedBerry } from "../bunch_plant";
 
 /** Vertices per row of their texture. */
@@ -19,7 +19,7 @@ function placedEverywhere(berry: SharedBerry, { count, spheres, directions }: Be
 	const normals = new Float32Array(size * count);
 	for (let i = 0; i < count; i++) {
 		const [x, y, z, radius] = spheres.subarray(4 * i, 4 * i + 4);
-		const turn = rows(fromUp(directions[3 * i], directions[3 * i + 1], directions[3 * i + 2]));
+		const turn = rotationMatrix(fromUp(directions[3 * i], directions[3 * i + 1], directions[3 * i + 2]));
 		placeVectors(berry.normals, turn, 1, [0, 0, 0], normals, i * size);
 		placeVectors(berry.positions, turn, radius, [x, y, z], positions, i * size);
 	}

@@ -1,5 +1,5 @@
 import type { DerivationSource } from "../../../grammar_editor/derivation_tool";
-import type { Drawn, DrawnSurface } from "../../../plant/drawn";
+import type { DrawnGeometry, DrawnSurface } from "../../../plant/drawn";
 import type { BunchPlant } from "../bunch_plant";
 import type { BunchSpecimen } from "../specimen";
 import { thinning } from "./thinning";
@@ -14,7 +14,7 @@ export const derivation: DerivationSource<BunchSpecimen, BunchPlant> = {
 	taken: (context) => context.toolState(thinning).on,
 };
 
-export function berriesDrawn({ internodes, berries, surfaces, berry }: BunchPlant): Drawn {
+export function berriesDrawn({ internodes, berries, surfaces, berry }: BunchPlant): DrawnGeometry {
 	const own = (index: number): DrawnSurface | undefined => {
 		if (!surfaces) return undefined;
 		const numbers = 1.5 * surfaces.uvs.length;

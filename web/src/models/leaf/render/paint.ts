@@ -1,5 +1,5 @@
 /** Painting of a leaf's textures in a worker: requests, results, and the painting itself. */
-import { asCardsTakeIt } from "../../../plant/picture";
+import { rgbaPicture } from "../../../plant/picture";
 import { FacePictures, type FaceTextures, type FlatLeaf, PREVIEW_SIDE, SIDE } from "../parts/face_pictures";
 import type { LeafSpecimen } from "../specimen";
 
@@ -33,7 +33,7 @@ export class Painter {
 		if (!pictures) throw new Error("There is no leaf to paint.");
 		const face = (side: "upper" | "lower"): FaceTextures => {
 			const { colour, normal, mean } = pictures.face(specimen, side);
-			return { colour: asCardsTakeIt(colour), normal: asCardsTakeIt(normal), mean };
+			return { colour: rgbaPicture(colour), normal: rgbaPicture(normal), mean };
 		};
 		return { upper: face("upper"), lower: face("lower") };
 	}
