@@ -22,7 +22,7 @@ import {
 	type Trait,
 } from "./bunch_plant";
 
-export type Point = [x: number, y: number, z: number];
+export type Point3 = [x: number, y: number, z: number];
 
 export interface BerryRecord {
 	x: number;
@@ -42,7 +42,7 @@ export interface NaturalBerryRecord extends BerryRecord, Record<(typeof STATES)[
 	width: number;
 	length: number;
 	/** Unit vector from the pedicel towards the tip scar. */
-	direction: Point;
+	direction: Point3;
 }
 
 /** A missing berry. */
@@ -61,8 +61,8 @@ export interface InternodeRecord {
 	kind: InternodeKind;
 	/** First-order axis s, 0 at the top; −1 for the rachis. */
 	axis: number;
-	start: Point;
-	end: Point;
+	start: Point3;
+	end: Point3;
 	/** Radius at the start. */
 	radius: number;
 	radiusEnd: number;
@@ -90,11 +90,11 @@ export interface BerryOrgan {
 	kind: "berry" | "flower";
 	/** Index of its pedicel in `segments`. */
 	segment: number;
-	position: Point;
+	position: Point3;
 	/** Radius of the ball of its volume. */
 	radius: number;
 	/** Unit vector from the pedicel towards the tip scar. */
-	direction: Point;
+	direction: Point3;
 }
 
 /** Returns the record of a bunch; does not modify it and needs no meshes. */

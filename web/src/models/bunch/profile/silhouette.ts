@@ -11,7 +11,7 @@ export interface DrawnBunch {
 }
 
 /** Outline of a berry: half its axes, and the clockwise rotation of the first on the page, in radians. */
-export interface Outline {
+export interface BerryOutline {
 	x: number;
 	y: number;
 	rx: number;
@@ -24,7 +24,7 @@ export type Stroke = readonly [x1: number, y1: number, x2: number, y2: number];
 
 export interface Silhouette {
 	/** Berries, farthest first, so that each hides those behind it. */
-	berries: Outline[];
+	berries: BerryOutline[];
 	stems: Stroke[];
 }
 

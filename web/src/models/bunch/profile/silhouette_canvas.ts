@@ -3,7 +3,7 @@
  * redrawn at every step of a drag: as DOM elements they would cost several times as much as growing them.
  */
 import type { View } from "./handles";
-import { type DrawnBunch, type Outline, type Stroke, silhouette } from "./silhouette";
+import { type BerryOutline, type DrawnBunch, type Stroke, silhouette } from "./silhouette";
 import type { ViewFrame } from "./view_frame";
 
 /** Inputs of a drawing; equal inputs need no redrawing. */
@@ -95,7 +95,7 @@ function inkStems(pen: Pen, stems: readonly Stroke[]): void {
 }
 
 /** Draws a berry and erases the lines behind it, so that the page shows through. */
-function inkBerry(pen: Pen, { x, y, rx, ry, turn }: Outline): void {
+function inkBerry(pen: Pen, { x, y, rx, ry, turn }: BerryOutline): void {
 	pen.beginPath();
 	pen.ellipse(x, y, rx, ry, turn, 0, 2 * Math.PI);
 	pen.globalCompositeOperation = "destination-out";

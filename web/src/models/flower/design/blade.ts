@@ -2,7 +2,7 @@
 import type { Description } from "./description";
 import { widthOf } from "./margin";
 import { valueAt } from "./polynomial";
-import { DRAWN, type Fit, fitOf, SHAPES } from "./shapes";
+import { DRAWN, fitOf, type OutlineFit, SHAPES } from "./shapes";
 import { filled } from "./template";
 import petalLike from "./templates/petal_like.gl3?raw";
 
@@ -27,7 +27,7 @@ const SECTIONS: Readonly<Record<string, readonly [cup: number, wave: number]>> =
 };
 
 /** Returns the polynomial of a blade's outline, for a shape of the table as for a drawn margin. */
-export function outlineOf({ values, margin }: Description): Fit {
+export function outlineOf({ values, margin }: Description): OutlineFit {
 	if (values.outline === DRAWN && margin) return fitOf({ width: widthOf(margin) });
 	return fitOf(SHAPES[String(values.outline)] ?? SHAPES.elliptic);
 }
@@ -119,4 +119,5 @@ function mixed(one: string, other: string, share: number): string {
 const round = (value: number): number => Math.round(value * 100) / 100 + 0;
 
 /** Returns the half width, as a share of the greatest, at a share `t` of the steps, as the grammar computes it. */
-export const halfWidthAt = ({ coefficients }: Fit, t: number): number => Math.max(0.004, valueAt(coefficients, t));
+export const halfWidthAt = ({ coefficients }: OutlineFit, t: number): number =>
+	Math.max(0.004, valueAt(coefficients, t));

@@ -7,7 +7,7 @@ import { type Coefficients, errorOf, fitted, type Sample } from "./polynomial";
 /** Half width, from 0 to 1, at a share of the length, from 0 at the foot to 1 at the tip. */
 export type Width = (along: number) => number;
 
-export interface Shape {
+export interface OutlineShape {
 	readonly width: Width;
 	/** Whether steps have equal lengths; otherwise they are cosine-spaced, which rounded tips need. */
 	readonly even?: boolean;
@@ -28,7 +28,7 @@ const easing = (from: number, to: number, u: number): number => {
  * Outlines by their botanical names; `apical` and `tulip` are the thesis's. The formulas are our own; their heights
  * are normalised later.
  */
-export const SHAPES: Readonly<Record<string, Shape>> = {
+export const SHAPES: Readonly<Record<string, OutlineShape>> = {
 	rounded: { width: humped(0.5, 0.5) },
 	elliptic: { width: humped(0.8, 0.8) },
 	ovate: { width: humped(0.6, 1.2) },
@@ -51,7 +51,7 @@ export const OUTLINES: readonly string[] = [...Object.keys(SHAPES), DRAWN];
 const SAMPLES = 96;
 
 /** A polynomial fitted to an outline, with its error. */
-export interface Fit {
+export interface OutlineFit {
 	readonly coefficients: Coefficients;
 	/** Largest distance from the outline, as a share of the greatest half width. */
 	readonly error: number;
@@ -66,7 +66,7 @@ export const alongAt = (t: number, even: boolean): number => (even ? t : (1 - Ma
 export const stepAt = (along: number, even: boolean): number => (even ? along : Math.acos(1 - 2 * along) / Math.PI);
 
 /** Fits a shape's polynomial, a function of the share of the steps. */
-export function fitOf({ width, even = false, fan = 0 }: Shape): Fit {
+export function fitOf({ width, even = false, fan = 0 }: OutlineShape): OutlineFit {
 	const raw = Array.from({ length: SAMPLES + 1 }, (_, i): Sample => {
 		const t = i / SAMPLES;
 		return { t, value: Math.max(0, width(alongAt(t, even)) || 0) };

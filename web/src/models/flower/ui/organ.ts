@@ -4,7 +4,7 @@
 import type { FlowerPlant, Volumes } from "../flower_plant";
 import { uncommented } from "../texts";
 
-export interface Organ {
+export interface VolumeOrgan {
 	/** Volumes of one call of a module, or of the text outside modules. */
 	readonly volumes: ReadonlySet<number>;
 	/** Number of volumes from the organ's foot to the chosen volume, both counted. */
@@ -27,7 +27,7 @@ const areOfOne = ({ label, module, call }: Volumes, one: number, other: number):
  * Returns the organ of a volume.
  * @param chosen one of `all`
  */
-export function organOf(all: Volumes, chosen: number): Organ {
+export function organOf(all: Volumes, chosen: number): VolumeOrgan {
 	const { order, parent } = all;
 	const isOf = (at: number) => areOfOne(all, at, chosen);
 	const { foot: root, segment } = footOf(all, chosen);
@@ -69,7 +69,7 @@ export function titleOfVolume(
 export function placeOfVolume(
 	{ labels, label, module }: Volumes,
 	chosen: number,
-	{ volumes, segment }: Organ,
+	{ volumes, segment }: VolumeOrgan,
 	text: string,
 ): string {
 	const modules = [...uncommented(text).matchAll(/^[ \t]*#[ \t]*module[ \t]+(\p{L}[\p{L}\p{N}_]*)/gmu)];

@@ -9,7 +9,7 @@ import type { Tool } from "../../../ui/tool";
 import type { FlowerPlant } from "../flower_plant";
 import type { FlowerSpecimen } from "../specimen";
 import { type ChosenVolume, chosenOf, stillChosen } from "./chosen_volume";
-import { type Organ, organOf } from "./organ";
+import { organOf, type VolumeOrgan } from "./organ";
 import "./volume_panel";
 
 export type FlowerContext = EditorContext<FlowerSpecimen, FlowerPlant>;
@@ -57,9 +57,9 @@ export const volumeTool: Tool<FlowerSpecimen, FlowerPlant, Choice | undefined> =
 };
 
 /** The last result of `organIn`, which runs at every change of the state. */
-let lastOrgan: { readonly grown: FlowerPlant; readonly chosen: number; readonly organ: Organ } | undefined;
+let lastOrgan: { readonly grown: FlowerPlant; readonly chosen: number; readonly organ: VolumeOrgan } | undefined;
 
-function organIn({ state: { grown } }: FlowerContext, chosen: number): Organ | undefined {
+function organIn({ state: { grown } }: FlowerContext, chosen: number): VolumeOrgan | undefined {
 	if (!grown) return undefined;
 	if (lastOrgan?.grown !== grown || lastOrgan.chosen !== chosen)
 		lastOrgan = { grown, chosen, organ: organOf(grown.volumes, chosen) };
