@@ -1,7 +1,7 @@
 /** Registers the service worker and offers new versions of the app: the page's side of docs/offline.md. */
 import { holdScripts } from "../core/hold_scripts";
 import type { ToWorker } from "../offline/messages";
-import { forgetWorker, registerWorker, tellOpened } from "../offline/register";
+import { forgetWorker, registerWorker, reportOpened } from "../offline/register";
 import { hostSpecimens } from "../offline/specimen_host";
 
 /** Least time between two checks for a new version, each made when an open page becomes visible; milliseconds. */
@@ -40,7 +40,7 @@ export class AppUpdater {
 		await navigator.serviceWorker.ready;
 		// With the browser's data saver on, the app is not stored.
 		const { connection } = navigator as { connection?: { saveData?: boolean } };
-		tellOpened(registration, !connection?.saveData);
+		reportOpened(registration, !connection?.saveData);
 		// Check the host directly: where the worker cannot store the next version, it would serve this one permanently.
 		if (navigator.serviceWorker.controller) await this.look();
 	}

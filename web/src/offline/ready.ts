@@ -2,7 +2,7 @@
  * `specimens.js`, for other pages in the app's folder or below it: after `await ready`, the app's service worker
  * answers requests for specimens in the browser. docs/service.md has examples.
  */
-import { registerWorker, tellOpened } from "./register";
+import { registerWorker, reportOpened } from "./register";
 import { hostSpecimens } from "./specimen_host";
 
 /** Settles when the worker answers this page's requests; rejects with the reason where it never will. */
@@ -21,6 +21,6 @@ async function start(): Promise<void> {
 		navigator.serviceWorker.addEventListener("controllerchange", () => resolve(), { once: true });
 	});
 	// A first worker claims its pages by itself, an existing one when a page reports to it.
-	tellOpened(await navigator.serviceWorker.ready, false);
+	reportOpened(await navigator.serviceWorker.ready, false);
 	await controlled;
 }

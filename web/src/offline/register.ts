@@ -25,7 +25,7 @@ export async function registerWorker(folder: URL): Promise<ServiceWorkerRegistra
 }
 
 /** Reports an open page to the worker. */
-export function tellOpened({ active }: ServiceWorkerRegistration, keep: boolean): void {
+export function reportOpened({ active }: ServiceWorkerRegistration, keep: boolean): void {
 	active?.postMessage({ type: "opened", keep } satisfies ToWorker);
 }
 
