@@ -20,7 +20,7 @@
 namespace panicle::bench {
 namespace {
 
-// The rule that Table 2 of the speed page is about.
+// The grammar of Table 2 of the speed page.
 constexpr std::string_view forks =
     "axiom: A(1)\n"
     "A(s) --> F(s)[+A(s/1.456)][-A(s/1.456)]\n";
@@ -69,7 +69,7 @@ bunch::BunchRequest longer_bunch(std::uint32_t factor) {
   return request;
 }
 
-// Its text is compiled once, as a page keeps it.
+// The text is compiled once, as a page caches it.
 double plan(std::uint32_t factor) {
   static const auto program = lsystem::compile(bunch::grammars::grape_bunch_3, {}, lsystem::Lineages::always);
   if (!program) return -1;

@@ -24,7 +24,8 @@ Map vein(std::uint32_t darts) {
     if (step > 0) tip = map.grow(tip, end_face, vein_order, 0).volume;
     for (const std::uint32_t i : lobe_sides) {
       const std::uint32_t lobe = map.grow(tip, side(i), lobe_order, i).volume;
-      // Seven volumes a step: its like of the step before has its tipward face where this one's baseward is.
+      // A step has seven volumes: the lobe of the step before (7 numbers less) has its tipward face at this lobe's
+      // baseward face.
       if (step > 0) map.glue(lobe, side(1), lobe - 7, side(3));
     }
   }

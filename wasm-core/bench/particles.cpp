@@ -106,7 +106,7 @@ double colonise(std::uint32_t points, bool flat) {
   std::vector<Closest> closest(start.places.size());
   std::vector<std::uint8_t> reached(start.places.size(), 0);
   std::vector<glm::vec3> nodes;
-  // A new node is nearest to some of the points about it, and reaches others.
+  // Adds a node: it may be the nearest one to some points, and reaches others.
   const auto add = [&](const glm::vec3& node) {
     const auto index = static_cast<std::uint32_t>(nodes.size());
     nodes.push_back(node);
@@ -131,7 +131,7 @@ double colonise(std::uint32_t points, bool flat) {
         pulls[closest[i].node] += glm::normalize(start.places[i] - nodes[closest[i].node]);
     const std::size_t before = nodes.size();
     for (std::size_t n = 0; n < before; ++n)
-      // Drawn as before, it would only grow the same again.
+      // A node with the same pull as before would only grow the same node again.
       if (glm::dot(pulls[n], pulls[n]) > 1e-6f && pulls[n] != before_pulls[n])
         add(nodes[n] + length * glm::normalize(pulls[n]));
     if (nodes.size() == before) break;

@@ -1,4 +1,4 @@
-// The bench's own export beside those of panicle.h.
+// The exports of the benchmark, besides those of panicle.h.
 #ifdef __EMSCRIPTEN__
 
 #include "kernels.hpp"

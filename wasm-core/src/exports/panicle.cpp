@@ -26,7 +26,7 @@ const Model* find_model(std::string_view name) {
   return nullptr;
 }
 
-// Lives from call to call, by handles that the caller holds.
+// The compiled texts of all calls, by handles that the caller holds.
 CompiledTexts& compiled_texts() {
   static CompiledTexts texts;
   return texts;
@@ -65,7 +65,7 @@ Result<std::uint32_t> compile(std::string_view text) {
   return handle;
 }
 
-// Several parts of a model may reach one limit: a note that comes again adds nothing.
+// Removes repeated notes: several parts of a model may reach one limit.
 void remove_repeated_notes(std::vector<std::string>& notes) {
   std::unordered_set<std::string> known;
   std::erase_if(notes, [&](const std::string& note) { return !known.insert(note).second; });

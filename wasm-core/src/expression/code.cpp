@@ -54,7 +54,7 @@ void draw_whole(float a, float b, const Sources& sources, std::uint64_t stream, 
   }
 }
 
-// Box and Muller's way from two uniform values to a normal one.
+// A normally distributed value from two uniform ones (Box and Muller).
 float draw_normal(float mean, float deviation, const Sources& sources, std::uint64_t stream) {
   const float radius = random_unit(sources.seed, hash_combine(stream, 1), sources.address);
   const float angle = random_unit(sources.seed, hash_combine(stream, 2), sources.address);
@@ -103,7 +103,7 @@ void read_element(const std::string& name, const std::vector<float>& array, floa
   return false;
 }
 
-// A whole power in double precision; any other as in single.
+// Powers with whole exponents in double precision; all others in single.
 double precise_power(double base, double exponent) {
   constexpr double most = 64;
   if (!(std::fabs(exponent) <= most && std::floor(exponent) == exponent))

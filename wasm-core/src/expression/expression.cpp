@@ -1,4 +1,4 @@
-// Dijkstra's shunting yard: operands go out at once, operators wait on a stack until one that binds less follows.
+// Dijkstra's shunting yard: operands are output at once, operators wait on a stack until one that binds less follows.
 
 #include "expression/expression.hpp"
 
@@ -176,7 +176,7 @@ class Parser {
     return push(call);
   }
 
-  // Puts a macro's body in the place of its arguments, which are the last nodes of the expression.
+  // Replaces a call of a macro, whose arguments are the last nodes of the expression, by its body.
   bool replace(const Waiting& call) {
     const Macro& macro = macros_.all[call.macro];
     std::vector<Node>& nodes = expression_.nodes;

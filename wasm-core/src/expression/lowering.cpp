@@ -11,10 +11,10 @@
 namespace panicle::expression {
 namespace {
 
-// How far back equal parts are looked for: far enough for any production, and no square of a long one.
+// How many instructions back equal subexpressions are searched: enough for any production, and linear in long ones.
 constexpr std::size_t window = 64;
 
-// Whether one of the last instructions does the same; then `instruction.out` becomes its result.
+// Whether one of the last instructions is equal; then `instruction.out` becomes its result.
 bool same_as_one_of(const std::vector<Instruction>& earlier, Instruction& instruction) {
   const std::size_t oldest = earlier.size() > window ? earlier.size() - window : 0;
   for (std::size_t i = earlier.size(); i-- > oldest;) {
@@ -170,7 +170,7 @@ bool Lowering::space_query(const Node& node) {
   return true;
 }
 
-// Puts the result of one or two operands from the stack in their place.
+// Replaces one or two operands on the stack by the result.
 void Lowering::calculate(Op op, std::uint32_t operands, const SourceLocation& place, std::uint32_t extra) {
   Instruction instruction{op, 0, 0, 0, extra};
   if (operands > 1) instruction.b = pop();
@@ -191,7 +191,7 @@ std::uint64_t Lowering::stream_of(const Node& node) {
   return hash_combine(hash_combine(key_, hash_text(node.name)), before);
 }
 
-// The result is the truth of the first operand, unless that leaves it open: then of the second.
+// The result is the truth of the first operand if that decides, else of the second.
 void Lowering::begin_branch(const Node& node) {
   const std::uint32_t first = pop();
   const std::uint32_t out = new_register(0, Known::on_the_run);
@@ -248,7 +248,7 @@ std::uint32_t Lowering::emit_once_bound(Instruction instruction, const SourceLoc
   return instruction.out;
 }
 
-// The register that holds the result of an instruction whose operands are numbers of the text.
+// Returns the register of an instruction's result whose operands are constants.
 std::uint32_t Lowering::fold(Instruction instruction) {
   const std::uint32_t at = here();
   instruction.out = new_register(0, Known::now);

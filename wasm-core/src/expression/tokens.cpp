@@ -109,7 +109,7 @@ class Tokenizer {
     in_comment_.reset();
   }
 
-  // Whether a token follows.
+  // Skips white space and comments. Returns whether a token follows.
   bool pass_over_space() {
     while (at_ < text_.size()) {
       const char32_t c = peek();
@@ -235,7 +235,7 @@ class Tokenizer {
     return fail(place_, "'%' is not part of the notation; take it out.", {character});
   }
 
-  // Whether the line begins as `// two words`: found once a line, however many signs of prose it has.
+  // Whether the line begins as `// two words`. Evaluated once a line.
   bool in_comment() {
     if (!in_comment_) in_comment_ = begins_as_comment();
     return *in_comment_;

@@ -16,13 +16,13 @@ constexpr int needles = 5;
 constexpr float needle_width = 0.06f;
 constexpr int spray_needles = 20;
 constexpr float spray_length = 0.32f;
-// Of a twig with leaves: from one to the next in leaves' lengths, degrees off the twig at its foot and near its tip,
-// and by how much each is turned about itself and lifted from the plane of all.
+// The poses of leaves on a twig: the distance between leaves in lengths of a leaf, degrees off the twig at its foot and
+// near its tip, and the largest turn about the midrib and out of the plane.
 constexpr float apart = 0.3f, off_foot = 68, off_tip = 38, rolled = 32, lifted = 24, twig_width = 0.03f;
 constexpr int petals = 5;
 constexpr float stalk = 0.6f;
 
-// The arch is level in the blade's middle: as a whole it looks to +Z.
+// Bends a point into the arch, which is level in the blade's middle: as a whole the blade looks to +Z.
 glm::vec3 arched(glm::vec3 p) {
   p.y -= 0.5f;
   bend(p.y, p.z, arch);
@@ -35,7 +35,8 @@ void put_vertex(Mesh& mesh, const glm::vec3& p, const glm::vec3& normal, float u
   mesh.uvs.insert(mesh.uvs.end(), {u, v});
 }
 
-// One triangle from the foot, widest there, to beneath the midrib, of its colour: thousands are drawn.
+// A petiole of one triangle from the foot, widest there, to beneath the midrib, with the midrib's colour: thousands are
+// drawn.
 void add_petiole(Mesh& mesh, const FlatLeaf& leaf, const glm::vec3& foot) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size() / 3);
   const float half = 0.75f * leaf.petiole[1], u = leaf.uvs[0], v = leaf.uvs[1];
@@ -45,7 +46,7 @@ void add_petiole(Mesh& mesh, const FlatLeaf& leaf, const glm::vec3& foot) {
   mesh.indices.insert(mesh.indices.end(), {first, first + 1, first + 2});
 }
 
-// A needle, or a petal's half: widest where it begins.
+// Adds a needle, or a petal's half: widest where it begins.
 void put_point(Mesh& mesh, const glm::vec3& foot, const glm::vec3& half, const glm::vec3& tip) {
   const glm::vec3 normal = glm::normalize(glm::cross(half, tip - foot));
   const auto first = static_cast<std::uint32_t>(mesh.positions.size() / 3);

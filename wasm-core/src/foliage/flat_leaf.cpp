@@ -12,7 +12,7 @@ namespace {
 
 constexpr float farthest = 4;  // a flat leaf reaches no farther, in midribs
 
-// Normals: the mean of the triangles' by area.
+// Sets normals: the area-weighted mean of the triangles'.
 void shade(Mesh& mesh, std::span<const glm::vec3> places) {
   mesh.normals.assign(mesh.positions.size(), 0);
   for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {

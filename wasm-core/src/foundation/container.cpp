@@ -74,7 +74,7 @@ std::uint8_t* ContainerWriter::write(std::uint64_t large) const {
   if (block == nullptr) return nullptr;
 
   std::uint64_t at = (header_words + entry_words * entries_.size()) * 4;
-  // Copies bytes to where the next may stand, and fills up to the word.
+  // Copies bytes to the next free place, and pads to a word with zeros.
   const auto place = [&](const void* bytes, std::uint64_t length) {
     const auto begin = static_cast<std::uint32_t>(at);
     if (length > 0) std::memcpy(block + at, bytes, static_cast<std::size_t>(length));

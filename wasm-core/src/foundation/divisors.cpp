@@ -19,7 +19,7 @@ Diagnostic inexact(const std::string& what) {
 
 bool within(std::int64_t value, std::int64_t limit) { return value >= -limit && value <= limit; }
 
-// d^a with the sign that it counts with; 0 where it does not count at all; beyond `exact` where it is that.
+// d^a with its sign in the sum; 0 for divisors that the rule excludes; beyond `exact` on overflow.
 std::int64_t weight_of(const DivisorRule& rule, std::uint32_t d) {
   if (rule.kind == DivisorRule::Kind::residue && d % rule.modulus != rule.remainder) return 0;
   std::int64_t weight = rule.kind == DivisorRule::Kind::alternating && d % 2 == 0 ? -1 : 1;
@@ -63,7 +63,7 @@ Result<std::vector<std::int64_t>> divisor_sums(const DivisorRule& rule, std::uin
   std::vector<std::int64_t> weights(last + std::size_t{1}), sums(last + std::size_t{1});
   for (std::uint32_t d = 1; d <= last; ++d) {
     weights[d] = weight_of(rule, d);
-    // It divides itself, and nothing that divides it is as large.
+    // Tests d alone: d divides itself, and all its other divisors are smaller.
     if (!within(weights[d], exact)) return inexact("the sum of the divisors of " + std::to_string(d));
   }
   for (std::uint64_t first = 1; first <= last; first += block)

@@ -45,8 +45,8 @@ double cosine_series(double x) {
                   u * (1.0 / 24 + u * (-1.0 / 720 + u * (1.0 / 40320 + u * (-1.0 / 3628800 + u * (1.0 / 479001600))))));
 }
 
-// Exact. Out of line, for compilers would else work it out for every angle and choose afterwards: in wasm it costs more
-// than all the rest.
+// The exact remainder. Not inlined, because compilers would else compute it for every angle: in wasm it costs more than
+// all other steps.
 [[gnu::noinline]] double remainder_of(double x, double whole) { return std::fmod(x, whole); }
 
 // Sine and cosine of `quarters` right angles and `rest` radians. Adding 0 turns −0 into 0.

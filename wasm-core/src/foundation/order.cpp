@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t sign = 0x80000000;
 
-// Words in the order of the numbers that they stand for.
+// Maps keys to words whose order is that of the keys.
 std::uint32_t word_of(float key) {
   if (!(key == key)) return 0xffffffff;
   const auto bits = bit_cast<std::uint32_t>(key + 0.0f);

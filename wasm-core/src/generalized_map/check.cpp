@@ -40,7 +40,7 @@ Fault fault_of(const Involutions& m, std::uint32_t d) {
   return is_unfolded(m, d) ? Fault::nothing : Fault::folded;
 }
 
-// Is all well with every dart? Without a branch a dart: maps are whole but for mistakes.
+// Tests all darts at once, without a branch per dart: maps are valid but for mistakes.
 bool are_well(const Involutions& m) {
   std::uint32_t wrong = 0;
   for (std::uint32_t d = 0; d < m.darts; ++d) {
@@ -59,7 +59,7 @@ struct Counted {
   std::uint32_t vertices = 0, faces = 0, darts = 0;
 };
 
-// Goes once round every orbit of two of a volume's involutions: α0 and α1 round a face, α2 and α1 round a vertex.
+// Counts the orbits of two of a volume's involutions: α0 and α1 give faces, α2 and α1 vertices.
 void count_orbits(const Involutions& m, std::vector<Counted>& counted) {
   constexpr std::uint8_t in_face = 1, at_vertex = 2;
   std::vector<std::uint8_t> seen(m.darts, 0);

@@ -133,7 +133,7 @@ glm::vec3 Embedding::centre(std::span<const std::uint32_t> vertices, const glm::
   float known = 0;
   for (const std::uint32_t vertex : vertices) {
     if (!is_proposed(vertex)) {
-      // After splits a vertex may be held by volumes alone that are placed later.
+      // After splits a vertex may belong only to volumes that are placed later.
       if (cut_of_.empty() || cut_of_[vertex] == none) continue;
       settle(vertex);
     }
@@ -161,7 +161,8 @@ void Embedding::settle(std::uint32_t vertex) {
   for (const std::uint32_t cut : needed_) settle_cut(cut);
 }
 
-// Midway between the ends that are known; glued, an end may be a cut that comes later.
+// Places the vertex of a cut midway between the ends that are known; in glued volumes, an end may be the vertex of a
+// later cut.
 void Embedding::settle_cut(std::uint32_t cut) {
   glm::vec3 sum(0);
   float known = 0;

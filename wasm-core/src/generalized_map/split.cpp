@@ -23,13 +23,13 @@ class Splitting {
 
   std::uint32_t order() const { return static_cast<std::uint32_t>(rim_.size()); }
 
-  // Leaves one edge every corner?
+  // Whether one edge leaves F at every corner.
   bool is_even() const {
     return std::all_of(rim_.begin(), rim_.end(),
                        [this](std::uint32_t d) { return a(2, leaving(d)) == a(1, a(2, a(1, d))); });
   }
 
-  // Is an edge that leaves F glued to one of F's own? Then no cut parts F from the rest.
+  // Whether an edge that leaves F is glued to one of F's own. Then no cut parts F from the rest.
   bool is_folded() {
     for (const std::uint32_t d : rim_) {
       gather(leaving(d));
@@ -39,7 +39,8 @@ class Splitting {
     return false;
   }
 
-  // Darts that it may make: of cuts, of edges across faces on both sides of them, and of the two faces that close it.
+  // An upper bound of the new darts: of cuts, of edges across faces on both sides of them, and of the two faces that
+  // close it.
   std::uint64_t most_darts() {
     std::uint64_t count = 12 * rim_.size();
     for (const std::uint32_t d : rim_) {
@@ -104,12 +105,12 @@ class Splitting {
 
  private:
   std::uint32_t a(std::uint32_t i, std::uint32_t d) const { return map_.alpha_[i][d]; }
-  // Of a rim's dart: the dart at its corner, of the face across its edge, that looks away from F.
+  // For a dart of the rim: the dart at its corner, of the face across its edge, that looks away from F.
   std::uint32_t leaving(std::uint32_t d) const { return a(1, a(2, d)); }
 
   bool is_of_rim(std::uint32_t d) const { return std::binary_search(sorted_rim_.begin(), sorted_rim_.end(), d); }
 
-  // Is a dart at a vertex that this step has put on its edge, so that the edge goes on beyond?
+  // Whether a dart is at a vertex that this step has put on its edge, so that the edge continues beyond.
   bool is_of_step(std::uint32_t dart, std::uint32_t step) const {
     const std::vector<Cut>& cuts = map_.cuts_;
     const auto after =
@@ -122,16 +123,16 @@ class Splitting {
     return goes_on(dart, cut) && goes_on(a(2, dart), cut);
   }
 
-  // In a dart's face, is the other half of its edge next, or an edge by which a neighbour has divided the face? Where
-  // the volume itself was split, another face is.
+  // Whether the next edge in a dart's face is the other half of its edge, and not an edge by which a neighbour has
+  // divided the face. Where the volume itself was split, another face is next.
   bool goes_on(std::uint32_t dart, const Cut& cut) const {
     const std::uint32_t next = a(1, dart), half = cut.count / 2;
     const std::uint32_t other = dart < cut.first + half ? dart + half : dart - half;
     return next == other || map_.face_[a(2, next)] == map_.face_[dart];
   }
 
-  // The darts at one end of a whole edge, into fan_: pairs across α2, one pair a volume, each's second sewn to the next
-  // one's first; from one free face to the other, or round.
+  // Collects the darts at one end of a whole edge in fan_: pairs across α2, one pair a volume, each's second sewn to
+  // the next one's first; from one free face to the other, or around.
   void gather(std::uint32_t dart) {
     std::uint32_t start = dart;
     while (a(3, start) != start) {
@@ -176,8 +177,8 @@ class Splitting {
     map_.cuts_.push_back({first, count, dart, other, step});
   }
 
-  // Divides G_k, on both sides, between its two cuts; gives ring[k]. Where a neighbour's split has done so nothing is
-  // left to do.
+  // Divides G_k, on both sides, between its two cuts, and returns ring[k]. Where a neighbour's split has divided it
+  // already, nothing is changed.
   std::uint32_t divide(std::size_t k) {
     const std::size_t next = k + 1 == rim_.size() ? 0 : k + 1;
     const std::uint32_t p = near_[k], q = a(2, near_[next]);  // both of G_k
@@ -219,7 +220,7 @@ class Splitting {
     } while (d != dart);
   }
 
-  // The rest's corners: those that went with the part slide down the edges that leave F, to the cut.
+  // Updates the corners of the rest: those that went with the part move along the edges that leave F, to the cut.
   void keep_corners(std::uint32_t part) {
     const std::uint32_t n = map_.list_[v_].order;
     scratch_.clear();
@@ -251,7 +252,7 @@ class Splitting {
     std::vector<Volume>& list = map_.list_;
     Volume &rest = list[v_], &own = list[part];
     const Face rest_face = face_ == base_face ? base_face : end_face;
-    // Unsewn ones on F move with it.
+    // Moves volumes that are attached to F.
     std::uint32_t waiting = rest.last_attached;
     rest.last_attached = none;
     while (waiting != none) {

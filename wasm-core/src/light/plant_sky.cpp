@@ -20,7 +20,7 @@ glm::vec3 vector_at(const std::vector<float>& values, std::size_t row) {
   return {values[3 * row], values[3 * row + 1], values[3 * row + 2]};
 }
 
-// Triangles first … end as one speck.
+// Adds triangles first … end as one speck.
 void add_triangles(const Mesh& mesh, std::size_t first, std::size_t end, std::int32_t owner,
                    std::vector<SkyBody>& specks) {
   glm::vec3 middle(0), facing(0);
@@ -54,7 +54,7 @@ void add_specks(const Segment& segment, std::int32_t owner, std::vector<SkyBody>
   const float length = glm::length(way), radius = 0.5f * (segment.radius + segment.radius_end);
   if (!(radius > 0)) return;
   const float pieces = std::clamp(std::ceil(length / (longest_piece * radius)), 1.0f, most_pieces);
-  // A rod shows a quarter of its surface, taken over all sides.
+  // A rod shows a quarter of its surface, as a mean over all directions.
   const float square = 0.5f * radius * length / pieces;
   for (float k = 0.5f; k < pieces; ++k)
     specks.push_back({segment.start + way * (k / pieces), square, glm::vec3(0), owner, segment.parent});

@@ -19,7 +19,7 @@ std::uint32_t number(std::int32_t owner, std::uint32_t none) {
   return owner < 0 ? none : static_cast<std::uint32_t>(owner);
 }
 
-// Lanes where a comparison holds, as words of all ones or none.
+// The result of a comparison as words of all ones (true) or none.
 template <class Comparison>
 FourWords mask(const Comparison& four) {
   FourWords words;
@@ -28,7 +28,7 @@ FourWords mask(const Comparison& four) {
   return words;
 }
 
-// `v` where the mask holds, else 0.
+// `v` where the mask is set, else 0.
 Four where(const FourWords& holds, const Four& v) {
   FourWords bits;
   std::memcpy(&bits, &v, sizeof bits);
@@ -99,7 +99,7 @@ void Sky::insert_nearest(std::uint32_t slot, float weight) {
   slots_[k] = slot;
 }
 
-// Sums bodies up; those that hide most, where they are looked at, to the short list as well.
+// Sums bodies up; with `look`, also inserts the most visible ones into the short list.
 Sky::Bands Sky::sum(const BodyTable& bodies, const SkyReceiver& receiver, bool look) {
   const glm::vec3 c = receiver.centre;
   const float reach = bodies.reach;
@@ -144,7 +144,7 @@ Sky::Bands Sky::sum(const BodyTable& bodies, const SkyReceiver& receiver, bool l
   return {sum_of(constant), {sum_of(x), sum_of(y), sum_of(z)}};
 }
 
-// Those looked at one by one are not in the sums.
+// Loads the bodies of the short list, and subtracts them from the sums.
 void Sky::load_nearest(const glm::vec3& centre) {
   for (std::size_t k = 0; k < count_; ++k) {
     const auto of = [&](BodyTable::Column column) { return balls_.of(column)[slots_[k]]; };

@@ -9,12 +9,12 @@
 namespace panicle {
 namespace {
 
-// Turns that no two of many points on a spiral share.
+// The golden angle, in degrees: no two points on a spiral share a direction.
 constexpr float golden_angle = 137.50776f;
 
 constexpr std::size_t lanes = 4;
 
-// So many values, each so far behind the one before; 0 in the other lanes.
+// Loads so many values with a stride; 0 in the other lanes.
 Four gathered(const float* at, std::size_t stride, std::size_t count) {
   if (count >= lanes) return Four{at[0], at[stride], at[2 * stride], at[3 * stride]};
   return Four{at[0], count > 1 ? at[stride] : 0, count > 2 ? at[2 * stride] : 0, 0};
@@ -26,7 +26,7 @@ std::vector<LightDirection> overcast(std::uint32_t count) {
   std::vector<LightDirection> lamps;
   const auto all = static_cast<float>(count);
   for (std::uint32_t k = 0; k < count; ++k) {
-    // Uniform on the disc below is cosine weighted above.
+    // Points uniform on the disc below give cosine-weighted directions above.
     const float square = (static_cast<float>(k) + 0.5f) / all, radius = std::sqrt(square);
     const auto [sine, cosine] = sincos_degrees(golden_angle * static_cast<float>(k));
     lamps.push_back({{radius * cosine, std::sqrt(1 - square), radius * sine}, 1 / all});
@@ -38,7 +38,7 @@ std::vector<LightDirection> all_round(std::uint32_t count) {
   std::vector<LightDirection> lamps;
   const auto all = static_cast<float>(count);
   for (std::uint32_t k = 0; k < count; ++k) {
-    // Uniform along the axis is uniform on the sphere (Archimedes).
+    // Points uniform along the axis give directions uniform on the sphere (Archimedes).
     const float height = 1 - (2 * static_cast<float>(k) + 1) / all, radius = std::sqrt(1 - height * height);
     const auto [sine, cosine] = sincos_degrees(golden_angle * static_cast<float>(k));
     lamps.push_back({{radius * cosine, height, radius * sine}, 1 / all});

@@ -13,7 +13,7 @@ namespace {
 constexpr float same_place = 1e-6f;
 // As a share of the square of a triangle's longest edge: triangles with less area are lines.
 constexpr float flat = 1e-6f;
-// Looks for corners in an ear; then ears are taken as they come, so that no polygon takes long.
+// The most tests of corners in an ear; then ears are taken as they come, so that every polygon takes limited time.
 constexpr std::uint64_t most_looks = 20'000'000, looks_a_unit = 8;
 
 bool is_finite(const glm::vec3& p) { return p.x - p.x == 0 && p.y - p.y == 0 && p.z - p.z == 0; }
@@ -40,7 +40,7 @@ class Clipper {
   std::uint64_t looks() const { return looks_; }
 
  private:
-  // About the middle of the box and as a share of it, so that nothing is too large or too small to be squared.
+  // Normalises the corners to the polygon's box, so that no square overflows or vanishes.
   void measure(std::span<const glm::vec3> corners) {
     glm::vec3 low(3e38f), high(-3e38f);
     for (const glm::vec3& p : corners) {
@@ -71,8 +71,8 @@ class Clipper {
     numbers_.pop_back();
   }
 
-  // The normal of the area that the polygon goes round (Newell); where a figure of eight has none, of the largest
-  // triangle at its first corner. False: all lie on a line.
+  // Projects the polygon along its normal (Newell); for a figure of eight without one, along that of the largest
+  // triangle at its first corner. False: all corners lie on a line.
   bool project() {
     glm::vec3 normal(0), largest(0);
     const glm::vec3& first = places_[0];
@@ -103,7 +103,7 @@ class Clipper {
     for (std::size_t left = count; left > 2; --left) {
       at = next_ear(at, left);
       take(at);
-      // The one after the next: ears all round and no fan.
+      // Skips a corner after each ear: ears all around instead of a fan.
       at = after_[after_[at]];
     }
   }

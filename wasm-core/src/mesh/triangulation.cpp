@@ -59,7 +59,7 @@ class Triangulation {
   }
 
  private:
-  // False where there are no steps left.
+  // Counts a step. False: none are left.
   bool step() {
     if (steps_left_ > 0) --steps_left_;
     return steps_left_ > 0;
@@ -169,7 +169,7 @@ class Triangulation {
     return true;
   }
 
-  // Three of one.
+  // Splits a triangle into three.
   void split(std::int32_t t, std::int32_t i) {
     const Triangle old = tri(t);
     const auto [a, b, c] = old.corner;
@@ -186,7 +186,7 @@ class Triangulation {
     }
   }
 
-  // Four of two.
+  // Splits two triangles at an edge into four.
   void split_edge(std::int32_t t, std::size_t k, std::int32_t i) {
     const std::int32_t o = tri(t).beside[k];
     const Triangle one = tri(t), other = tri(o);
@@ -296,7 +296,7 @@ class Triangulation {
       const std::int64_t turn = side(a, b, apex);
       if (turn == 0) return false;
       t = o;
-      // On by the edge whose ends lie on both sides.
+      // Continues by the edge whose ends lie on both sides.
       const std::int32_t stays = turn > 0 ? left : right;
       k = 0;
       while (tri(t).corner[k] != stays) ++k;

@@ -27,8 +27,8 @@ constexpr int halvings = 24;
 // for an entry.
 constexpr std::size_t rows_per_entry = 4;
 constexpr float wider = 1.25f;  // factor of the cells' edge while there are too many cells or entries
-// Looks that are counted: for a test whether four triangles meet a slice, for the turns that one adds, and for the
-// place where one meets a ray.
+// Costs in examined triangles: of a test whether four triangles meet a slice, of the turns that one adds, and of an
+// intersection with a ray.
 constexpr std::uint64_t looks_four = 1, looks_turn = 8, looks_meeting = 4;
 // A bound of the rounding error of a distance to a plane, as a share of the coordinates.
 constexpr float rounding = 4e-6f;
@@ -175,7 +175,7 @@ void Solid::mark(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, std
     }
 }
 
-// Marks the cells that triangles come near to, and looks at one in each run of the others.
+// Marks the cells that triangles come near to, and classifies one cell in each run of the others.
 void Solid::classify() {
   cells_.assign(cell_at({0, 0, count_.z}), Cell::unknown);
   std::vector<std::int32_t> unmarked(static_cast<std::size_t>(count_.y * count_.z), count_.x);
@@ -312,7 +312,7 @@ float Solid::exit_distance(const glm::vec3& from, const glm::vec3& way, float mo
       if (t > last && !inside(0.5f * (last + t))) return last;
       last = t;
     }
-    // A way through a gap that rounding leaves between two triangles has met none.
+    // A ray through a gap that rounding leaves between two triangles has no intersection there.
     if (!inside(end)) {
       float in = at.size() > 1 ? at[at.size() - 2] : begin, out = end;
       in = 0.5f * (in + out);

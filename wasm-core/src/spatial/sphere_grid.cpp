@@ -71,7 +71,8 @@ void SphereGrid::size_cells(float largest) {
   per_edge_ = 1 / edge_;
 }
 
-// Monotone, so that a range of coordinates covers the cells of all that lies within. NaN is nowhere in particular.
+// The cell of a coordinate: monotone, so that a range of coordinates covers the cells of all points within. Any cell
+// for NaN.
 std::int32_t SphereGrid::cell_of(double coordinate) const {
   const double place = coordinate * per_edge_;
   if (!(place > -farthest_cell)) return -farthest_cell;
@@ -123,7 +124,7 @@ void SphereGrid::append(const Key& key, std::uint32_t id) {
   lists_[cell->first + cell->count++] = id;
 }
 
-// Enters a sphere in every cell from where a probe of up to largest_ could touch it.
+// Adds a sphere to every cell from where a probe of up to largest_ could touch it.
 void SphereGrid::enlist(std::uint32_t id) {
   const glm::dvec3 centre(spheres_[id].centre);
   const double reach = (double{spheres_[id].radius} + largest_) * margin;

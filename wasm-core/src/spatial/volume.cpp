@@ -22,7 +22,7 @@ double root(double a, double b, double c) {
   return a > 0 ? (std::sqrt(square) - b) / a : forever;
 }
 
-// Where a coordinate comes to the wall at −1 or 1.
+// The distance from a coordinate to the wall at −1 or 1.
 double wall(double at, double way) {
   if (way > 0) return std::max((1 - at) / way, 0.0);
   return way < 0 ? std::max((-1 - at) / way, 0.0) : forever;
@@ -102,7 +102,7 @@ float Volume::reach(const glm::vec3& from, const glm::vec3& way, float most) con
   const float margin = margin_ + rounding * glm::length(p);
   const float end = exit_distance(p, w, most + margin);
   float far = end < most + margin ? std::min(end - margin, most) : most;
-  // Along a wall, or in a cleft of a mesh, less may be needed.
+  // Along a wall, or in a cleft of a mesh, a larger margin is needed.
   for (float back = margin; far > 0 && !contains(from + far * way); back *= 2) far -= back;
   return std::max(far, 0.0f);
 }

@@ -14,12 +14,12 @@ namespace panicle {
 namespace {
 
 constexpr std::uint64_t stream_ridge = 0xf007;
-// Lengths in radii of the trunk: that it rises straight from the ground, that it widens over.
+// In radii of the trunk: the length of its vertical piece, and the height of the flare.
 constexpr float upright = 0.5f, widens = 2.2f;
 // A tube in the open begins wider by this share, up to so many radii.
 constexpr float bell = 0.2f, bell_reach = 2.25f;
 constexpr std::uint32_t around = 36, rings = 12;
-// Between ridges a trunk is wider by this share of the flare; a skirt begins so far within the trunk.
+// Between ridges a trunk is wider by `hollow` of the flare; the surface begins so far within the trunk.
 constexpr float hollow = 0.3f, within = 0.14f;
 constexpr std::uint32_t ridges = 6;
 constexpr float ridge_width = 0.62f;  // of the way from ridge to ridge
@@ -35,7 +35,7 @@ class Ridges {
     }
   }
 
-  // 0 … 1 at a share of a whole turn.
+  // The height of the ridges, 0 … 1, at a share of a whole turn.
   float at(float turn) const {
     float height = 0;
     for (std::uint32_t k = 0; k < ridges; ++k) {
@@ -55,7 +55,7 @@ struct FlareShape {
   float radius, flare;
   Ridges ridges;
 
-  // `turn` and `up` as shares, 0 … 1.
+  // A point of the surface; `turn` and `up` as shares, 0 … 1.
   glm::vec3 at(float turn, float up) const {
     const float low = (1 - up) * (1 - up) * (1 - up), height = up * widens;
     const float widened = flare * low * (hollow * low + (1 - hollow) * ridges.at(turn));
@@ -91,7 +91,7 @@ void add_flare_surface(StemMesh& stems, const FlareShape& shape) {
   constexpr float step = 0.5f / around;
   std::uint32_t first = 0;
   for (std::uint32_t ring = 0; ring <= rings; ++ring) {
-    // Closer towards the ground.
+    // Rings are denser towards the ground.
     const float share = static_cast<float>(ring) / rings, up = share * share;
     for (std::uint32_t k = 0; k <= around; ++k) {
       const float turn = static_cast<float>(k % around) / around;
@@ -117,7 +117,7 @@ void add_flare_surface(StemMesh& stems, const FlareShape& shape) {
   for (std::uint32_t k = 0; k < around; ++k) writer.triangle(middle, middle + 1 + k, middle + 2 + k);
 }
 
-// How far a trunk rises straight from the ground.
+// The height of a trunk's vertical piece.
 float rise_of(const Segment& base) { return std::min(upright * base.radius, 0.4f * (base.end.y - base.start.y)); }
 
 }  // namespace
@@ -158,7 +158,7 @@ glm::vec3 TrunkLine::at(float height) const {
   const float y = ground.y + height;
   glm::vec3 from = ground + glm::vec3(0, rise_of(segments[base]), 0), to = from;
   if (y <= from.y) return {ground.x, y, ground.z};
-  // Parents stand first.
+  // Parents precede their children.
   std::size_t last = base;
   for (std::size_t i = base; i < segments.size(); ++i) {
     if (i != base && (axes[i] != axes[base] || segments[i].parent != static_cast<std::int32_t>(last))) continue;

@@ -38,7 +38,8 @@ class Finder {
   }
 
  private:
-  // Floats of the largest coordinate are 2^−24 of it apart; a thousand steps make a ring that is round.
+  // Sets the finest useful length: floats of the largest coordinate are 2^−24 of it apart; a thousand such steps make a
+  // ring that is round.
   void measure() {
     float extent = 0;
     usable_.resize(segments_.size());
@@ -62,7 +63,7 @@ class Finder {
     return glm::dot(gap, gap) <= allowed * allowed ? parent : none;
   }
 
-  // Parents, and a direction for every segment; one without length takes its parent's.
+  // Finds parents, and a direction for every segment; one without length takes its parent's.
   void relate() {
     parents_.resize(segments_.size());
     directions_.resize(segments_.size());

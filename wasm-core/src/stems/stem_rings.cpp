@@ -28,7 +28,7 @@ struct Curve {
   glm::vec3 slope(float t) const { return linear + (square * 2.0f + cube * (3 * t)) * t; }
 };
 
-// Any vector well off `v`.
+// A coordinate axis well off `v`.
 glm::vec3 world_axis_across(const glm::vec3& v) { return std::fabs(v.y) < 0.8f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0); }
 
 // The part of `v` at right angles to the unit vector `tangent`, as a unit vector; any such if `v` has none.
@@ -90,7 +90,7 @@ Ring cap_ring(const Ring& rim, float degrees, float height) {
   return ring;
 }
 
-// Over the surface.
+// The distance of two rings along the surface.
 float distance_between(const Ring& a, const Ring& b) {
   const glm::vec3 run = b.centre - a.centre;
   const float rise = b.radius - a.radius;
@@ -113,12 +113,12 @@ StemEnd TubeMaker::end_of(const StemAxis& axis) const {
   return stems_.end_of(static_cast<std::size_t>(axes_.nodes[axis.first + axis.count - 1].segment));
 }
 
-// Where the rings of its rounded ends stand.
+// The angles of the rings of its rounded ends.
 std::span<const float> TubeMaker::cap_of(const StemAxis& axis) const {
   return is_thin(axis) ? std::span<const float>(thin_cap_degrees) : std::span<const float>(cap_degrees);
 }
 
-// Steps from node i − 1 of the axis to node i.
+// The number of steps from node i − 1 of the axis to node i.
 std::uint32_t TubeMaker::steps_to(const StemAxis& axis, std::uint32_t i) const {
   const Node& a = axes_.nodes[axis.first + i - 1];
   const Node& b = axes_.nodes[axis.first + i];
@@ -141,7 +141,7 @@ std::uint32_t TubeMaker::count_rings(const StemAxis& axis) const {
   return rings;
 }
 
-// The rings between the two ends. A branch begins with its right in the plane of branch and parent.
+// Makes the rings between the two ends. A branch begins with its right in the plane of branch and parent.
 void TubeMaker::sweep(const StemAxis& axis, Ring* rings) const {
   const std::span<const Node> nodes(&axes_.nodes[axis.first], axis.count);
   Thickness thickness(nodes, axis.origin, end_of(axis), stems_.jointed, stems_.tapering);
@@ -201,7 +201,7 @@ void TubeMaker::make(const StemAxis& axis, Tube& tube) const {
   tube.first_pole = first.centre - first.tangent * first_height;
   tube.last_pole = last.centre + last.tangent * last_height;
 
-  // One unit of v to one circumference, as it would be without swellings.
+  // One unit of v to one circumference, without swellings.
   const float per_circumference = 1 / (2 * pi * axes_.nodes[axis.first].radius);
   rings[0].v = 0;
   for (std::size_t i = 1; i < rings.size(); ++i) {

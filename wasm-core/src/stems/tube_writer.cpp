@@ -31,7 +31,7 @@ FourVectors unit(const FourVectors& v) {
   return {v.x * per_length, v.y * per_length, v.z * per_length};
 }
 
-// The part at right angles to a unit vector.
+// The part of `v` at right angles to a unit vector.
 FourVectors reject(const FourVectors& v, const glm::vec3& direction) {
   const Four part = v.x * direction.x + v.y * direction.y + v.z * direction.z;
   return {v.x - part * direction.x, v.y - part * direction.y, v.z - part * direction.z};
@@ -140,7 +140,7 @@ void TubeWriter::write_ellipse(float* out, const glm::vec3& centre, const glm::v
   close_ring(out, pattern_->sides);
 }
 
-// At right angles to the two directions within the surface, round the ring and along the axis.
+// Normals are at right angles to the two directions within the surface, around the ring and along the axis.
 void TubeWriter::write_normals(const Tube& tube, const Ring& ring, float* out) const {
   const float* cosine = pattern_->cosine.data();
   const float* sine = pattern_->sine.data();
@@ -150,7 +150,7 @@ void TubeWriter::write_normals(const Tube& tube, const Ring& ring, float* out) c
     const FourVectors along = sum(ring.tangent, ring.right_change, c, ring.forward_change, s);
     FourVectors normal = cross(around, along);
     if (ring.blend > 0) {
-      // The parent's normal, shorter within it: nothing on its axis, where it has none.
+      // The parent's normal, shorter within it: zero on its axis, where there is none.
       const FourVectors from_point = sum(ring.centre - tube.parent_point, ring.right, c, ring.forward, s);
       const FourVectors away = reject(from_point, tube.parent_direction);
       normal = mix(normal, (1 - ring.blend) / ring.radius, away, ring.blend / tube.parent_radius);

@@ -22,7 +22,7 @@ glm::vec3 way_of(const Segment& segment) {
   return length > 0 ? way / length : glm::vec3(0, 1, 0);
 }
 
-// The part of `v` at right angles to a unit vector, or anything that is.
+// The part of `v` at right angles to a unit vector, or any perpendicular.
 glm::vec3 reject(const glm::vec3& v, const glm::vec3& tangent) {
   const glm::vec3 part = v - glm::dot(v, tangent) * tangent;
   if (glm::dot(part, part) > 1e-4f) return glm::normalize(part);
@@ -66,7 +66,7 @@ struct End {
 }  // namespace
 
 void add_twigs(StemMesh& stem, std::span<const Segment> segments, std::span<const std::int32_t> axes, float fine) {
-  // By segment the one that carries it on.
+  // For each segment, the one that continues its axis.
   std::vector<std::int32_t> onward(segments.size(), none);
   for (std::size_t i = 0; i < segments.size(); ++i)
     if (const std::int32_t parent = segments[i].parent;

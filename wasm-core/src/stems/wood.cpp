@@ -48,7 +48,7 @@ void repair_normals(Mesh& mesh) {
   }
 }
 
-// Those that are swept: without twigs, with the pieces that feet begin with. Of each the whole plant's number, and the
+// The swept segments: without twigs, and with the pieces of trunk bases; for each the index in the whole plant, and the
 // axis.
 struct Branches {
   std::vector<Segment> segments;

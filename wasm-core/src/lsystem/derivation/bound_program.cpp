@@ -17,7 +17,7 @@ constexpr std::uint32_t most_depth = 256;
 
 bool is_finite(float value) { return value - value == 0; }
 
-// Inputs by name. Of several with one name the first counts.
+// Finds inputs by name. Of several with one name the first counts.
 template <class Given>
 class Index {
  public:
@@ -61,7 +61,7 @@ class Binder {
       if (program_.settings[i].given && !setting(program_.settings[i], bound_->settings[i])) return trouble_;
     for (std::size_t i = 0; i < program_.depths.size(); ++i)
       if (program_.depths[i].given && !depth(program_.depths[i], bound_->depths[i])) return trouble_;
-    work_out();
+    compute_registers();
     if (!fill_in()) return trouble_;
     return std::shared_ptr<const BoundProgram>(std::move(bound_));
   }
@@ -106,14 +106,14 @@ class Binder {
       return fail(Reason::bad_input, declaration.place, "The input '%' has no value; give it one with the request.",
                   {declaration.name});
     } else {
-      if (!work_out(declaration.name, declaration.values[0], value)) return false;
+      if (!compute_value(declaration.name, declaration.values[0], value)) return false;
       set(declaration.to, value_at(declaration.values[0].source));
     }
     bound_->definitions.push_back({declaration.name, declaration.kind, {value}});
     return true;
   }
 
-  bool work_out(std::string_view name, const Value& of, float& value) {
+  bool compute_value(std::string_view name, const Value& of, float& value) {
     if (!execute(of.code.begin, of.code.end, trouble_)) return false;
     value = static_cast<float>(value_at(of.source));
     return is_finite(value) || fail(Reason::evaluation, of.place, "'%' comes to %; it must be a finite number.",
@@ -122,14 +122,14 @@ class Binder {
 
   bool setting(const Value& of, std::optional<float>& value) {
     float worked_out = 0;
-    if (!work_out("This line", of, worked_out)) return false;
+    if (!compute_value("This line", of, worked_out)) return false;
     value = worked_out;
     return true;
   }
 
   bool depth(const Value& of, std::uint32_t& depth) {
     float value = 0;
-    if (!work_out("The depth", of, value)) return false;
+    if (!compute_value("The depth", of, value)) return false;
     if (!(value >= 1 && value <= most_depth && std::floor(value) == value))
       return fail(Reason::evaluation, of.place, "The maximum depth comes to %; it must be a whole number from 1 to %.",
                   {number_text(value), std::to_string(most_depth)});
@@ -142,7 +142,7 @@ class Binder {
     if (given == nullptr && !declaration.values.empty()) {
       std::vector<float>& values = bound_->lists[declaration.to];
       for (const Value& of : declaration.values)
-        if (!work_out(declaration.name, of, values.emplace_back())) return false;
+        if (!compute_value(declaration.name, of, values.emplace_back())) return false;
       bound_->definitions.push_back({declaration.name, declaration.kind, values});
       return true;
     }
@@ -171,14 +171,14 @@ class Binder {
     return true;
   }
 
-  // Results that went wrong, or follow from one that did, stay 0, which the turtle takes: the productions that need
-  // them will find out, if they are ever applied.
-  void work_out() {
+  // Computes the registers that depend on inputs. Results of errors, and of operands with errors, stay 0, which the
+  // turtle takes: productions that need them report the error when they are applied.
+  void compute_registers() {
     std::vector<std::uint8_t> wrong(bound_->registers.size(), 0);
-    Diagnostic unheard;
+    Diagnostic ignored_error;
     for (std::uint32_t at = program_.once_bound.begin; at < program_.once_bound.end; ++at) {
       const Instruction& step = program_.code.instructions[at];
-      wrong[step.out] = wrong[step.a] || wrong[step.b] || !execute(at, at + 1, unheard);
+      wrong[step.out] = wrong[step.a] || wrong[step.b] || !execute(at, at + 1, ignored_error);
     }
   }
 

@@ -32,8 +32,7 @@ Derivation::Derivation(const BoundProgram& bound, std::uint64_t seed, const Limi
   if (options_.watcher != nullptr) options_.watcher->begins(now_.string);
 }
 
-// Room in `next_` for a run and a successor. Inline, as all that the innermost loop consists of: else it takes a tenth
-// longer.
+// Reserves room in `next_` for a run and a successor. Inline, as the innermost loop: else it takes a tenth longer.
 inline bool Derivation::make_room(std::uint64_t run, const Template& successor) {
   const std::uint64_t words = next_.string.used + run + successor.words;
   const std::uint64_t active = next_.active_count + successor.active.size();
@@ -186,7 +185,7 @@ inline bool Derivation::rewrite_module(std::uint64_t at) {
   return append(production->successor, origin, symbol_of(header), production);
 }
 
-// One step from `now_` to `next_`, which then change places.
+// Takes one step from `now_` to `next_`, and swaps them.
 bool Derivation::rewrite() {
   if (chance_ == Chance::each_step) machine_.decide_at(steps_);
   if (program_.in_context && !(machine_.spend(now_.string.used / 32) && neighbourhood_.begin(now_.string)))
@@ -258,7 +257,7 @@ void Derivation::make_ready() {
 
 namespace {
 
-// Takes steps until there are so many or it is at rest.
+// Takes steps up to `steps`, or until nothing is rewritten any more.
 void derive(Derivation& derivation, std::uint32_t steps, const DerivationOptions& options, Derived& derived) {
   while (derivation.steps() < steps && (!derivation.at_rest() || options.environment != nullptr)) {
     if (options.environment != nullptr && !derivation.query_environment(options.start, *options.environment)) break;

@@ -58,8 +58,8 @@ bool Machine::waits_for_chance(std::uint32_t header) const {
   });
 }
 
-// The first production that matches decides: one without a weight applies, one with a weight competes with all others
-// that match and have one.
+// Chooses by order and weight: if the first production that matches has no weight, it is applied; else one is drawn
+// from it and all later ones that match and have a weight.
 const Production* Machine::draw_production(const Rules& rules, std::uint32_t count, std::uint64_t address) {
   const Range range = rules.productions;
   if (weights_.size() < range.size()) weights_.resize(range.size());
@@ -90,7 +90,7 @@ const Production* Machine::draw_production(const Rules& rules, std::uint32_t cou
     chance_[1] = weight;
     left -= weight;
   }
-  // Neighbours' parameters are where those of the production that was tried last have been put.
+  // Reloads the neighbours' parameters, which were overwritten by the production that was tried last.
   if (drawn != nullptr && drawn != tried && drawn->in_context) sees(*drawn);
   return failed() ? nullptr : drawn;
 }

@@ -107,8 +107,8 @@ bool Neighbourhood::fits_left(Range wanted, Registers registers) const {
   return true;
 }
 
-// Follows neighbours along one axis from `at` on: where that ends, or null where it cannot be followed. A branch that
-// is wanted has to begin as the one in the text does; branches that are not are passed over.
+// Matches neighbours along one axis from `at` on: returns the place behind them, or null where they do not match. A
+// branch of the context has to begin as in the text; other branches are skipped.
 const std::uint32_t* Neighbourhood::follow(std::uint32_t begin, std::uint32_t end, const std::uint32_t* at,
                                            Registers registers, std::uint64_t& looked) const {
   for (std::uint32_t i = begin; i < end; ++i) {
@@ -135,8 +135,8 @@ const std::uint32_t* Neighbourhood::follow(std::uint32_t begin, std::uint32_t en
   return at;
 }
 
-// The next module of the axis that is seen, or, `into_branches`, the bracket of a branch before it; null where the axis
-// ends.
+// Returns the next visible module of the axis, or, with `into_branches`, the bracket of a branch before it; null where
+// the axis ends.
 const std::uint32_t* Neighbourhood::next_seen(const std::uint32_t* at, bool into_branches,
                                               std::uint64_t& looked) const {
   for (const std::uint32_t* const end = string_->end(); at < end; at += words_of(*at), ++looked) {

@@ -3,7 +3,7 @@
 namespace panicle::lsystem {
 namespace {
 
-// Whether the turtle is elsewhere after it, or comes elsewhere later.
+// Whether an action changes the turtle's position, or its later positions.
 bool leads_on(Action action) {
   switch (action) {
     case Action::width:
@@ -43,7 +43,8 @@ bool SkippableSymbols::means(std::uint32_t symbol, bool (*what)(Action)) const {
   return meaning != no_meaning && what(turtle_symbols[meaning].action);
 }
 
-// As leaves do: whether all ways are in branches, and there is no polygon, which could be left open in one.
+// Whether the image of a module leaves the turtle where it was, as leaves do: all moves are in branches, and there is
+// no polygon, which could be left open in one.
 bool SkippableSymbols::comes_back(const Template& image) const {
   std::uint32_t open = 0;
   const std::uint32_t* at = program_.words.data() + image.first;

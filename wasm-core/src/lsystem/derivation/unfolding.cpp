@@ -1,4 +1,4 @@
-// Derivation depth first: a stack of successors still to be looked at, and the string that is done behind them.
+// Depth-first derivation: a stack of successors to be processed, and the finished string.
 
 #include <algorithm>
 #include <optional>
@@ -37,7 +37,7 @@ class Unfolding {
   }
 
  private:
-  // A successor on the stack: words of `pending_`, looked at up to `at`.
+  // A successor on the stack: words of `pending_`, processed up to `at`.
   struct Successor {
     std::uint64_t begin, at, end;
     std::uint32_t generation;
@@ -65,7 +65,7 @@ class Unfolding {
     return !machine_.failed() && keep(module);
   }
 
-  // Communication modules wait for their answer, in interpretation.
+  // Communication modules are not rewritten: their responses come during interpretation.
   bool rewritable(std::uint32_t header) const {
     return symbol_of(header) != query_symbol && program_.rules[symbol_of(header)].productions.size() > 0;
   }

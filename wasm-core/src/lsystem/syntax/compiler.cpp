@@ -174,7 +174,7 @@ class Compiler {
     return successor(grammar_.axiom, false, {}, program_->axiom);
   }
 
-  // Productions stand by purpose and predecessor, each symbol's in the order of the text.
+  // Compiles the productions, sorted by purpose and predecessor, those of each symbol in the order of the text.
   bool productions() {
     make_places();
     for (const ProductionTree& tree : grammar_.productions) {
@@ -253,7 +253,7 @@ class Compiler {
     return true;
   }
 
-  // The block before a condition is worked out with it, and makes it hold where there is none.
+  // The block before a condition is computed together with it; without a condition the block always matches.
   bool condition(const ProductionTree& tree, Value& condition) {
     if (tree.before.empty()) return value_if_given(tree.condition, condition);
     lowering_.begin_code();
@@ -350,7 +350,8 @@ class Compiler {
       found->source = source;
   }
 
-  // cpfg's lines may have arguments of their own behind the length.
+  // Whether the turtle ignores arguments behind the first: cpfg's lines may have arguments of their own behind the
+  // length.
   bool passes_over(Action action) const {
     return grammar_.notation == Notation::cpfg && (action == Action::line || action == Action::move ||
                                                    action == Action::line_apart || action == Action::move_apart);
@@ -426,7 +427,7 @@ class Compiler {
     return true;
   }
 
-  // An answer is drawn in place unless it is rewritten in the next of a given number of steps.
+  // Whether a module of a response is allowed: it must be drawable in place, or rewritten in a later step.
   bool drawable(const ModuleTree& tree, std::uint32_t symbol) {
     if (symbols_.is_turtles(symbol) && symbol != query_symbol) return true;
     Diagnostic& trouble = program_->not_drawable;
@@ -435,7 +436,7 @@ class Compiler {
                          "What answers ?E is drawn at once, so only the turtle's symbols can stand here, not '%'; with "
                          "a derivation length answers can be rewritten in the next step instead.",
                          {tree.name});
-    // Under cpfg answers are always given between steps.
+    // In cpfg's notation responses always come between steps.
     const bool between = grammar_.steps.given() || grammar_.notation == Notation::cpfg;
     if (!between) trouble_ = trouble;
     return between;

@@ -49,7 +49,7 @@ class GrammarParser : public ProductionReader {
 
   bool is_axiom(std::size_t at) const { return tokens_[at].is_keyword("axiom") && follows(at, ':'); }
 
-  // Whether the words stand at `at`, and a colon behind them.
+  // Whether the words are at `at`, followed by a colon.
   bool is_line(std::size_t at, std::span<const std::string_view> words) const {
     for (const std::string_view word : words) {
       if (word.empty()) break;
@@ -91,8 +91,8 @@ class GrammarParser : public ProductionReader {
     return (tokens_[at].is_keyword("lsystem") && follows(at, ':')) || (tokens_[at].is_keyword("endlsystem") && is_alone(at));
   }
 
-  // A line begins a statement when it begins with `#` and a directive, with the words of another statement, or
-  // holds an arrow; any other goes on with the one before.
+  // A line begins a statement when it begins with `#` and a directive, with the words of another statement, or contains
+  // an arrow; any other continues the one before.
   bool begins_statement(std::size_t at) {
     return is_directive(at) || is_axiom(at) || is_length(at) || is_depth(at) || is_sight(at) || is_section(at) ||
            is_system(at) || setting_line(at) != nullptr || is_foreign_line(at) || is_unknown_line(at) ||
@@ -110,7 +110,7 @@ class GrammarParser : public ProductionReader {
            (touching(tokens_[at], next) || std::find(std::begin(words), std::end(words), next.text) != std::end(words));
   }
 
-  // `seed: 1` and the like. They would otherwise go on with the statement before them.
+  // Lines of other programs such as `seed: 1`. They would otherwise continue the statement before them.
   bool is_foreign_line(std::size_t at) const {
     const std::size_t end = end_of_line(at);
     if (tokens_[at].kind != TokenKind::name || foreign_statement(tokens_[at].text).empty()) return false;
@@ -120,8 +120,8 @@ class GrammarParser : public ProductionReader {
     return arrow_of_line(at) == end && (at + 1 == end || has_value || followed);
   }
 
-  // Words and a colon that touches them, none of which is a symbol: `iterations: 3` would otherwise go on with the
-  // statement before it as modules and their weight.
+  // Words with an adjacent colon, none of which is a symbol: `iterations: 3` would otherwise continue the statement
+  // before it as modules and their weight.
   bool is_unknown_line(std::size_t at) {
     if (!is_label_of_line(at)) return false;
     for (; tokens_[at].kind == TokenKind::name; ++at)
@@ -137,7 +137,7 @@ class GrammarParser : public ProductionReader {
            arrow_of_line(at) == end;
   }
 
-  // Whether a name is the turtle's or stands among modules somewhere in the text, such lines apart.
+  // Whether a name is the turtle's or occurs among modules somewhere in the text, not counting such lines.
   bool is_symbol(std::string_view name) {
     if (!strung_known_) find_symbols();
     return is_turtles(name) || string_symbols_.find(name) != Names::none;
@@ -149,7 +149,7 @@ class GrammarParser : public ProductionReader {
       if (!tokens_[at].is('#') && (is_axiom(at) || !is_label_of_line(at))) find_symbols_of_line(at);
   }
 
-  // Outside of parentheses, of conditions and of weights.
+  // Collects symbols outside of parentheses, conditions and weights.
   void find_symbols_of_line(std::size_t at) {
     std::uint32_t open = 0;
     bool among_modules = true;
@@ -162,14 +162,14 @@ class GrammarParser : public ProductionReader {
     }
   }
 
-  // `n = 5`, which no string of modules goes on with.
+  // An assignment such as `n = 5`, which no string of modules contains.
   bool is_assignment(std::size_t at) const {
     const std::size_t end = end_of_line(at), value = at + 2 + (at + 2 < end && tokens_[at + 2].is('-'));
     return tokens_[at].kind == TokenKind::name && value < end && tokens_[at + 1].is('=') &&
            tokens_[value].kind == TokenKind::number && arrow_of_line(at) == end;
   }
 
-  // Where `->`, `=>`, `:=` or `-.33->` stands in a line without an arrow; `none` where neither does.
+  // The place of `->`, `=>`, `:=` or `-.33->` in a line without an arrow; `none` without one.
   std::size_t foreign_arrow(std::size_t at) const {
     const std::size_t end = end_of_line(at);
     if (arrow_of_line(at) < end) return none;
@@ -181,8 +181,8 @@ class GrammarParser : public ProductionReader {
     return none;
   }
 
-  // A \ at the end of a line joins it with the next. In a string of modules it is a roll as well: there it joins lines
-  // only under cpfg's turtle, and where the next line begins no statement.
+  // Joins lines that end in \. In a string of modules \ is a roll as well: there it joins lines only under cpfg's
+  // turtle, and where the next line begins no statement.
   void join_lines() {
     std::size_t last = 0;
     while (last + 1 < tokens_.size() && !ends_line_in_backslash(last)) ++last;
@@ -358,7 +358,7 @@ class GrammarParser : public ProductionReader {
     return true;
   }
 
-  // Names of #define, #input and #curve differ.
+  // Checks that names of #define, #input and #curve differ.
   bool new_name(const Named& name) {
     const std::uint32_t first = defined_.add(name.name);
     if (first == places_.size()) return places_.push_back(name.place), true;
@@ -374,7 +374,8 @@ class GrammarParser : public ProductionReader {
     definition.place = tokens_[at_].place;
     ++at_;
     if (!new_name({definition.name, definition.place})) return false;
-    // A number in the parentheses is no formal: `f(2)*3` is 6. Nor is a name with nothing behind: `f(x)` is x.
+    // A number in the parentheses is no formal parameter: `f(2)*3` is 6. Nor is a name with nothing behind: `f(x)` is
+    // x.
     if (on_sign('(') && touching(tokens_[at_ - 1], tokens_[at_]) && at_ + 2 < end_ &&
         tokens_[at_ + 1].kind == TokenKind::name &&
         (tokens_[at_ + 2].is(',') || (tokens_[at_ + 2].is(')') && at_ + 3 < end_)))

@@ -56,7 +56,7 @@ class Reader {
 
   bool known(std::string_view symbol) const { return known_.find(symbol) != Names::none; }
 
-  // Which constant a reader takes for the angle of bare turns: one that nothing uses.
+  // Notes an unused constant that a reader would take for the angle of turns without arguments.
   void note_uses() {
     bool used[std::size(angle_names)] = {};
     const auto use = [&](const Expression& expression) {
@@ -129,7 +129,7 @@ class Reader {
            "% without an argument turns by 90°; a line such as angle increment: 25 says another.", {module.name});
   }
 
-  // A symbol that nothing rewrites and the turtle does not know.
+  // Notes a symbol that no production rewrites and the turtle does not know.
   void unknown(const ModuleTree& module) {
     const std::string_view name = module.name, digits = name.substr(1);
     const bool turtles = name[0] == 'F' || name[0] == 'f' || name[0] == 'S';
@@ -145,7 +145,7 @@ class Reader {
            {name});
   }
 
-  // `//` and at least two words that mean nothing.
+  // Whether modules read as a comment: `//` and at least two words without meaning.
   bool reads_as_comment(const std::vector<ModuleTree>& modules, std::size_t at) const {
     if (at + 3 >= modules.size() || modules[at].name != "/" || modules[at + 1].name != "/") return false;
     return std::all_of(modules.begin() + static_cast<std::ptrdiff_t>(at),
@@ -157,7 +157,7 @@ class Reader {
            modules[at + 2].name != "/" && modules[at + 3].name != "/";
   }
 
-  // A line of nothing but words that mean nothing, two of them or a long one.
+  // Whether a line reads as words: nothing but names without meaning, two of them or a long one.
   bool reads_as_words(const std::vector<ModuleTree>& modules, std::size_t at) const {
     constexpr std::size_t least = 4, long_word = 8;
     std::size_t letters = 0, words = 0;

@@ -51,7 +51,7 @@ void SymbolTable::add_rewritten(const ProductionTree& production) {
   derived_[predecessor] |= arity;
 }
 
-// Letters that cpfg does not know are the text's own where it rewrites them.
+// Turtle letters that cpfg lacks become the text's own symbols where it rewrites them.
 void SymbolTable::yield() {
   for (std::uint32_t symbol = 0; symbol < program_.symbols.size(); ++symbol) {
     const TurtleSymbol* const turtle = program_.turtle(symbol);

@@ -58,7 +58,7 @@ void DerivationTrace::begin_step(const String& string) {
   answered_ = false;
 }
 
-// Why productions do not rewrite the window's modules, before anything has.
+// Finds the reasons why productions do not rewrite the window's modules, before the step changes anything.
 void DerivationTrace::find_refusals() {
   if (!is_traced_step() || std::exchange(refused_, true)) return;
   std::optional<std::uint32_t> step;
@@ -99,7 +99,7 @@ void DerivationTrace::applied(const Production& production, const Machine& machi
   if (production.weight.given) entry->chance = machine.chance();
 }
 
-// Where nothing is decomposed, all is written by the production that was applied.
+// Without decomposition the applied production writes all modules.
 void DerivationTrace::rewritten(std::uint64_t modules) {
   const auto count = static_cast<std::uint32_t>(modules);
   for (std::uint32_t i = 0; is_before_traced_step() && i < count; ++i)
@@ -113,7 +113,7 @@ void DerivationTrace::removes(std::uint64_t at, std::uint64_t modules) {
   change(static_cast<std::uint32_t>(modules), 0);
 }
 
-// The window's next module.
+// Adds the window's next module.
 void DerivationTrace::write(std::uint32_t parent, const Production* production) {
   if (written_.size() >= request_.count) return;
   written_.emplace_back().parent = parent;
@@ -214,7 +214,7 @@ void DerivationTrace::finish(std::uint32_t steps, const Diagnostic& stopped, con
   for (std::uint32_t step = this->steps(); step-- > 0;) trail_[step] = ancestor_of(trail_[step + 1], step);
 }
 
-// Of a module of the string after the step that follows `step`.
+// Returns the ancestor in the string of `step` of a module of the next string.
 std::uint32_t DerivationTrace::ancestor_of(std::uint32_t module, std::uint32_t step) const {
   const auto begin = changes_.begin() + static_cast<std::ptrdiff_t>(step == 0 ? 0 : changes_end_[step - 1]);
   const auto end = changes_.begin() + static_cast<std::ptrdiff_t>(changes_end_[step]);

@@ -54,7 +54,7 @@ class Interpreter {
     turtle_.elasticity = setting(GlobalSetting::elasticity).value_or(turtle_.elasticity);
   }
 
-  // `answered` is the string itself where answers are written into it.
+  // `responded` is the string itself where responses are written into it.
   Result<std::uint32_t> run(const String& string, QueryMode query_mode, String* responded = nullptr) {
     query_mode_ = query_mode;
     responded_ = responded;
@@ -327,7 +327,7 @@ class Interpreter {
     polygons_.pop_back();
   }
 
-  // Each kind once.
+  // Reports each kind of note once.
   void note(std::string_view sentence, std::uint32_t kind) {
     if ((noted_ & kind) == 0 && query_mode_ != QueryMode::write_turtle) listener_.note(sentence);
     noted_ |= kind;
@@ -377,7 +377,7 @@ class Interpreter {
     turtle_.size = size;
   }
 
-  // Whether something of this size can be drawn where the turtle is: if not, the walk has failed.
+  // Whether something of this size can be drawn at the turtle; if not, the interpretation fails.
   bool can_draw(float size, const std::uint32_t* module) {
     if (!is_near(size))
       refuse(module, "is larger than 10^9 units; make it smaller, or draw less enlarged.");
@@ -418,7 +418,7 @@ class Interpreter {
                            {std::to_string(limits_.depth)}));
   }
 
-  // True: the answer cut the branch.
+  // Sends a query. True: the response cut the branch.
   bool query(const std::uint32_t* module) {
     if (query_mode_ == QueryMode::skip || query_mode_ == QueryMode::write_turtle) return false;
     const std::uint32_t count = parameters_of(*module);
@@ -443,8 +443,8 @@ class Interpreter {
     return false;
   }
 
-  // Applies the production that matches the answer and draws its successor in place. `answered`: a copy of the module
-  // with the answer in its parameters, followed by a block of unused words.
+  // Applies the production that matches the response and draws its successor in place. `responded`: a copy of the
+  // module with the response in its parameters, followed by a block of unused words.
   bool draw_response(const std::uint32_t* module, const std::uint32_t* responded) {
     const Production* const production = machine_.choose(responded);
     if (production == nullptr) return false;
