@@ -68,7 +68,7 @@ async function benchLoad(browser, address) {
 		["first draw submitted (mark first-bunch)", median(marks).toFixed(0)],
 		["first frame done", median(frames).toFixed(0)],
 	]);
-	return [...asked].map((path) => path || "index.html");
+	return [...requested].map((path) => path || "index.html");
 }
 
 /** Runs in the page: paths requested before the first plant was drawn. */

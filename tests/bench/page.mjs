@@ -110,7 +110,7 @@ async function benchMillion(browser, open) {
 		["the longest of all", AIM, fixed(Math.max(...longest))],
 		[`tasks over ${AIM} ms, in all`, 0, texts.flatMap(({ tasks }) => tasks.filter((t) => t.milliseconds > AIM)).length],
 		["until the page says that it grows", 200, fixed(median(after("growing")))],
-		["until the plant is on the stage", "–", fixed(median(after("laid")))],
+		["until the plant is on the stage", "–", fixed(median(after("shown")))],
 	]);
 	// Where the profiler begins is a task of its own.
 	for (const task of named.slice(0, 4)) console.log(`  ${fixed(task.milliseconds)} ms: ${heaviestIn(task)}`);
@@ -125,7 +125,7 @@ async function benchCancels(page) {
 	const ways = [
 		["by its button", () => page.getByRole("button", { name: "Cancel", exact: true }).click(), "calm"],
 		["by Escape", () => page.keyboard.press("Escape"), "calm"],
-		["by the next character: until that is asked for", () => page.keyboard.press("Space"), "asked"],
+		["by the next character: until that is requested", () => page.keyboard.press("Space"), "requested"],
 	];
 	const rows = [["cancelling four million modules", "aim ms", "ms", "the slowest", "of", "worker ended"]];
 	for (const [name, cancel, answer] of ways) {
@@ -171,13 +171,13 @@ dragging.search = "?v=2&model=grammar&preset=topiary-garden-tree";
 /** Steps of a drag, each timed until it is drawn: without drawing, and with software drawing. */
 async function benchSteps(title, begin, opener) {
 	const ways = [
-		["event → asked of the worker", "asked"],
+		["event → requested from the worker", "requested"],
 		["the core grows", "core"],
 		["to the worker and back", "crossing"],
 		["event → buffers", "buffers"],
-		["three.js's objects are made", "laying"],
-		["event → handed to three.js", "laid"],
-		["event → frame asked of the graphics card", "submitted"],
+		["three.js's objects are made", "showing"],
+		["event → handed to three.js", "shown"],
+		["event → frame submitted to the graphics card", "submitted"],
 		["event → drawn", "drawn"],
 		["MB from the core", "megabytes"],
 		["MB sent to the graphics card", "sent"],

@@ -1,8 +1,8 @@
 /** Notes that a page of the app takes for the benchmark: times of inputs and of their results. */
 
 /**
- * Runs in the page before its own scripts: records events with their times in `window.notes`. `asked` and `ended` are
- * of workers, `grown` has the core's own milliseconds, `regrow` and `laid` are the studio's measures, `sent` is an
+ * Runs in the page before its own scripts: records events with their times in `window.notes`. `requested` and `ended` are
+ * of workers, `grown` has the core's own milliseconds, `regrow` and `shown` are the studio's measures, `sent` is an
  * upload to the GPU and `drew` the last draw call of a frame.
  */
 export function noteAll() {
@@ -33,7 +33,7 @@ export function noteAll() {
 		}
 		postMessage(message, ...rest) {
 			super.postMessage(message, ...rest);
-			if (message.type === "grow") note("asked");
+			if (message.type === "grow") note("requested");
 		}
 		terminate() {
 			super.terminate();
@@ -44,7 +44,7 @@ export function noteAll() {
 		window.addEventListener(kind, ({ timeStamp }) => note("hand", {}, timeStamp), { capture: true });
 	new PerformanceObserver((list) => {
 		for (const { name, startTime, duration } of list.getEntries()) {
-			if (name === "regrow" || name === "laid") note(name, { took: duration }, startTime + duration);
+			if (name === "regrow" || name === "shown") note(name, { took: duration }, startTime + duration);
 		}
 	}).observe({ entryTypes: ["measure"] });
 	// Whether the page shows that it is growing.
@@ -71,8 +71,8 @@ export async function followed(page, act) {
 	await forget(page);
 	await act();
 	const drawn = () => {
-		const laid = window.notes.find(({ what }) => what === "laid" || what === "sent");
-		return laid && window.notes.some(({ what, at }) => what === "drew" && at > laid.at);
+		const shown = window.notes.find(({ what }) => what === "shown" || what === "sent");
+		return shown && window.notes.some(({ what, at }) => what === "drew" && at > shown.at);
 	};
 	await page.waitForFunction(drawn, undefined, { polling: 20, timeout: 10_000 }).catch(() => {});
 	const done = await finished(page);
@@ -90,13 +90,13 @@ const finished = (page) =>
 function timesOf(notes, done) {
 	const first = (kind, after = 0) => notes.find(({ what, at }) => what === kind && at >= after);
 	const hand = first("hand");
-	const asked = hand && first("asked", hand.at);
-	const grown = asked && first("grown", asked.at);
+	const requested = hand && first("requested", hand.at);
+	const grown = requested && first("grown", requested.at);
 	const regrow = grown && first("regrow", grown.at);
 	if (!regrow) return undefined;
-	const laid = first("laid", regrow.at);
+	const shown = first("shown", regrow.at);
 	// Uploads and draws of a frame are adjacent, up to the next event or frame.
-	const begun = notes.findIndex(({ what, at }) => what === "sent" && at > (laid?.at ?? regrow.at));
+	const begun = notes.findIndex(({ what, at }) => what === "sent" && at > (shown?.at ?? regrow.at));
 	const frame = notes.slice(begun < 0 ? notes.length : begun);
 	const end = frame.findIndex(
 		({ what, at }, i) =>
@@ -105,12 +105,12 @@ function timesOf(notes, done) {
 	const sent = frame.slice(0, end < 0 ? undefined : end).filter(({ what }) => what === "sent");
 	const last = frame.slice(0, end < 0 ? undefined : end).findLast(({ what }) => what === "drew");
 	return {
-		asked: asked.at - hand.at,
+		requested: requested.at - hand.at,
 		core: grown.core,
-		crossing: grown.at - asked.at - grown.core,
+		crossing: grown.at - requested.at - grown.core,
 		buffers: regrow.at - hand.at,
-		laying: laid?.took ?? Number.NaN,
-		laid: laid ? laid.at - hand.at : Number.NaN,
+		showing: shown?.took ?? Number.NaN,
+		shown: shown ? shown.at - hand.at : Number.NaN,
 		submitted: last ? last.at - hand.at : Number.NaN,
 		drawn: done - hand.at,
 		megabytes: grown.bytes / 1e6,

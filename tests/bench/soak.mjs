@@ -27,7 +27,7 @@ const SAMPLES = 25;
 const REQUESTS = 100_000;
 
 /**
- * @typedef {object} Service the service as it runs, with what measures it
+ * @typedef {object} Service the running service, with its measurements
  * @property {(request: { path: string }) => Promise<number>} send the status of an answer, which is read to its end
  * @property {(requests: number) => Promise<Sample>} sample
  * @property {() => Promise<void>} close

@@ -19,7 +19,7 @@ export function tasksOf(events) {
 		.sort((a, b) => b.milliseconds - a.milliseconds);
 }
 
-/** "draw 5.1, laid 3.0": the functions that took most of a task, in milliseconds. */
+/** "draw 5.1, show 3.0": the functions that took most of a task, in milliseconds. */
 export function heaviestIn({ from, to, samples }, count = 4) {
 	const spent = new Map();
 	for (const { at, lasted, name } of samples) {

@@ -1,7 +1,7 @@
 /** Every example of the pages for people, in their order: commands, scripts, pages (tests/docs/ reads and runs them). */
 import { pathToFileURL } from "node:url";
 import { prepare } from "../../wasm-core/tools/toolchain.mjs";
-import { EditorContext } from "../docs/desk";
+import { ExampleFolder } from "../docs/example_folder";
 import { examplesOf, pages, partOf, plainly, textOf } from "../docs/examples";
 import { freePort } from "../free_port.mjs";
 import { isLongRun } from "../long_run.mjs";
@@ -26,8 +26,8 @@ for (const name of pages()) {
 	test(`docs/${name}.md: its examples do what it says`, { tag: name === IN_GATE ? [] : "@long" }, async ({ page }) => {
 		// Many programs, one after the other.
 		test.slow();
-		const desk = await EditorContext.at(project, python);
-		const host = await serveUnder("/", pathToFileURL(desk.folder).href);
+		const examples = await ExampleFolder.at(project, python);
+		const host = await serveUnder("/", pathToFileURL(examples.folder).href);
 		await standInForModelViewer(page);
 		try {
 			// The documented port may be in use.
@@ -36,7 +36,8 @@ for (const name of pages()) {
 			for (const example of examplesOf(text)) {
 				if (example.how === "not-run") continue;
 				// Runs all examples, so that all errors of a page are reported at once.
-				await test.step(`line ${example.line}`, () => desk.run(example).catch(({ message }) => problems.push(message)));
+				await test.step(`line ${example.line}`, () =>
+					examples.run(example).catch(({ message }) => problems.push(message)));
 				if (example.language !== "html") continue;
 				await page.goto(new URL(example.title ?? "", host.address).href);
 				// The page as for a screen reader: texts, and names of other elements.
@@ -48,7 +49,7 @@ for (const name of pages()) {
 		} finally {
 			await page.goto("about:blank");
 			await host.close();
-			await desk.clear();
+			await examples.clear();
 		}
 	});
 }

@@ -27,7 +27,7 @@ const INJECTED = `globalThis.CanvasInteraction = class {
 	async close() { globalThis.closed = true; }
 };`;
 
-/** A hand with the centre of its palm at a position in the camera's picture. */
+/** Hand landmarks with the centre of the palm at a position in the camera's picture. */
 function handAt(x: number, y: number, pinching = false) {
 	const points = Array.from({ length: 21 }, () => ({ x, y }));
 	points[0] = { x, y: y + 0.06 };

@@ -24,7 +24,7 @@ const outOfHand = (controls: Locator) =>
 async function expectAllAtHand(page: Page, controls: string): Promise<void> {
 	const all = page.locator(controls);
 	expect(await all.count()).toBeGreaterThan(0);
-	// A view that has just become visible is laid out in the next frame.
+	// A view that has just become visible gets its layout in the next frame.
 	await expect.poll(() => outOfHand(all), controls).toEqual([]);
 }
 

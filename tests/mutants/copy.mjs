@@ -1,6 +1,6 @@
 /**
- * A copy of the checkout, in build/, in which mutants are made: the checkout itself is never touched. It stays from run to
- * run, so that what is built in it is built once.
+ * A copy of the checkout, in build/, in which mutants are applied; the checkout itself is not changed. The copy stays
+ * between runs, so that its builds are incremental.
  */
 import { execFileSync, spawnSync } from "node:child_process";
 import { createHash } from "node:crypto";
@@ -37,7 +37,7 @@ function checkoutFiles() {
 	return [...listed.split("\0"), ...modules].filter((file) => file && existsSync(join(repository, file)));
 }
 
-/** Writes only what differs, so that builds see only what has changed. */
+/** Writes only changed files, so that builds are incremental. */
 function bring(file, folder) {
 	const bytes = readFileSync(join(repository, file));
 	const to = join(folder, file);
@@ -72,7 +72,7 @@ export class Copy {
 		this.folder = folder;
 	}
 
-	/** Makes the copy what the checkout is now; returns a hash of everything in it. */
+	/** Updates the copy to the checkout; returns a hash of all its files. */
 	refresh() {
 		mkdirSync(this.folder, { recursive: true });
 		const files = checkoutFiles();
@@ -98,13 +98,13 @@ export class Copy {
 		if (status !== 0) throw new RefusedError(stderr);
 	}
 
-	/** Writes a file, and what is generated from it. */
+	/** Writes a file and the files generated from it. */
 	#write({ file, text }) {
 		writeFileSync(join(this.folder, file), text);
 		if (GENERATES.test(file)) this.#generate();
 	}
 
-	/** Puts a text in place of a file's, and back what was mutated before. @throws RefusedError */
+	/** Replaces a file's text, and restores the file that was mutated before. @throws RefusedError */
 	mutate(file, text) {
 		if (this.#mutated?.file !== file) {
 			this.restore();

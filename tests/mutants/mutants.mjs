@@ -1,6 +1,6 @@
 /**
- * The list of mutants: faults of one line that somebody might make, each with the suites that ought to notice. What can
- * be said of them without running anything.
+ * The list of mutants: plausible one-line faults, each with the suites that should detect it, and checks that run
+ * nothing.
  */
 import { createHash } from "node:crypto";
 
@@ -8,8 +8,8 @@ import { createHash } from "node:crypto";
  * @typedef {object} Fault
  * @property {string} id unique in the whole list
  * @property {string} find text that stands in the file exactly once
- * @property {string} replace what stands there in its place
- * @property {string} breaks one line: what a person would see of it
+ * @property {string} replace the text in its place
+ * @property {string} breaks one line: the effect that a user would see
  * @property {string[]} [suites] in place of the group's
  * @property {string} [survives] why nothing notices, where that is known
  * @property {boolean} [hangs] whether a suite that does not end counts as one that noticed
@@ -64,7 +64,8 @@ export function applied(text, { find, replace }) {
 }
 
 /**
- * What is wrong with a mutant as it stands in the list.
+ * Problems of a mutant in the list.
+ *
  * @param {Mutant} mutant
  * @param {(path: string) => string | undefined} read the text of a file; of a folder "", undefined where there is none
  * @returns {string[]}
@@ -94,7 +95,8 @@ export function repeatedIds(mutants) {
 }
 
 /**
- * What a result stands for: it holds as long as the fault, its file and the tests that ought to notice are the same.
+ * Key of a result, which is valid as long as the fault, its file and its suites are unchanged.
+ *
  * @param {Mutant} mutant
  * @param {(path: string) => string | undefined} read as above; of a folder, its files' texts
  */
@@ -112,7 +114,8 @@ export function selected(mutants, words) {
 }
 
 /**
- * The part of a list that one of several programs runs: as much of every kind as the others, files kept together.
+ * The part of a list for one of several programs: an equal share of every kind, mutants of a file together.
+ *
  * @param {Mutant[]} mutants
  * @param {number} part from 1
  * @param {number} parts

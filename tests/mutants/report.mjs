@@ -1,18 +1,18 @@
-/** What came of the mutants, as a table by kind and a line for each that calls for somebody. */
+/** Results of the mutants, as a table by kind and a line for each problem. */
 import { KINDS } from "./mutants.mjs";
 
 /**
  * @typedef {object} Result
- * @property {string} key what it stands for (mutants.mjs)
+ * @property {string} key identifies the state that was tested (mutants.mjs)
  * @property {"caught" | "survived" | "invalid" | "slow"} outcome invalid: it does not compile; slow: a suite did not end
  * @property {string} [by] the suite that noticed
- * @property {string} [why] of what is invalid
+ * @property {string} [why] the reason of an invalid one
  * @property {number} seconds
  */
 
 const COLUMNS = ["caught", "survived", "invalid", "slow", "not run"];
 
-/** Share of what has run that must be caught. */
+/** Least share of detected mutants. */
 export const ENOUGH = 0.95;
 
 const outcomeOf = (result) => result?.outcome ?? "not run";
@@ -23,7 +23,7 @@ function row(name, some, results) {
 	return [name, some.length, ...counts, `${Math.round(seconds)} s`];
 }
 
-/** What has to be seen to: each in a line. */
+/** Problems that need action, one line each. */
 export function complaints(mutants, results) {
 	return mutants.flatMap(({ id, file, breaks, survives }) => {
 		const result = results.get(id);

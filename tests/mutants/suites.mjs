@@ -1,4 +1,4 @@
-/** Running suites in a copy: what is built first, what is run, how it ended. */
+/** Builds and runs suites in a copy. */
 import { spawn } from "node:child_process";
 import { join } from "node:path";
 import { transformWithOxc } from "vite";
@@ -12,10 +12,10 @@ const VITE = ["--config", "tests/mutants/vite.config.ts"];
 const VITEST = ["--config", "tests/mutants/vitest.config.ts"];
 
 /**
- * Runs a program with all that it starts, in the long run's extent: a mutant may be caught by a test that the gate leaves out. `late` tells
- * that it was ended because it took too long.
+ * Runs a program and its child processes at the extent of the long run, because some tests that catch a mutant are not
+ * in the gate. `late` reports that it was ended because it took too long.
  */
-function run(folder, command, args, { step_budget = 600_000, env = {} } = {}) {
+function run(folder, command, args, { timeout = 600_000, env = {} } = {}) {
 	return new Promise((resolve) => {
 		const child = spawn(command, args, {
 			cwd: folder,
@@ -28,7 +28,7 @@ function run(folder, command, args, { step_budget = 600_000, env = {} } = {}) {
 		const timer = setTimeout(() => {
 			late = true;
 			process.kill(-child.pid, "SIGKILL");
-		}, step_budget);
+		}, timeout);
 		for (const stream of [child.stdout, child.stderr]) stream.on("data", (piece) => (output += piece));
 		child.on("error", (error) => resolve({ status: 127, output: error.message, late }));
 		child.on("close", (status) => {
@@ -40,7 +40,7 @@ function run(folder, command, args, { step_budget = 600_000, env = {} } = {}) {
 
 const node = (folder, script, args, options) => run(folder, process.execPath, [script, ...args], options);
 
-/** What does not parse is a fault of the list. Shaders and types are not looked at. */
+/** A mutant that does not parse is an error of the list. Shaders and types are not checked. */
 export async function syntaxError(file, text) {
 	if (!/\.(ts|mjs)$/.test(file)) return undefined;
 	try {
@@ -62,27 +62,27 @@ const BUILDS = {
 const escaped = (text) => text.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
 
 const RUNS = {
-	core: async (folder, suites, step_budget) => {
+	core: async (folder, suites, timeout) => {
 		const programs = [...new Set(suites.map(({ path }) => programOf(path)))];
 		for (const program of programs) {
 			const files = suites.filter(({ path }) => programOf(path) === program).map(({ path }) => `*/${path}`);
 			const args = ["--no-colors", "--abort-after=1", `--source-file=${files.join(",")}`];
-			const ended = await run(folder, join(folder, "build/native", program), args, { step_budget });
+			const ended = await run(folder, join(folder, "build/native", program), args, { timeout });
 			if (ended.status !== 0) return ended;
 			if (/test cases: +0 /.test(ended.output)) throw new Error(`${files} holds no test of ${program}.`);
 		}
 		return { status: 0, output: "", late: false };
 	},
-	web: (folder, suites, step_budget) =>
+	web: (folder, suites, timeout) =>
 		node(folder, "node_modules/vitest/vitest.mjs", ["run", ...VITEST, ...suites.map(({ path }) => path)], {
-			step_budget,
+			timeout,
 		}),
-	e2e: async (folder, suites, step_budget) => {
+	e2e: async (folder, suites, timeout) => {
 		const titles = suites.map(({ title }) => title).filter(Boolean);
 		const grep = titles.length === suites.length ? ["--grep", titles.map(escaped).join("|")] : [];
 		const args = ["test", ...new Set(suites.map(({ path }) => path)), ...grep, "--max-failures=1"];
 		const env = { PANICLE_PORT: String(await freePort()), PANICLE_E2E_REPORT: "" };
-		const ended = await node(folder, "node_modules/@playwright/test/cli.js", args, { step_budget, env });
+		const ended = await node(folder, "node_modules/@playwright/test/cli.js", args, { timeout, env });
 		if (/No tests found/.test(ended.output))
 			throw new Error(`No test of ${suites.map(({ path }) => path)} has that title.`);
 		return ended;
@@ -90,7 +90,7 @@ const RUNS = {
 };
 
 /**
- * Builds what suites of one kind need and runs them.
+ * Builds the files that suites of one kind need and runs them.
  * @param {string} folder the copy
  * @param {string[]} texts
  * @param {{ patient?: boolean }} [options] patient: as long as it takes

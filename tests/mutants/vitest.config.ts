@@ -2,8 +2,8 @@ import { mergeConfig } from "vitest/config";
 import base from "../../vitest.config";
 
 /**
- * The checkout's configuration of vitest without what runs before all tests, the build of the core: a copy has its modules from the
- * checkout. One test that fails is enough.
+ * The checkout's Vitest configuration without the global setup, which builds the core: a copy uses the checkout's
+ * modules. It stops at the first failed test.
  */
 const { globalSetup: _, ...test } = base.test ?? {};
 

@@ -1,4 +1,4 @@
-/** Pictures of what vertices say and of what is finer, and what they are drawn from. */
+/** Textures baked from vertex data and finer detail, and their sources. */
 const SRC = "web/src/formats";
 const TESTS = "tests/web/formats";
 const BUNCH = "web/src/models/bunch/parts";

@@ -1,4 +1,4 @@
-/** Browsers besides Chromium: which there are, what has to be built before they look at it. */
+/** Browsers besides Chromium: their list, and the builds that they need. */
 export default [
 	{
 		file: "tests/browsers/browsers.mjs",

@@ -1,4 +1,4 @@
-/** The bunch in the core: the paper's procedure, what both have in common. */
+/** The bunch in the core: the paper's procedure and the parts common to both procedures. */
 const SRC = "wasm-core/src/models/bunch";
 const TESTS = "tests/core/models/bunch";
 

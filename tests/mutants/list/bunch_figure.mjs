@@ -1,4 +1,4 @@
-/** How the view draws a bunch: who shades whom, what is packed for the shaders, what a pointer finds. */
+/** The renderer of bunches: occlusion, data for the shaders, picking. */
 const SRC = "web/src/models/bunch/render";
 const TESTS = "tests/web/models/bunch/render";
 

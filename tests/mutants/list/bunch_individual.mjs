@@ -1,4 +1,4 @@
-/** What makes a natural bunch one of its own: its seed's outline, its wing, its peduncle. */
+/** Individual features of natural bunches: the seed's outline, the wing, the peduncle. */
 const SRC = "wasm-core/src/models/bunch/natural";
 const TESTS = "tests/core/models/bunch/natural";
 

@@ -1,4 +1,4 @@
-/** What is measured of a bunch. */
+/** Measures of a bunch. */
 const SRC = "wasm-core/src/models/bunch/measures";
 const TESTS = "tests/core/models/bunch/measures";
 

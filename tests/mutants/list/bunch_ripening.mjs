@@ -1,4 +1,4 @@
-/** The natural procedure once berries have swollen: what they become, what hangs there, what is drawn. */
+/** The natural procedure after swelling: ripening, hanging and meshes. */
 const SRC = "wasm-core/src/models/bunch/natural";
 const TESTS = "tests/core/models/bunch/natural";
 

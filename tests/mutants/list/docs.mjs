@@ -1,4 +1,4 @@
-/** Pages for people: what they lead to, their links, and how their examples are read. */
+/** User guides: link targets, links to plants, and the parser of examples. */
 const SUITES = ["tests/docs/pages.test.ts"];
 
 export default [

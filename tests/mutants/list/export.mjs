@@ -1,4 +1,4 @@
-/** Files of any plant, and what is read back from them. */
+/** File formats common to all plants, and reading them. */
 const SRC = "web/src/formats";
 const TESTS = "tests/web/formats";
 

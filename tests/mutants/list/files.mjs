@@ -1,4 +1,4 @@
-/** Downloads, and what brings them into the page. */
+/** Downloads, and opening files in the page. */
 export default [
 	{
 		file: "web/src/app/files/plant_to_save.ts",

@@ -1,4 +1,4 @@
-/** Flowers in the core: the language, and what grows from it. */
+/** Flowers in the core: the language and its results. */
 const SRC = "wasm-core/src/models/flower";
 const TESTS = "tests/core/models/flower";
 const DERIVATION = [`${TESTS}/derivation_test.cpp`];

@@ -1,4 +1,4 @@
-/** Flowers in the page: how they are painted, read, written and asked for. */
+/** Flowers in the page: rendering, reading, writing and requests. */
 export default [
 	{
 		file: "web/src/models/flower/flower_plant.ts",

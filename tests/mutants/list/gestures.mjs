@@ -1,4 +1,4 @@
-/** Gestures: what a hand says, and which two numbers it drives. */
+/** Hand gestures: recognition, and the two parameters that they set. */
 export default [
 	{
 		file: "web/src/grammar_editor/gestures/hand.ts",

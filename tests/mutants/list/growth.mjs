@@ -1,4 +1,4 @@
-/** Trees by divisor functions: the language, and what it counts. */
+/** Trees by divisor functions: the language and its counts. */
 const SRC = "wasm-core/src/models/growth";
 const TESTS = "tests/core/models/growth";
 const POPULATION = [`${TESTS}/population_test.cpp`, `${TESTS}/counts_test.cpp`];

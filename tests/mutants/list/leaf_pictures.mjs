@@ -1,4 +1,4 @@
-/** What a leaf is laid with, from the pictures' pixels to view and files. */
+/** Textures of leaves, from their pixels to view and files. */
 const PARTS = "web/src/models/leaf/parts";
 const TESTS = "tests/web/models/leaf";
 

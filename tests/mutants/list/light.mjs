@@ -1,4 +1,4 @@
-/** What only a drawn picture shows: light, shadow, wax. */
+/** Effects that only a drawn picture shows: light, shadow, wax. */
 const LIGHT = "tests/e2e/light.spec.ts";
 const CONTEXTS = "tests/e2e/contexts.spec.ts";
 const FIGURE = "web/src/models/bunch/render";

@@ -1,4 +1,4 @@
-/** What lets a life run, and the command line. */
+/** Animations of growth, and the command line. */
 export default [
 	{
 		file: "web/src/ui/life_player.ts",

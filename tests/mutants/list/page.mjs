@@ -1,4 +1,4 @@
-/** What only the built page shows: end-to-end tests. */
+/** Behaviour that only the built page shows: end-to-end tests. */
 const E2E = "tests/e2e";
 
 export default [

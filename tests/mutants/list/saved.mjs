@@ -1,4 +1,4 @@
-/** What a person saves in the browser. */
+/** Plants saved in the browser. */
 const SRC = "web/src/app/saved";
 const TESTS = "tests/web/app/saved";
 const E2E = "tests/e2e/saved.spec.ts";
@@ -158,7 +158,7 @@ export default [
 	},
 	{
 		file: `${SRC}/own_library.ts`,
-		suites: [`${E2E}: what a full disk`],
+		suites: [`${E2E}: plants that do not fit on a full disk`],
 		faults: [
 			{
 				id: "saved-left-unasked",

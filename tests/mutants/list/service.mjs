@@ -1,4 +1,4 @@
-/** The service under Node: what one client can take. */
+/** The service in Node: limits per client. */
 const NODE = "web/src/service/node";
 
 export default [

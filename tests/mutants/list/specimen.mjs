@@ -1,4 +1,4 @@
-/** Specimens: links, files, history; and what of them is the bunch's. */
+/** Specimens: links, files, history, and those of the bunch. */
 const SRC = "web/src/specimen";
 const TESTS = "tests/web/specimen";
 

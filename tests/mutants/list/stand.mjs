@@ -1,4 +1,4 @@
-/** Stands: the plan, where plants stand, what neighbours leave, and that each is grown by itself. */
+/** Stands: the plan, placements, surroundings, and members that grow alone. */
 const SRC = "wasm-core/src/models/stand";
 const TESTS = "tests/core/models/stand";
 const WEB = "tests/web/models/stand";

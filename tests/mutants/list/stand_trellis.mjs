@@ -1,4 +1,4 @@
-/** What stands and hangs in rows: posts and wires, and what is borne at its bearer's organs. */
+/** Rows of a stand: posts and wires, and plants attached to organs of their parent. */
 const SRC = "wasm-core/src/models/stand";
 const TESTS = "tests/core/models/stand";
 const WEB = "tests/web/models/stand";

@@ -1,4 +1,4 @@
-/** Derivations step by step: what is read of them, what shines, what is met. */
+/** Derivations step by step: parsing, highlights, picking. */
 const SRC = "web/src/grammar_editor";
 const TESTS = "tests/web/grammar_editor";
 

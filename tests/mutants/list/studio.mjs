@@ -1,4 +1,4 @@
-/** The page's state and what moves it. */
+/** The page's state and its changes. */
 const SRC = "web/src/app";
 const TESTS = "tests/web/app";
 

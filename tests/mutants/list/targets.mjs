@@ -1,4 +1,4 @@
-/** Numbers that are asked for, from the search to the page and the command line. */
+/** Targets for measures, from the search to the page and the command line. */
 const SRC = "web/src/targets";
 
 export default [

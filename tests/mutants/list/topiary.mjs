@@ -1,4 +1,4 @@
-/** Growth areas: what is inside, how far a way stays there, what a text is told, what hands do. */
+/** Growth areas: containment, length of a path inside, text queries, and editing. */
 const VOLUME = "tests/core/spatial/volume_test.cpp";
 const AREAS = "tests/core/models/grammar/areas_test.cpp";
 const EDITS = "tests/web/models/grammar/areas/edits.test.ts";

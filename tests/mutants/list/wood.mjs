@@ -1,4 +1,4 @@
-/** Tree and root: what their particles leave behind. */
+/** Tree and root: the trails of their particles. */
 const SRC = "wasm-core/src/models/particles";
 const TESTS = "tests/core/models/particles";
 

@@ -21,7 +21,7 @@ export interface SolidViewEvents {
 }
 
 /** Name of the performance measure of building the scene of a plant: only the last entry is retained (`npm run bench`). */
-const SHOW_MEASURE = "laid";
+const SHOW_MEASURE = "shown";
 /** Pixels of a picture per CSS pixel. */
 const PICTURE_SCALE = 2;
 

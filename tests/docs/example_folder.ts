@@ -23,7 +23,7 @@ const PATIENCE = 240_000;
 /** Both outputs in their order, as a terminal shows them; ends with the first command that fails. */
 const scriptOf = (code: string) => ["-ec", `exec 2>&1\n${code}`];
 
-export class EditorContext {
+export class ExampleFolder {
 	readonly #background: ChildProcess[] = [];
 
 	private constructor(
@@ -33,7 +33,7 @@ export class EditorContext {
 	) {}
 
 	/** @param python has the packages of tests/readers/trimesh.txt */
-	static async at(project: Project, python: string): Promise<EditorContext> {
+	static async at(project: Project, python: string): Promise<ExampleFolder> {
 		const folder = await mkdtemp(join(tmpdir(), "panicle-desk-"));
 		for (const name of await readdir(repository)) {
 			if (!name.startsWith(".")) await symlink(join(repository, name), join(folder, name));
@@ -43,7 +43,7 @@ export class EditorContext {
 		await symlink(join(repository, "dist"), join(folder, "panicle"));
 		await symlink(join(project.folder, "node_modules/panicle"), join(folder, "vendor/panicle"));
 		await symlink(join(repository, "node_modules/three"), join(folder, "vendor/three"));
-		return new EditorContext(folder, project, python);
+		return new ExampleFolder(folder, project, python);
 	}
 
 	/**
