@@ -24,7 +24,7 @@ export const KERNELS = {
 	derive_context: 11,
 	map_build: 12,
 	map_check: 13,
-	map_place: 14,
+	map_embed: 14,
 	map_place: 15,
 	growth_text: 16,
 	growth_population: 17,

@@ -6,7 +6,7 @@ const RUNS = 9;
 const KINDS = [
 	["map_build", "built", 50],
 	["map_check", "checked", 20],
-	["map_place", "laid out", undefined],
+	["map_embed", "embedded", undefined],
 	["map_place", "placed", undefined],
 ];
 const milliseconds = (micro) => (micro / 1000).toFixed(2);
