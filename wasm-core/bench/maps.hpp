@@ -11,7 +11,7 @@ double build_map(std::uint32_t darts);
 
 // Of a map made so before the clock starts. Work: darts; negative where the map is not whole.
 double check_map(std::uint32_t darts);
-double embed_map(std::uint32_t darts);    // its vertices numbered and its volumes put in order
+double embed_map(std::uint32_t darts);  // its vertices numbered and its volumes put in order
 double place_map(std::uint32_t darts);  // places all vertices by shapes, after embed_map
 
 }  // namespace panicle::bench

@@ -117,7 +117,8 @@ TEST_CASE("a request may remove berries by their ids") {
 }
 
 TEST_CASE("meshes and their fingerprint are made only when requested, and leave the skeleton unchanged") {
-  const Answer bare{TestRequest()}, whole(TestRequest("meshes")), printed(TestRequest("measures meshes mesh_fingerprint"));
+  const Answer bare{TestRequest()}, whole(TestRequest("meshes")),
+      printed(TestRequest("measures meshes mesh_fingerprint"));
   CHECK(bare.find("mesh.stems.positions") == nullptr);
   CHECK(bare.word("fingerprint", 0) == whole.word("fingerprint", 0));
   CHECK(bare.word("fingerprint", 1) == whole.word("fingerprint", 1));
@@ -296,8 +297,8 @@ TEST_CASE("random bytes of a request are an error or a plant, without crashes") 
 TEST_CASE("a response has each note once, though the derivation and the drawing reach the same limit") {
   TestRequest request("", "grammar");
   request.writer.add("grammar", std::string_view("#turtle cpfg\nderivation length: 4096\naxiom: A(13)\n"
-                                               "A(n) : n>0 --> A(n-1) A(n-1)\nA(n) : n==0 --> A(0)\n"
-                                               "homomorphism\nmaximum depth: 256\nA(n) --> f A(n) f A(n)\n"));
+                                                 "A(n) : n>0 --> A(n-1) A(n-1)\nA(n) : n==0 --> A(0)\n"
+                                                 "homomorphism\nmaximum depth: 256\nA(n) --> f A(n) f A(n)\n"));
   const Answer answer(request);
   REQUIRE(answer.reason() == Reason::none);
   const std::string notes(answer.column("notes").text());

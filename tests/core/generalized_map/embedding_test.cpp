@@ -130,7 +130,8 @@ TEST_CASE("a volume on each face stands outwards, with the face for its base") {
     CHECK(volume_of(map, placed, v) > 0);
     // Untwisted: each corner of the end above its own of the base, as far as the face allows.
     for (std::uint32_t i = 0; i < 4; ++i)
-      CHECK(glm::dot(placed.at(map.base_corner(v, i)) - base_centre, placed.at(map.end_corner(v, i)) - base_centre) > 0);
+      CHECK(glm::dot(placed.at(map.base_corner(v, i)) - base_centre, placed.at(map.end_corner(v, i)) - base_centre) >
+            0);
   }
 }
 

@@ -236,7 +236,8 @@ TEST_CASE("figure 1.31 a grows as worked out by hand from its productions") {
   CHECK(after(text, 5) == "F i F i F i F i[-F o F i]F i");
 }
 
-TEST_CASE("contexts that do not match are tried in each step, and a text without steps derives until nothing is rewritten") {
+TEST_CASE(
+    "contexts that do not match are tried in each step, and a text without steps derives until nothing is rewritten") {
   const BoundPointer bound = compiled("axiom: b a a a a\nb < a --> b");
   const Derived rest = sound(lsystem::develop(*bound, 1, {}, Limits{}));
   CHECK(text_of(*bound, rest) == "b b b b b");

@@ -55,7 +55,9 @@ bool stands(const Grown& grown, const SourceLocation& place, const std::string& 
   return text_at(grown.text, place).starts_with(symbol_of(module));
 }
 
-bool same(const SourceLocation& one, const SourceLocation& other) { return one.line == other.line && one.column == other.column; }
+bool same(const SourceLocation& one, const SourceLocation& other) {
+  return one.line == other.line && one.column == other.column;
+}
 
 // Children are the modules of the next step that have this parent, and descendants theirs.
 void check_module(const Grown& grown, const DerivationTrace& before, const DerivationTrace& after, std::size_t i) {

@@ -16,7 +16,8 @@ class Drawn : public Listener {
 };
 
 inline lsystem::DerivationTrace traced(const BoundProgram& bound, std::optional<std::uint32_t> steps,
-                                     const lsystem::TraceRequest& request, const lsystem::DerivationOptions& options = {}) {
+                                       const lsystem::TraceRequest& request,
+                                       const lsystem::DerivationOptions& options = {}) {
   return sound(lsystem::trace_derivation(bound, 1, steps, Limits{}, options, request));
 }
 

@@ -62,7 +62,8 @@ inline Diagnostic derive_open(const BoundProgram& bound, Contrary& listener, con
     CHECK(modules == lsystem::length(string));
   }
   Contrary unqueried;
-  if (derivation.trouble().reason == Reason::none) lsystem::interpret_without_queries(bound, derivation.string(), {}, unqueried, 1, limits);
+  if (derivation.trouble().reason == Reason::none)
+    lsystem::interpret_without_queries(bound, derivation.string(), {}, unqueried, 1, limits);
   return derivation.trouble();
 }
 

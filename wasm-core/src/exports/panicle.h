@@ -59,9 +59,9 @@ void panicle_release(void* memory);
  * modulo 2^32. They are valid until the response is released or another plant is grown. */
 uint8_t* panicle_grow(const uint8_t* request, uint32_t bytes);
 
-/* Compiles a grammar (UTF-8) and stores it: the response has `status` and, where that is 0, `program` (uint32), the handle
- * that a request may name in place of its `grammar`. Compiling is most of the cost of a text, and a drag sends the same
- * text a hundred times. */
+/* Compiles a grammar (UTF-8) and stores it: the response has `status` and, where that is 0, `program` (uint32), the
+ * handle that a request may name in place of its `grammar`. Compiling is most of the cost of a text, and a drag sends
+ * the same text a hundred times. */
 uint8_t* panicle_compile(const char* text, uint32_t bytes);
 /* Frees a compiled grammar. */
 void panicle_forget(uint32_t program);

@@ -55,11 +55,11 @@ struct Curve {
 
 struct Code {
   std::vector<Instruction> instructions;
-  std::vector<SourceLocation> places;        // of each instruction
-  std::vector<float> registers;  // initial values: the numbers of the text
-  bool doubles = false;             // whether expressions are worked out in double precision
-  std::vector<double> precise;  // the same in double precision, where `doubles`
-  std::vector<std::string> arrays;  // names
+  std::vector<SourceLocation> places;  // of each instruction
+  std::vector<float> registers;        // initial values: the numbers of the text
+  bool doubles = false;                // whether expressions are worked out in double precision
+  std::vector<double> precise;         // the same in double precision, where `doubles`
+  std::vector<std::string> arrays;     // names
   std::vector<std::uint64_t> streams;
   std::vector<Curve> curves;
 };

@@ -17,7 +17,7 @@ struct FlatLeaf {
   std::span<const float> between;            // one a point: 0 on one of the larger veins … 1 in the midst between them
   std::span<const float> uvs;                // × 2, within 0 … 1
   std::span<const std::uint32_t> triangles;  // × 3, counter-clockwise
-  std::span<const float> petiole = {};  // length and width; empty where the plant has petioles of its own
+  std::span<const float> petiole = {};       // length and width; empty where the plant has petioles of its own
 };
 
 // Validates a leaf. Errors: bad_request.

@@ -46,7 +46,8 @@ inline Four square_root(const Four& v) {
 // e to the power of x ≤ 0, within 2 ulp (the polynomial of Moshier's Cephes); below −87 as at −87.
 inline Four exponential(Four x) {
   constexpr float least = -87, per_doubling = 1.44269504f, doubling = 0.693359375f, rest = 2.12194440e-4f;
-  constexpr float rounder = 12582912;  // 1.5 · 2²³: added to a number, rounds it; the low bits of the sum are the whole number
+  constexpr float rounder =
+      12582912;  // 1.5 · 2²³: added to a number, rounds it; the low bits of the sum are the whole number
   x = x < least ? Four{least, least, least, least} : x;
   const Four shifted = x * per_doubling + rounder, whole = shifted - rounder;
   const Four r = (x - whole * doubling) + whole * rest;

@@ -15,7 +15,7 @@ enum class Fault : std::uint8_t {
   product,     // α0α2, α0α3 or α1α3 is no involution
   foreign,     // a dart's volume is none, or α0, α1, α2 lead out of the volume, or α0, α1 out of the face
   folded,      // α3 joins a volume to itself
-  cells,  // a volume's numbers of vertices, edges, faces or darts do not match its record
+  cells,       // a volume's numbers of vertices, edges, faces or darts do not match its record
   corner,      // a corner's dart is not where it should be
   descent,     // a parent or a child that stands on its face is none
 };

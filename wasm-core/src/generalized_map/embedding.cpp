@@ -95,10 +95,10 @@ void Embedding::place(const Placement& placement, const Shape& shape) {
   glm::vec3 base_centre(0);
   if (placement.parent != none) {
     frame = on_face(frames_[placement.parent], placement.parent_order, placement.parent_face);
-    base_centre = centre(placement.proposes_base
-                      ? std::span<const std::uint32_t>(supports_).subspan(placement.support, placement.support_count)
-                      : base,
-                  base_centres_[placement.parent]);
+    base_centre = centre(placement.proposes_base ? std::span<const std::uint32_t>(supports_).subspan(
+                                                       placement.support, placement.support_count)
+                                                 : base,
+                         base_centres_[placement.parent]);
   }
   base_centres_[placement.volume] = base_centre;
   frame = turned(frame, shape);
@@ -123,7 +123,8 @@ void Embedding::propose_rest(const Placement& placement, const Shape& shape) {
     if (is_proposed(vertex) || cut_of_[vertex] != none) continue;
     const Frame& frame = frames_[placement.volume];
     const glm::vec2 corner = polygons_[placement.order][i];
-    places_[vertex] = base_centres_[placement.volume] + corner.x * shape.length * frame.x + corner.y * shape.width * frame.y;
+    places_[vertex] =
+        base_centres_[placement.volume] + corner.x * shape.length * frame.x + corner.y * shape.width * frame.y;
     proposals_[vertex] = 1;
   }
 }
@@ -181,8 +182,8 @@ std::uint64_t Embedding::bytes() const {
   for (const auto& polygon : polygons_) corners += polygon.capacity();
   return 4 * words + sizeof(glm::vec2) * corners + sizeof(polygons_[0]) * polygons_.capacity() +
          sizeof(glm::vec3) * (places_.capacity() + settled_.capacity() + base_centres_.capacity()) +
-         sizeof(Placement) * placements_.capacity() + sizeof(Ends) * cuts_.capacity() + sizeof(Frame) * frames_.capacity() +
-         is_settled_.capacity();
+         sizeof(Placement) * placements_.capacity() + sizeof(Ends) * cuts_.capacity() +
+         sizeof(Frame) * frames_.capacity() + is_settled_.capacity();
 }
 
 }  // namespace panicle::generalized_map

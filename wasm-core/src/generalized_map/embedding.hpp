@@ -40,8 +40,9 @@ class Embedding {
     std::uint32_t volume, parent, order, parent_order;
     Face parent_face;
     bool proposes_base;
-    std::uint32_t corners;                 // where its base's vertices begin, its end's after them
-    std::uint32_t support, support_count;  // range in `supports_`: for an attached volume, the vertices of its parent's face
+    std::uint32_t corners;  // where its base's vertices begin, its end's after them
+    std::uint32_t support,
+        support_count;  // range in `supports_`: for an attached volume, the vertices of its parent's face
   };
   struct Ends {
     std::uint32_t vertex, from, to;

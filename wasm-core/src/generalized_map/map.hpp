@@ -85,7 +85,7 @@ class Map {
   // `most`: the limit of darts.
   explicit Map(std::uint32_t most = Limits{}.darts) : most_(most) {}
 
-  void clear();  // keeps its memory
+  void clear();                                              // keeps its memory
   void reserve(std::uint32_t darts, std::uint32_t volumes);  // or doubling takes three times the memory for a while
 
   std::uint32_t darts() const { return static_cast<std::uint32_t>(volume_.size()); }
@@ -150,9 +150,9 @@ class Map {
   // F: a prism as if it had grown where the cut is, its end F and its base the cut, C1 at F's first edge. B keeps A's
   // number, faces and place, and the cut for F. Where F is the base, C stands on A's support, and B on C's end.
   //
-  // The cut goes through each edge that leaves F, so volumes that share these edges get a vertex more, and those that share
-  // the divided faces an edge across theirs. Splits with the same `step` (other than `none`) meet in the vertices that
-  // one of them has made: neighbours that are split in one step of a derivation are cut all along one surface.
+  // The cut goes through each edge that leaves F, so volumes that share these edges get a vertex more, and those that
+  // share the divided faces an edge across theirs. Splits with the same `step` (other than `none`) meet in the vertices
+  // that one of them has made: neighbours that are split in one step of a derivation are cut all along one surface.
   SplitResult split(std::uint32_t v, Face face, std::uint32_t rest_label, std::uint32_t part_label,
                     std::uint32_t step = none);
 

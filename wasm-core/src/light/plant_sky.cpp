@@ -73,16 +73,16 @@ std::vector<std::uint8_t> sky_of_stems(Sky& sky, const StemMesh& stems, std::spa
     const std::uint32_t segment = stems.segment[first];
     for (end = first + 1; end < bytes.size() && stems.segment[end] == segment;) ++end;
     const Segment& one = segments[segment];
-    sky.set_receiver({0.5f * (one.start + one.end), 0.5f * glm::length(one.end - one.start), static_cast<std::int32_t>(segment),
-              one.parent});
+    sky.set_receiver({0.5f * (one.start + one.end), 0.5f * glm::length(one.end - one.start),
+                      static_cast<std::int32_t>(segment), one.parent});
     sky.sample(positions.subspan(3 * first, 3 * (end - first)), normals.subspan(3 * first, 3 * (end - first)),
-            std::span(bytes).subspan(first, end - first));
+               std::span(bytes).subspan(first, end - first));
   }
   return bytes;
 }
 
 void sample_part(Sky& sky, const Mesh& mesh, const MeshPart& part, std::int32_t owner, bool sheet,
-              std::span<std::uint8_t> bytes) {
+                 std::span<std::uint8_t> bytes) {
   const std::size_t last = part.first_vertex + part.vertex_count;
   for (std::size_t first = part.first_vertex; first < last; first += vertices_a_receiver) {
     const std::size_t count = std::min<std::size_t>(vertices_a_receiver, last - first);

@@ -35,6 +35,6 @@ std::vector<std::uint8_t> sky_of_stems(Sky& sky, const StemMesh& stems, std::spa
 // Computes the sky of a part's vertices (of a sheet, which is lit from both sides, the better of the two), and writes
 // it to their places in `bytes`, which has one byte a vertex of the mesh.
 void sample_part(Sky& sky, const Mesh& mesh, const MeshPart& part, std::int32_t owner, bool sheet,
-              std::span<std::uint8_t> bytes);
+                 std::span<std::uint8_t> bytes);
 
 }  // namespace panicle

@@ -122,7 +122,8 @@ Sky::Bands Sky::sum(const BodyTable& bodies, const SkyReceiver& receiver, bool l
       Four hidden = where(seen, size * nearness * nearness);
       if (!look) {
         const Four turned =
-            (four(BodyTable::facing_x) * dx + four(BodyTable::facing_y) * dy + four(BodyTable::facing_z) * dz) * nearness;
+            (four(BodyTable::facing_x) * dx + four(BodyTable::facing_y) * dy + four(BodyTable::facing_z) * dz) *
+            nearness;
         hidden *= greater(turned, -turned) + four(BodyTable::round);
       }
       const Four unit = 0.5f * hidden * nearness;
@@ -198,7 +199,7 @@ void Sky::sample(std::span<const float> positions, std::span<const float> normal
       return Four{values[3 * v0 + axis], values[3 * v1 + axis], values[3 * v2 + axis], values[3 * v3 + axis]};
     };
     const Four left = unoccluded({four(positions, 0), four(positions, 1), four(positions, 2)},
-                              {four(normals, 0), four(normals, 1), four(normals, 2)});
+                                 {four(normals, 0), four(normals, 1), four(normals, 2)});
     const Four bytes = 255.0f * greater(left, Four{}) + 0.5f;
     sky[v0] = static_cast<std::uint8_t>(bytes[0]);
     sky[v1] = static_cast<std::uint8_t>(bytes[1]);

@@ -124,7 +124,7 @@ struct Derived {
   std::shared_ptr<const String> string;
   std::uint32_t steps = 0;            // the last step that rewrote anything
   std::uint64_t modules_written = 0;  // sum of the lengths of the strings over all steps
-  Diagnostic stopped;  // of develop_so_far: the error that ended it early
+  Diagnostic stopped;                 // of develop_so_far: the error that ended it early
 };
 
 // The derivation length that the text sets, if any.
@@ -168,7 +168,8 @@ Result<std::uint32_t> interpret(const BoundProgram& bound, const String& string,
 
 // The same, but ?E is neither sent nor drawn: for strings whose queries have their responses between steps
 // (derivation.hpp).
-Result<std::uint32_t> interpret_without_queries(const BoundProgram& bound, const String& string, const Turtle& start, Listener& listener,
-                            std::uint64_t seed, const Limits& limits, const Space* space = nullptr);
+Result<std::uint32_t> interpret_without_queries(const BoundProgram& bound, const String& string, const Turtle& start,
+                                                Listener& listener, std::uint64_t seed, const Limits& limits,
+                                                const Space* space = nullptr);
 
 }  // namespace panicle::lsystem

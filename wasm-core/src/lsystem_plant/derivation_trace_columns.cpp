@@ -72,8 +72,7 @@ std::string cut_short(const lsystem::DerivationTrace& trace) {
 void add_trace_columns(Plant& plant, const lsystem::DerivationTrace& trace) {
   const std::vector<TraceEntry>& modules = trace.modules();
   Columns& columns = plant.columns;
-  columns.add("chronicle.window",
-              Words{trace.step(), trace.first(), static_cast<std::uint32_t>(modules.size())});
+  columns.add("chronicle.window", Words{trace.step(), trace.first(), static_cast<std::uint32_t>(modules.size())});
   columns.add("chronicle.counts", trace.counts());
   columns.add("chronicle.modules", lines_of(modules, &TraceEntry::text));
   columns.add("chronicle.parent", column_of<std::uint32_t>(modules, 1, [](const TraceEntry& entry, std::uint32_t* at) {
@@ -83,11 +82,11 @@ void add_trace_columns(Plant& plant, const lsystem::DerivationTrace& trace) {
   columns.add("chronicle.fires", pairs_of(modules, &TraceEntry::fires), 2);
   columns.add("chronicle.refusals", refusals_of(modules));
   columns.add("chronicle.values", lines_of(modules, &TraceEntry::values));
-  columns.add(
-      "chronicle.chance",
-      column_of<float>(
-          modules, 3, [](const TraceEntry& entry, float* at) { std::copy(entry.chance.begin(), entry.chance.end(), at); }),
-      3);
+  columns.add("chronicle.chance",
+              column_of<float>(
+                  modules, 3,
+                  [](const TraceEntry& entry, float* at) { std::copy(entry.chance.begin(), entry.chance.end(), at); }),
+              3);
   columns.add("chronicle.children", pairs_of(modules, &TraceEntry::children), 2);
   columns.add("chronicle.last", pairs_of(modules, &TraceEntry::last), 2);
   columns.add("chronicle.answers", lines_of(modules, &TraceEntry::response));

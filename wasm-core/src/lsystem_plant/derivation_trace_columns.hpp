@@ -18,8 +18,9 @@
 //   chronicle.chance       float32 x 3: where it was drawn by weight: the sum of all weights, its own, where it fell
 //   chronicle.children     uint32 x 2: first and count of its children in the next step
 //   chronicle.last         uint32 x 2: of its descendants in the last string
-//   chronicle.answers      text, one a line: query and response as `asked 1 0 → 1 3; why`, or for ?P and the like `written 0 1 0`
-//   chronicle.trail        uint32 each step: the ancestor of chronicle_module; where there is such a module
+//   chronicle.answers      text, one a line: query and response as `asked 1 0 → 1 3; why`, or for ?P and the like
+//   `written 0 1 0` chronicle.trail        uint32 each step: the ancestor of chronicle_module; where there is such a
+//   module
 #pragma once
 
 #include <optional>

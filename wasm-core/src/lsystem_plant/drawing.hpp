@@ -20,7 +20,7 @@ struct Ball {
   glm::vec3 centre{0};
   float radius = 0;
   glm::vec3 heading{0, -1, 0};  // of the turtle that drew it, unit
-  std::int32_t segment = -1;  // parent; −1 for none
+  std::int32_t segment = -1;    // parent; −1 for none
   std::uint64_t address = 0;    // of its module in the derivation tree
   std::uint32_t module = 0;     // that, by its place in the string
 };

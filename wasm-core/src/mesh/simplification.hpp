@@ -28,9 +28,9 @@ inline constexpr std::uint32_t most_compared = 100'000;
 
 // Until nothing can go without turning something over. Deterministic: of equal costs the lower number goes first.
 // Of a patch with more triangles than `most`, all vertices within a cell of a grid become one instead, for
-// increasingly large cells (Rossignac and Borrel 1993, "Multi-resolution 3D approximations for rendering complex scenes"): in
-// O(n log n), and triangles may turn over. Fixed vertices stay.
-// `looks`: how many collapses were compared is added to it.
+// increasingly large cells (Rossignac and Borrel 1993, "Multi-resolution 3D approximations for rendering complex
+// scenes"): in O(n log n), and triangles may turn over. Fixed vertices stay. `looks`: how many collapses were compared
+// is added to it.
 std::vector<Collapse> thinning_of(const Patch& patch, std::uint32_t most = most_compared,
                                   std::uint64_t* looks = nullptr);
 

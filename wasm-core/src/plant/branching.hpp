@@ -13,7 +13,7 @@ struct Branching {
   double length = 0, volume = 0, surface = 0;  // of all segments, as truncated cones
   float low = 0, high = 0;                     // heights
   float width_x = 0, width_z = 0;              // of their box
-  float thickest = 0;  // diameter at the start of the thickest segment without a parent
+  float thickest = 0;                          // diameter at the start of the thickest segment without a parent
   std::uint32_t tips = 0, forks = 0;
   // Strahler (1957): tips are 1; where two or more of the highest order meet it is one more. A branch of an order is a
   // run of segments of that order.

@@ -77,7 +77,7 @@ inline void put(const glm::vec3& point, float* at) {
 struct Organ {
   std::uint32_t tag = 0;      // index into Plant::organ_tags
   std::int32_t segment = -1;  // parent segment; −1 for none
-  std::int32_t mesh = -1;  // index into Plant::meshes; −1 for an organ without a mesh
+  std::int32_t mesh = -1;     // index into Plant::meshes; −1 for an organ without a mesh
   glm::vec3 position{0};
   glm::vec4 rotation{0, 0, 0, 1};  // unit quaternion x y z w: from the mesh's frame to where it stands
   float scale = 1;
@@ -95,7 +95,7 @@ struct PlantMesh {
   std::string material;  // its kind: stem, bark, blade, petal, skin …
   Mesh mesh;
   std::vector<MeshRun> runs;  // empty: the mesh is one thing
-  Columns columns;  // additional data of its vertices or runs
+  Columns columns;            // additional data of its vertices or runs
 };
 
 struct Count {
@@ -123,7 +123,7 @@ struct Plant {
   std::vector<PlantMesh> meshes;  // the requested ones
   Columns columns;                // the model's own truth
   std::vector<Count> counts;
-  std::vector<float> measures;  // in the order of the model's table; NaN: does not apply; empty: not requested
+  std::vector<float> measures;     // in the order of the model's table; NaN: does not apply; empty: not requested
   std::vector<std::string> notes;  // remarks on the request, one sentence each
   CutShort cut_short = CutShort::none;
   std::uint64_t fingerprint = 0;       // over segments and organs (docs/fingerprint.md)

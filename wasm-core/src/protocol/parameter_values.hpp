@@ -25,7 +25,8 @@ class Values {
       if (i >= requested.size() || requested[i] != requested[i]) continue;
       float fitting = std::clamp(requested[i], info.min, info.max);
       if (info.whole) fitting = std::floor(fitting + 0.5f);
-      if (fitting != requested[i]) notes.push_back("Parameter " + std::string(info.key) + " was brought into its range.");
+      if (fitting != requested[i])
+        notes.push_back("Parameter " + std::string(info.key) + " was brought into its range.");
       values_[i] = fitting;
     }
   }

@@ -18,7 +18,7 @@ constexpr float most_along = 4096;
 constexpr float most_cells = 400'000;
 constexpr float least_edge = 1e-30f;     // of a cell, where all points coincide
 constexpr float half_diagonal = 0.867f;  // of a cell, in edges
-constexpr float slack = 1e-3f;  // for rounding, in edges
+constexpr float slack = 1e-3f;           // for rounding, in edges
 constexpr std::uint32_t lanes = 4;
 constexpr float piece = 4;       // of a way that is looked at in one go, in edges
 constexpr float beside = 1e-4f;  // of a triangle, that still meets it: the way between two must meet one of them
@@ -268,7 +268,7 @@ int Solid::winding_number(const glm::vec3& p, const std::uint32_t* corners) cons
 
 // Möller & Trumbore 1997, "Fast, minimum storage ray/triangle intersection".
 void Solid::intersections(const glm::vec3& from, const glm::vec3& way, float begin, float end,
-                     std::vector<float>& at) const {
+                          std::vector<float>& at) const {
   const glm::vec3 a = from + begin * way, b = from + end * way;
   const glm::vec3 low = glm::min(a, b) - slack * edge_, high = glm::max(a, b) + slack * edge_;
   for (int k = 0; k < 3; ++k)

@@ -29,13 +29,16 @@ struct Curve {
 };
 
 // A coordinate axis well off `v`.
-glm::vec3 world_axis_across(const glm::vec3& v) { return std::fabs(v.y) < 0.8f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0); }
+glm::vec3 world_axis_across(const glm::vec3& v) {
+  return std::fabs(v.y) < 0.8f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
+}
 
 // The part of `v` at right angles to the unit vector `tangent`, as a unit vector; any such if `v` has none.
 glm::vec3 reject(const glm::vec3& v, const glm::vec3& tangent) {
   const glm::vec3 part = v - tangent * glm::dot(tangent, v);
   const float square = glm::dot(part, part);
-  return square > 1e-6f ? part * (1 / std::sqrt(square)) : glm::normalize(glm::cross(world_axis_across(tangent), tangent));
+  return square > 1e-6f ? part * (1 / std::sqrt(square))
+                        : glm::normalize(glm::cross(world_axis_across(tangent), tangent));
 }
 
 void place(Ring& ring, const glm::vec3& centre, const glm::vec3& tangent, const glm::vec3& right,

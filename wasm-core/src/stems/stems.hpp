@@ -13,7 +13,7 @@ namespace panicle {
 struct StemEnd {
   float body = 1;       // of the whole axis
   float tip = 1;        // where it ends, from two radii before
-  float flare = 0;  // widening below an organ at its tip
+  float flare = 0;      // widening below an organ at its tip
   float height = 0.5f;  // of the rounded end
 };
 

@@ -275,7 +275,8 @@ TEST_CASE("adding an axis leaves the berries' radii where they were") {
   std::vector<float> radii;
   for (const Berry& berry : after.berries) radii.push_back(berry.radius);
   int unchanged = 0;
-  for (const Berry& berry : before.berries) unchanged += std::find(radii.begin(), radii.end(), berry.radius) != radii.end();
+  for (const Berry& berry : before.berries)
+    unchanged += std::find(radii.begin(), radii.end(), berry.radius) != radii.end();
   CHECK(unchanged > 0.8 * double(before.berries.size()));
 }
 

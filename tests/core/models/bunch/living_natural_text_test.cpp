@@ -119,7 +119,8 @@ TEST_CASE("a thorn in Ap is drawn beside the pedicel, and is no pedicel") {
         0.1f * static_cast<float>(plain.counts.berries));
   check_no_gaps(thorny);
   // A thorn on the pedicel itself moves with it.
-  const GrownBunch spiny = grown(edited(4, answered_pedicel_line, "type=1        --> +(theta) &(phi) !(w) F(l) [ +(90) F(9) ] S(b)"));
+  const GrownBunch spiny =
+      grown(edited(4, answered_pedicel_line, "type=1        --> +(theta) &(phi) !(w) F(l) [ +(90) F(9) ] S(b)"));
   CHECK(spiny.counts.pedicels == plain.counts.pedicels);
   CHECK(spiny.internodes.size() == plain.internodes.size() + plain.counts.pedicels);
   check_no_gaps(spiny);

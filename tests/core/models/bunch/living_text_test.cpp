@@ -132,7 +132,9 @@ TEST_CASE("the measured outline uses the text's own rates") {
   set(request, Parameter::re, 1.1f);
   const GrownBunch by_parameter = grown(request, std::string(builtin_grammar(3)));
   REQUIRE(by_text.fingerprint == by_parameter.fingerprint);
-  const auto coverage = [](const GrownBunch& bunch) { return bunch.measures[static_cast<std::size_t>(Measure::coverage)]; };
+  const auto coverage = [](const GrownBunch& bunch) {
+    return bunch.measures[static_cast<std::size_t>(Measure::coverage)];
+  };
   CHECK(coverage(by_text) == coverage(by_parameter));
   CHECK(coverage(by_text) != coverage(grown(request_for(table3[4].profile()), std::string(builtin_grammar(3)))));
 }

@@ -33,9 +33,9 @@ Result<Plant> grow_flower(const FlowerRequest& wanted, CacheSlot* cache) {
     return ColumnView{block, element_of<Value>(), 1, static_cast<std::uint32_t>(values.size()),
                       reinterpret_cast<const std::uint8_t*>(values.data())};
   };
-  const std::vector<ColumnView> blocks{view("model", name),         view("outputs", wanted.outputs),
+  const std::vector<ColumnView> blocks{view("model", name),          view("outputs", wanted.outputs),
                                        view("text", wanted.text),    view("parameters", parameters),
-                                       view("seed", seed),          view("values.names", wanted.names),
+                                       view("seed", seed),           view("values.names", wanted.names),
                                        view("values", wanted.values)};
   Request request(blocks, nullptr, cache);
   return model.grow(request, Limits{});
@@ -188,7 +188,8 @@ TEST_CASE("a request's values replace those of variables, and a note lists unkno
     strangers += (i == 0 ? "u" : " u") + std::to_string(i);
     values.push_back(1);
   }
-  const std::string note = sound(grow_flower({many + text, 1, 1, 1, "measures", strangers, values}, nullptr)).notes.back();
+  const std::string note =
+      sound(grow_flower({many + text, 1, 1, 1, "measures", strangers, values}, nullptr)).notes.back();
   CHECK(note.find("u0, u1, u2") != std::string::npos);
   CHECK(note.find(" and 288 more, so") != std::string::npos);
   CHECK(note.size() < 2000);

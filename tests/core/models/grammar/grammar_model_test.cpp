@@ -172,7 +172,8 @@ TEST_CASE("where a limit cuts the trace short, segments and organs have no modul
   limits.work = 5000;
   for (const bool cut : {false, true}) {
     CAPTURE(cut);
-    const Plant plant = grow({.text = text, .outputs = "chronicle", .limits = cut ? limits : Limits{}, .more = request});
+    const Plant plant =
+        grow({.text = text, .outputs = "chronicle", .limits = cut ? limits : Limits{}, .more = request});
     CHECK(plant.segments.size() == 300);
     const auto traced = column_in<std::uint32_t>(plant.columns, "chronicle.counts");
     CHECK((traced.back() == count_of(plant, "modules")) == !cut);

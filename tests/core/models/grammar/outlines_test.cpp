@@ -52,19 +52,19 @@ TEST_CASE("a surface with an outline's name equals the leaf that the grammar of 
     REQUIRE(surfaces[first_outline_surface + i].name == outline.name);
     GrammarRequest request{.text = text, .parameters = {{"unit", 1000}}, .outputs = "meshes"};
     request.constants = {{"stalk", 0},
-                       {"thick", 0},
-                       {"beta", 0},
-                       {"veins", 0},
-                       {"n", 2.0f * static_cast<float>(outline.rays) + 1},
-                       {"theta", outline.theta},
-                       {"offset", outline.offset},
-                       {"fall", outline.fall},
-                       {"bow", outline.bow},
-                       {"slim", outline.slim},
-                       {"lobe", outline.lobe},
-                       {"turns", outline.turns},
-                       {"round", outline.round},
-                       {"teeth", outline.teeth}};
+                         {"thick", 0},
+                         {"beta", 0},
+                         {"veins", 0},
+                         {"n", 2.0f * static_cast<float>(outline.rays) + 1},
+                         {"theta", outline.theta},
+                         {"offset", outline.offset},
+                         {"fall", outline.fall},
+                         {"bow", outline.bow},
+                         {"slim", outline.slim},
+                         {"lobe", outline.lobe},
+                         {"turns", outline.turns},
+                         {"round", outline.round},
+                         {"teeth", outline.teeth}};
     const Plant grown = grow(request);
     const PlantMesh* blade = mesh_of(grown, "blades");
     REQUIRE(blade != nullptr);

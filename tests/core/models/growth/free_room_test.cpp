@@ -37,7 +37,8 @@ FreeRoom::Found plainly(const FreeRoom::Query& query, const std::vector<glm::vec
     const glm::vec3 place = query.tip + (0.5f + 0.5f * deep) * query.radius * d;
     float nearest = 1e9f;
     for (const glm::vec3& node : nodes)
-      if (glm::distance(node, query.tip) > 1e-4f) nearest = std::min(nearest, glm::distance(node, place) / query.radius);
+      if (glm::distance(node, query.tip) > 1e-4f)
+        nearest = std::min(nearest, glm::distance(node, place) / query.radius);
     if (ahead < 0.3f - 1e-5f) continue;
     const bool taken = nearest < 0.55f || !about.contains(place);
     const float weight = (taken ? 1 - query.regard : 1.0f) * (volume.contains(place) ? 1.0f : 0.05f) *

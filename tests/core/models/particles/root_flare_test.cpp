@@ -1,4 +1,6 @@
 // The root flare: the foot of trunks on the ground, and of roots under their stems.
+#include "stems/root_flare.hpp"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -6,7 +8,6 @@
 #include <glm/geometric.hpp>
 
 #include "models/particles/space_growing.hpp"
-#include "stems/root_flare.hpp"
 
 namespace panicle::particles {
 namespace {

@@ -89,8 +89,12 @@ Result<Plant> request_plant(const Model& model, const Table& table, const SpaceO
   return model.grow(request, options.limits);
 }
 
-inline Result<Plant> request_tree(const SpaceOptions& options) { return request_plant(tree::model, tree::parameter_table, options); }
-inline Result<Plant> request_root(const SpaceOptions& options) { return request_plant(root::model, root::parameter_table, options); }
+inline Result<Plant> request_tree(const SpaceOptions& options) {
+  return request_plant(tree::model, tree::parameter_table, options);
+}
+inline Result<Plant> request_root(const SpaceOptions& options) {
+  return request_plant(root::model, root::parameter_table, options);
+}
 inline Plant grow_tree(const SpaceOptions& options) {
   Result<Plant> plant = request_tree(options);
   REQUIRE_MESSAGE(plant, plant.error().message);

@@ -146,8 +146,8 @@ TEST_CASE("stand: fewer plants fill whole rows about the middle, and the last ro
 TEST_CASE("stand: rows of any direction use all of their places in the strip") {
   for (const int towards : {0, 1, 30, 45, 90, 137, 180, -89, -270}) {
     CAPTURE(towards);
-    const PlacedStand all =
-        placed("ground 40 x 30\nplants, rows 0.7 x 0.5, depth 0.1 to 0.35, towards " + std::to_string(towards) + "\na/b");
+    const PlacedStand all = placed("ground 40 x 30\nplants, rows 0.7 x 0.5, depth 0.1 to 0.35, towards " +
+                                   std::to_string(towards) + "\na/b");
     const float turn = static_cast<float>(towards) * pi / 180;
     std::size_t inner = 0, outer = 0;
     for (int row = -60; row <= 60; ++row)
@@ -215,7 +215,8 @@ TEST_CASE("stand: `seeds` sets the number of different plants, and plants of one
 }
 
 TEST_CASE("stand: attached plants hang on each parent, along its row") {
-  const auto plants = placed("plants 20, rows 4 x 4\na/b, scale 2\nc/d, each 3 to 5, height 0.8 to 1, reach 0.5").plants;
+  const auto plants =
+      placed("plants 20, rows 4 x 4\na/b, scale 2\nc/d, each 3 to 5, height 0.8 to 1, reach 0.5").plants;
   std::vector<int> of(20, 0);
   for (const Placement& plant : plants) {
     if (plant.parent < 0) continue;

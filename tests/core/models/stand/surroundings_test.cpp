@@ -80,8 +80,8 @@ TEST_CASE("stand: an attached plant is not a neighbour and has none") {
 }
 
 TEST_CASE("stand: surroundings by many neighbours are the least that any of them leaves, exactly") {
-  const PlacedStand all =
-      placed("ground 8 x 8, relief 1\nplants 60, random\na/b, crown 3 x 4, scale 1 to 1.5\nc/d, crown 1 x 15, share 0.2");
+  const PlacedStand all = placed(
+      "ground 8 x 8, relief 1\nplants 60, random\na/b, crown 3 x 4, scale 1 to 1.5\nc/d, crown 1 x 15, share 0.2");
   const auto together = surroundings_of(all.plan, all.plants);
   for (std::size_t i = 0; i < all.plants.size(); ++i) {
     std::vector<float> one(8, 0.0f);

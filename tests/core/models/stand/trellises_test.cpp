@@ -39,7 +39,8 @@ TEST_CASE("stand: a trellis has posts between plants, within the given distance,
 }
 
 TEST_CASE("stand: wires follow the ground at their heights, a pair to both sides of the posts") {
-  const PlacedStand all = placed("ground 30 x 12, relief 3\nplants, rows 4 x 2, towards 20\ntrellis 2, wire 0.9, pair 1.5\na/b");
+  const PlacedStand all =
+      placed("ground 30 x 12, relief 3\nplants, rows 4 x 2, towards 20\ntrellis 2, wire 0.9, pair 1.5\na/b");
   const Relief relief(all.plan.ground, 1);
   const Trellises trellises = built(all);
   for (const Placement& plant : all.plants) {
@@ -72,7 +73,8 @@ TEST_CASE("stand: faces of posts and wires point outwards") {
 
 TEST_CASE("stand: plants on a trellis have one direction, others two") {
   for (const bool tied : {true, false}) {
-    const PlacedStand all = placed(std::string("ground 20 x 20\nplants, rows 4 x 2\n") + (tied ? "trellis 2\n" : "") + "a/b");
+    const PlacedStand all =
+        placed(std::string("ground 20 x 20\nplants, rows 4 x 2\n") + (tied ? "trellis 2\n" : "") + "a/b");
     const auto back =
         std::count_if(all.plants.begin(), all.plants.end(), [](const Placement& plant) { return plant.turn != 0; });
     CHECK((back == 0) == tied);

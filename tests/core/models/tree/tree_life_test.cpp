@@ -21,10 +21,13 @@ float measure(const Plant& plant, Measure which) { return plant.measures[static_
 TEST_CASE("under a sky, the lower facing halves of twins hold at most 0.8 of the outer ones' particles") {
   for (const std::uint32_t seed : {1u, 2u, 3u}) {
     const auto halves = [seed](float light_exponent) {
-      const Plant plant = grow_tree(
-          {.parameters =
-               {{"crowns", 2}, {"distance", 6}, {"sky", 1}, {"absorption", 5}, {"by_light", light_exponent}, {"particles", 4000}},
-           .seed = seed});
+      const Plant plant = grow_tree({.parameters = {{"crowns", 2},
+                                                    {"distance", 6},
+                                                    {"sky", 1},
+                                                    {"absorption", 5},
+                                                    {"by_light", light_exponent},
+                                                    {"particles", 4000}},
+                                     .seed = seed});
       std::uint32_t facing = 0, outer = 0;
       for (const std::size_t tip : tips_of(plant)) {
         const glm::vec3 p = plant.segments[tip].end;
@@ -163,9 +166,9 @@ TEST_CASE("with age, grown parts stay and thicken, particles run on evenly, and 
 
 TEST_CASE("every step of the run is visible, and the last one is the end") {
   const std::vector<SpaceOptions> trees{{.parameters = {{"particles", 20}}},
-                                 {.parameters = {{"particles", 150}, {"leaves", 0}, {"slant", 2}}},
-                                 {.parameters = {{"particles", 90}, {"crowns", 2}, {"distance", 6}}},
-                                 {.parameters = {{"particles", 60}, {"stems", 3}, {"pull", 0}}, .seed = 5}};
+                                        {.parameters = {{"particles", 150}, {"leaves", 0}, {"slant", 2}}},
+                                        {.parameters = {{"particles", 90}, {"crowns", 2}, {"distance", 6}}},
+                                        {.parameters = {{"particles", 60}, {"stems", 3}, {"pull", 0}}, .seed = 5}};
   for (const SpaceOptions& tree : trees) {
     const auto at = [&](float age) {
       SpaceOptions options = tree;

@@ -62,7 +62,7 @@ TEST_CASE("runs of every shape and seed end, with all energy at the targets and 
         CAPTURE(seed);
         SpaceOptions options{.parameters = one.parameters, .seed = seed, .profile = one.profile};
         options.parameters.insert(options.parameters.end(),
-                                {{"particles", 500}, {"rule", rule}, {"energy", 3}, {"stems", rule + 1}});
+                                  {{"particles", 500}, {"rule", rule}, {"energy", 3}, {"stems", rule + 1}});
         const Plant plant = grow_tree(options);
         CHECK(count_of(plant, "particles") > 350);
         check_sound(plant, 3);
@@ -152,7 +152,8 @@ TEST_CASE("the light of a crown is listed cell by cell: darker within and below,
   CHECK(without.fingerprint == grow_tree({.parameters = {{"particles", 100}}, .outputs = "light"}).fingerprint);
 }
 
-TEST_CASE("no particle starts outside the outer or inside the inner boundary, and trails leave the outer downwards alone") {
+TEST_CASE(
+    "no particle starts outside the outer or inside the inner boundary, and trails leave the outer downwards alone") {
   for (const Case& one : cases())
     for (const float pattern : {0.0f, 1.0f, 2.0f, 3.0f}) {
       CAPTURE(one.name);
@@ -317,7 +318,8 @@ TEST_CASE("another tree's crown is round: no particle starts in it, no trail pas
   };
   CHECK(halves({}) == doctest::Approx(1).epsilon(0.05));
   CHECK(halves({{{2, 1, -4}, {10, 11, 4}}}) < 0.8f);
-  CHECK(request_tree({.rounds = {0, 0, 0, 1, 1}}).error().message.find("Round obstacles must have 6") != std::string::npos);
+  CHECK(request_tree({.rounds = {0, 0, 0, 1, 1}}).error().message.find("Round obstacles must have 6") !=
+        std::string::npos);
 }
 
 TEST_CASE("a dropped mesh is the crown; an open one gets a note, a missing one is an ellipsoid") {

@@ -82,7 +82,7 @@ class Derivation {
   DerivationOptions options_;
   Machine machine_;
   Neighbourhood neighbourhood_;
-  const Rules* parts_ = nullptr;  // decomposition rules, by symbol
+  const Rules* parts_ = nullptr;   // decomposition rules, by symbol
   std::vector<Words> part_words_;  // by depth
   Draft now_;
   Draft next_;

@@ -4,7 +4,8 @@
 
 namespace panicle::lsystem {
 
-Neighbourhood::Neighbourhood(const Program& program) : program_(program), classes_(program.symbols.size(), passed_over) {
+Neighbourhood::Neighbourhood(const Program& program)
+    : program_(program), classes_(program.symbols.size(), passed_over) {
   for (std::size_t symbol = 0; symbol < classes_.size(); ++symbol) {
     const bool is_seen = program.passed_over[symbol] == 0, in_context = program.rules[symbol].in_context;
     if (is_seen) classes_[symbol] |= seen;
@@ -30,8 +31,9 @@ bool Neighbourhood::walk() {
   const std::uint32_t* const words = string_->begin();
   const auto used = static_cast<std::uint32_t>(string_->used);
   const std::uint8_t* const classes = classes_.data();
-  std::uint32_t last = none;    // seen on the way from the root
-  std::uint32_t pending = none;  // the entry of the last context-sensitive module, whose right neighbour is not known yet
+  std::uint32_t last = none;  // seen on the way from the root
+  std::uint32_t pending =
+      none;  // the entry of the last context-sensitive module, whose right neighbour is not known yet
   std::uint32_t places = 0, open = 0;
   for (std::uint32_t at = 0; at < used; at += words_of(words[at])) {
     const std::uint32_t symbol_class = classes[symbol_of(words[at])];

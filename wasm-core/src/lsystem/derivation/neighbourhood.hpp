@@ -70,14 +70,15 @@ class Neighbourhood {
 
   const Program& program_;
   std::vector<std::uint8_t> classes_;  // by symbol
-  bool has_hidden_context_ = false;  // whether contexts ignore a context-sensitive symbol
-  bool wants_ends_ = false;          // whether branches are passed over or looked into
+  bool has_hidden_context_ = false;    // whether contexts ignore a context-sensitive symbol
+  bool wants_ends_ = false;            // whether branches are passed over or looked into
   const String* string_ = nullptr;
   Words places_, open_;
-  Words before_;  // at the word of a visible module: the visible module before it; filled only for contexts of several modules
-  Words ends_;              // of branches, at the words of their brackets
+  Words before_;  // at the word of a visible module: the visible module before it; filled only for contexts of several
+                  // modules
+  Words ends_;    // of branches, at the words of their brackets
   std::uint64_t next_ = 0;  // word of the places
-  std::uint64_t at_ = 0;  // word of the module, and of the adjacent ones
+  std::uint64_t at_ = 0;    // word of the module, and of the adjacent ones
   std::uint32_t before_it_ = none, behind_it_ = none;
   std::uint32_t left_ = Neighbour::any, right_ = Neighbour::any;  // their kinds
 };

@@ -79,7 +79,7 @@ struct Production {
   Value weight;
   bool by_chance = false;   // whether its condition or weight draws
   bool in_context = false;  // whether it wants neighbours
-  bool looks_on = false;  // whether its context has more than the two adjacent modules
+  bool looks_on = false;    // whether its context has more than the two adjacent modules
   // The adjacent modules of its context, as Neighbour::kind.
   std::uint32_t nearest_left = Neighbour::any, nearest_right = Neighbour::any;
   Range left;  // neighbours, from the root on
@@ -133,8 +133,8 @@ class Program {
   std::array<std::vector<Rules>, purposes> rules_for;  // of the others, by symbol; empty where there are none
   std::array<Value, 2> depths;                         // of decomposition and homomorphism
   std::array<Value, settings_count> settings;          // by GlobalSetting
-  bool has_queries = false;  // whether a module queries the environment
-  bool locates = false;  // whether a module queries the turtle's position or axes
+  bool has_queries = false;                            // whether a module queries the environment
+  bool locates = false;                                // whether a module queries the turtle's position or axes
   std::vector<std::uint32_t> predecessors;             // in the order of the text
   std::vector<std::uint32_t> words;
   std::vector<Patch> patches;

@@ -81,14 +81,15 @@ class GrammarParser : public ProductionReader {
 
   // `decomposition`, `homomorphism` or `derivation`, alone or with a colon.
   bool is_section(std::size_t at) const {
-    const bool named =
-        tokens_[at].is_keyword("decomposition") || tokens_[at].is_keyword("homomorphism") || tokens_[at].is_keyword("derivation");
+    const bool named = tokens_[at].is_keyword("decomposition") || tokens_[at].is_keyword("homomorphism") ||
+                       tokens_[at].is_keyword("derivation");
     const bool has_statement = !tokens_[at].is_keyword("derivation") && arrow_of_line(at) == end_of_line(at);
     return named && (is_alone(at) || (follows(at, ':') && (is_alone(at + 1) || has_statement)));
   }
 
   bool is_system(std::size_t at) const {
-    return (tokens_[at].is_keyword("lsystem") && follows(at, ':')) || (tokens_[at].is_keyword("endlsystem") && is_alone(at));
+    return (tokens_[at].is_keyword("lsystem") && follows(at, ':')) ||
+           (tokens_[at].is_keyword("endlsystem") && is_alone(at));
   }
 
   // A line begins a statement when it begins with `#` and a directive, with the words of another statement, or contains
@@ -500,15 +501,16 @@ class GrammarParser : public ProductionReader {
   bool section() {
     purpose_ = tokens_[at_].is_keyword("decomposition")  ? Purpose::decomposition
                : tokens_[at_].is_keyword("homomorphism") ? Purpose::homomorphism
-                                                   : Purpose::derivation;
+                                                         : Purpose::derivation;
     at_ += is_alone(at_) ? 1 : 2;
     return at_ == end_ ||
            wrong(here(), "Productions follow on lines of their own; take '%' out, which changes nothing.", {found()});
   }
 
   bool system() {
-    const std::uint32_t found =
-        tokens_[at_].is_keyword("endlsystem") || at_ == first_system_ ? Names::none : systems_.find(tokens_[at_ + 2].text);
+    const std::uint32_t found = tokens_[at_].is_keyword("endlsystem") || at_ == first_system_
+                                    ? Names::none
+                                    : systems_.find(tokens_[at_ + 2].text);
     system_ = found == Names::none ? 0 : found + 1;
     purpose_ = Purpose::derivation;
     at_ = end_;

@@ -274,7 +274,7 @@ class ProductionChecker {
   // The place where two symbols have a bracket between them, if no rewriting can make them neighbours without one; null
   // otherwise, and after `most_searches`.
   const SourceLocation* only_bracketed(const Side& side, std::uint32_t before, std::uint32_t after,
-                              std::size_t& searches) const {
+                                       std::size_t& searches) const {
     static constexpr std::size_t most_searches = 32;  // each visits all pairs
     const std::uint32_t found = side.bracketed.find(Side::key(before, after));
     if (found == none || ++searches > most_searches) return nullptr;

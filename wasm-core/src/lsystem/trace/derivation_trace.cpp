@@ -126,7 +126,8 @@ void DerivationTrace::copied_until(std::uint32_t index) {
     const std::int64_t end = std::min<std::int64_t>(index, first + static_cast<std::int64_t>(count));
     for (std::int64_t i = std::max<std::int64_t>(old_, first); i < end; ++i) each(static_cast<std::uint32_t>(i));
   };
-  if (is_before_traced_step()) overlap(request_.first - moved, request_.count, [&](std::uint32_t i) { write(i, nullptr); });
+  if (is_before_traced_step())
+    overlap(request_.first - moved, request_.count, [&](std::uint32_t i) { write(i, nullptr); });
   if (is_traced_step())
     overlap(request_.first, modules_.size(),
             [&](std::uint32_t i) { find_entry(i)->children = {static_cast<std::uint32_t>(i + moved), 1}; });
@@ -234,8 +235,9 @@ void DerivationTrace::add_response(std::uint32_t module, std::string_view respon
   if (TraceEntry* const entry = find_entry(module)) entry->response += response;
 }
 
-Result<DerivationTrace> trace_derivation(const BoundProgram& bound, std::uint64_t seed, std::optional<std::uint32_t> steps,
-                                  const Limits& limits, const DerivationOptions& options, TraceRequest request) {
+Result<DerivationTrace> trace_derivation(const BoundProgram& bound, std::uint64_t seed,
+                                         std::optional<std::uint32_t> steps, const Limits& limits,
+                                         const DerivationOptions& options, TraceRequest request) {
   const WorkBudget::TimePassed clock = limits.budget == nullptr ? nullptr : limits.budget->clock();
   for (;;) {
     const bool by_steps = steps || derivation_length(bound);

@@ -38,14 +38,14 @@ struct TraceEntry {
 
   std::string text;                  // as strings have it
   std::uint32_t parent = none;       // of the step before
-  SourceLocation production;                  // that wrote it in this step
-  SourceLocation fires;                       // that rewrites it next
+  SourceLocation production;         // that wrote it in this step
+  SourceLocation fires;              // that rewrites it next
   std::vector<Refusal> refusals;     // the other productions of its symbol
-  std::string values;  // of its formals, then of the assignments of its blocks: `n=3 t=0.5`
+  std::string values;                // of its formals, then of the assignments of its blocks: `n=3 t=0.5`
   std::array<float, 3> chance = {};  // where it was drawn: the sum of all weights, its own, where in the sum it fell
   ModuleSpan children;               // in the next step
   ModuleSpan last;                   // in the last string
-  std::string response;  // response to a query: `asked 1 0 → 1 3; why`, or `written 0 1 0`
+  std::string response;              // response to a query: `asked 1 0 → 1 3; why`, or `written 0 1 0`
 };
 
 class DerivationTrace final : public Watcher {
@@ -138,9 +138,9 @@ class DerivationTrace final : public Watcher {
   bool answered_ = false;  // ?E, since the step before
   bool refused_ = false;   // whether the window has its refusals
   std::vector<const Production*> parts_;
-  std::vector<TraceEntry> written_;  // of the window, the fields that are known before its string
+  std::vector<TraceEntry> written_;           // of the window, the fields that are known before its string
   std::vector<std::uint64_t> words_;          // where the window's modules stand
-  std::vector<std::string> queries_;  // parameters of their queries
+  std::vector<std::string> queries_;          // parameters of their queries
   std::vector<std::uint32_t> borders_;        // where each one's descendants begin, and where those of the last end
   std::vector<std::uint32_t> whole_borders_;  // the same after the last whole step
   std::size_t border_ = 0;                    // the next that this step has to move
@@ -152,7 +152,8 @@ class DerivationTrace final : public Watcher {
 std::string numbers_text(std::span<const float> numbers);
 
 // Repeats a derivation, as `develop_so_far`, with a trace. Errors as there.
-Result<DerivationTrace> trace_derivation(const BoundProgram& bound, std::uint64_t seed, std::optional<std::uint32_t> steps,
-                                  const Limits& limits, const DerivationOptions& options, TraceRequest request);
+Result<DerivationTrace> trace_derivation(const BoundProgram& bound, std::uint64_t seed,
+                                         std::optional<std::uint32_t> steps, const Limits& limits,
+                                         const DerivationOptions& options, TraceRequest request);
 
 }  // namespace panicle::lsystem

@@ -58,7 +58,8 @@ class Interpreter {
   Result<std::uint32_t> run(const String& string, QueryMode query_mode, String* responded = nullptr) {
     query_mode_ = query_mode;
     responded_ = responded;
-    if (query_mode == QueryMode::draw_response && program_.not_drawable.reason != Reason::none) return program_.not_drawable;
+    if (query_mode == QueryMode::draw_response && program_.not_drawable.reason != Reason::none)
+      return program_.not_drawable;
     const bool is_silent = query_mode == QueryMode::write_turtle;
     SkippableSymbols skippable(program_, images_, !is_silent);
     if (is_silent) skippable.find_branches(string);
@@ -338,7 +339,7 @@ class Interpreter {
     const glm::vec3& at = action == Action::query_position  ? turtle_.position
                           : action == Action::query_heading ? turtle_.heading
                           : action == Action::query_left    ? turtle_.left
-                                                          : turtle_.up;
+                                                            : turtle_.up;
     const std::uint32_t count = std::min<std::uint32_t>(3, parameters_of(*module));
     std::uint32_t* const written = responded_->words.data() + (module - responded_->begin());
     for (std::uint32_t i = 0; i < count; ++i) set_parameter(written, i, at[static_cast<int>(i)]);
@@ -427,7 +428,7 @@ class Interpreter {
     float before[most_parameters];
     std::copy_n(parameters, count, before);
     listener_.query(turtle_, {parameters, count}, lineage_of(module));
-    if (!machine_.spend(1)) return false;  // also where the response has used up the work
+    if (!machine_.spend(1)) return false;        // also where the response has used up the work
     const auto write = [&](std::uint32_t* to) {  // changed parameters only: the others keep their double precision
       for (std::uint32_t i = 0; i < count; ++i)
         if (std::memcmp(&parameters[i], &before[i], sizeof(float)) != 0) set_parameter(to, i, parameters[i]);
@@ -516,13 +517,14 @@ Result<std::uint32_t> interpret(const BoundProgram& bound, const String& string,
   return Interpreter(bound, start, listener, seed, limits, space, watcher).run(string, QueryMode::draw_response);
 }
 
-Result<std::uint32_t> interpret_without_queries(const BoundProgram& bound, const String& string, const Turtle& start, Listener& listener,
-                            std::uint64_t seed, const Limits& limits, const Space* space) {
+Result<std::uint32_t> interpret_without_queries(const BoundProgram& bound, const String& string, const Turtle& start,
+                                                Listener& listener, std::uint64_t seed, const Limits& limits,
+                                                const Space* space) {
   return Interpreter(bound, start, listener, seed, limits, space).run(string, QueryMode::skip);
 }
 
 Diagnostic write_responses(const BoundProgram& bound, String& string, const Turtle& start, Listener& listener,
-                  std::uint64_t seed, const Limits& limits, const Space* space) {
+                           std::uint64_t seed, const Limits& limits, const Space* space) {
   return write_into(bound, string, start, listener, seed, limits, space, QueryMode::write_response);
 }
 

@@ -25,7 +25,7 @@ struct BunchRequest {
   std::shared_ptr<const lsystem::Program> program;  // that text compiled, with lineages; null: compiled here
   std::optional<std::uint32_t> steps;               // of the derivation, in place of the text's own
   std::vector<std::uint32_t> thinned;               // ids of berries removed by hand
-  std::optional<lsystem::TraceRequest> trace;   // the step of the first bunch's derivation to trace
+  std::optional<lsystem::TraceRequest> trace;       // the step of the first bunch's derivation to trace
   FlatLeaf leaf;                                    // shape of the leaves on the cane
   bool meshes = true;
   bool measures = true;

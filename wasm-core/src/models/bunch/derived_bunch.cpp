@@ -15,7 +15,7 @@ Result<std::shared_ptr<const lsystem::Program>> program_for(const BunchRequest& 
 }
 
 Result<DerivedBunch> derive_bunch(std::shared_ptr<const lsystem::BoundProgram> bound, std::uint64_t seed,
-                           std::optional<std::uint32_t> steps, const Limits& limits) {
+                                  std::optional<std::uint32_t> steps, const Limits& limits) {
   auto derived = lsystem::develop(*bound, seed, steps, limits);
   if (!derived) return derived.error();
   return DerivedBunch{std::move(bound), std::move(derived->string), seed, 0, {}};
@@ -23,10 +23,11 @@ Result<DerivedBunch> derive_bunch(std::shared_ptr<const lsystem::BoundProgram> b
 
 std::uint64_t second_seed(std::uint64_t seed) { return hash_combine(seed, hash_text("second bunch")); }
 
-Result<std::optional<lsystem::DerivationTrace>> trace_derivation(const DerivedBunch& derived_bunch, const BunchRequest& request,
-                                                                 const Limits& limits) {
+Result<std::optional<lsystem::DerivationTrace>> trace_derivation(const DerivedBunch& derived_bunch,
+                                                                 const BunchRequest& request, const Limits& limits) {
   if (!request.trace) return std::optional<lsystem::DerivationTrace>();
-  auto trace = lsystem::trace_derivation(*derived_bunch.bound, derived_bunch.seed, request.steps, limits, {}, *request.trace);
+  auto trace =
+      lsystem::trace_derivation(*derived_bunch.bound, derived_bunch.seed, request.steps, limits, {}, *request.trace);
   if (!trace) return trace.error();
   // After a limit the traced string differs from the drawn one.
   if (trace->stopped().reason == Reason::none) trace->watch_drawing(derived_bunch.string);
@@ -42,8 +43,8 @@ Diagnostic interpret(const DerivedBunch& derived_bunch, const Limits& limits, ls
     lsystem::turn(turtle, side == 0 ? lean : -lean);
   else
     lsystem::pitch(turtle, side == 2 ? -lean : lean);
-  const auto drawn =
-      lsystem::interpret(*derived_bunch.bound, *derived_bunch.string, turtle, listener, derived_bunch.seed, limits, nullptr, trace);
+  const auto drawn = lsystem::interpret(*derived_bunch.bound, *derived_bunch.string, turtle, listener,
+                                        derived_bunch.seed, limits, nullptr, trace);
   return drawn ? Diagnostic{} : drawn.error();
 }
 

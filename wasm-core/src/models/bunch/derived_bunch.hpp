@@ -28,14 +28,14 @@ Result<std::shared_ptr<const lsystem::Program>> program_for(const BunchRequest& 
 
 // `steps` as for lsystem::develop.
 Result<DerivedBunch> derive_bunch(std::shared_ptr<const lsystem::BoundProgram> bound, std::uint64_t seed,
-                           std::optional<std::uint32_t> steps, const Limits& limits);
+                                  std::optional<std::uint32_t> steps, const Limits& limits);
 
 // The seed of the second bunch of a specimen.
 std::uint64_t second_seed(std::uint64_t seed);
 
 // Traces the derivation, if the request has a `chronicle`. Errors: those of lsystem::trace_derivation.
-Result<std::optional<lsystem::DerivationTrace>> trace_derivation(const DerivedBunch& derived_bunch, const BunchRequest& request,
-                                                                 const Limits& limits);
+Result<std::optional<lsystem::DerivationTrace>> trace_derivation(const DerivedBunch& derived_bunch,
+                                                                 const BunchRequest& request, const Limits& limits);
 
 // Walks the derived string from p1 on, and adds answers to `chronicle`, if not null. Returns the error of the
 // interpretation itself.

@@ -85,7 +85,7 @@ struct GrownBunch {
   BerryForm form;
   // of the natural procedure: the handles' profile, varied by the seed; the outline that the bunch fills
   Profile profile;
-  Plan plan;        // the handles' plan
+  Plan plan;  // the handles' plan
   std::optional<Plan> second;
   Counts counts;
   SwellingWork swelling;              // of the natural procedure

@@ -439,13 +439,13 @@ class Deriver {
   std::vector<std::uint32_t> firsts_;                            // of each instance the volume that it begins with
   std::vector<std::uint32_t> active_, still_, made_, standing_;  // volumes of this instance
   std::vector<Chosen> chosen_;
-  std::vector<std::uint32_t> attached_, glued_;  // of growths and productions, how often
-  std::vector<std::uint8_t> displaced_;          // of productions
-  std::vector<std::uint8_t> has_label_occurred_;              // labels that some volume has had
-  bool cut_short_;                               // whether the number of steps is given instead of the text's
+  std::vector<std::uint32_t> attached_, glued_;   // of growths and productions, how often
+  std::vector<std::uint8_t> displaced_;           // of productions
+  std::vector<std::uint8_t> has_label_occurred_;  // labels that some volume has had
+  bool cut_short_;                                // whether the number of steps is given instead of the text's
   // bits of productions: 1 the condition was false once, 2 it was true once
   std::vector<std::uint8_t> condition_results_;
-  std::vector<Refusal> refusals_;                // of productions, the last
+  std::vector<Refusal> refusals_;  // of productions, the last
   std::uint32_t instance_ = 0, step_ = 0;
   std::uint32_t stamp_ = 0;  // number of the step among all instances: splits of one step are cut together
   std::uint64_t work_ = 0, next_look_ = 0;

@@ -25,12 +25,12 @@ struct Record {
   Rank rank;               // of its volume
   std::uint32_t volume = 0;
   std::uint32_t before = invalid;  // the record of the volume that it grew from
-  std::uint32_t source = 0;       // number of the growth or split in the program
-  std::uint32_t label = 0;        // the label that it was made with
-  std::uint32_t instance = 0;     // the instance that it belongs to
-  std::uint32_t maker = 0;        // the instance whose production made it: another one for the first volume of a module
-  std::uint32_t step = 0;         // of the maker
-  std::uint64_t address = 0;      // address of its random values
+  std::uint32_t source = 0;        // number of the growth or split in the program
+  std::uint32_t label = 0;         // the label that it was made with
+  std::uint32_t instance = 0;      // the instance that it belongs to
+  std::uint32_t maker = 0;    // the instance whose production made it: another one for the first volume of a module
+  std::uint32_t step = 0;     // of the maker
+  std::uint64_t address = 0;  // address of its random values
 };
 
 // A call of a module; the first is the text itself.

@@ -132,7 +132,8 @@ bool FlowerEvaluation::enter(std::uint32_t grammar, std::uint64_t address, const
   return count(of.final_step, steps) && ends_at(steps);
 }
 
-bool FlowerEvaluation::evaluate_settings(const std::vector<Setting>& settings, std::uint64_t address, GivenVariables& given) {
+bool FlowerEvaluation::evaluate_settings(const std::vector<Setting>& settings, std::uint64_t address,
+                                         GivenVariables& given) {
   given.clear();
   for (const Setting& setting : settings) {
     ++work_;

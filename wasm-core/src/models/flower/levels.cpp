@@ -8,8 +8,8 @@
 #include <numeric>
 #include <utility>
 
-#include "foundation/bytes.hpp"
 #include "expression/diagnostics.hpp"
+#include "foundation/bytes.hpp"
 #include "light/sky_visibility.hpp"
 #include "models/flower/skin.hpp"
 #include "models/flower/thickness.hpp"
@@ -63,7 +63,7 @@ class OrganCoordinates {
  public:
   // `numbers`: of materials, by volume; `corners`: by half-edge.
   OrganCoordinates(const generalized_map::Boundary& boundary, const std::vector<std::uint8_t>& numbers,
-           const std::vector<glm::vec2>& corners)
+                   const std::vector<glm::vec2>& corners)
       : first_(boundary.surface.positions.size(), invalid) {
     const ClosedSurface& surface = boundary.surface;
     for (std::uint32_t h = 0; h < surface.half_edges(); ++h) {
@@ -106,7 +106,7 @@ bool is_flat(const std::array<std::uint32_t, 3>& triangle) {
 }  // namespace
 
 FlowerLevels::FlowerLevels(const Program& program, const Given& given, const Limits& limits, Derived& derived,
-               generalized_map::Embedding& embedding)
+                           generalized_map::Embedding& embedding)
     : boundary_(generalized_map::boundary_of(derived.map, embedding)),
       is_tube_(tubes_of(derived, boundary_)),
       corners_(derived, boundary_.surface, boundary_.volume) {
@@ -142,7 +142,7 @@ std::vector<std::uint8_t> FlowerLevels::retained_organs(const Sparse& sparse) co
     const FormedOrgan& organ = organs[i];
     const OrganForm& form = organs_->form(organ);
     retained[i] = retained[organ.maker] != 0 && count[organ.form]++ % stride(form, sparse) == 0 &&
-              (!form.rooted || of_all[form.has_attached ? 1 : 0]++ % stride_of_all(form, sparse) == 0);
+                  (!form.rooted || of_all[form.has_attached ? 1 : 0]++ % stride_of_all(form, sparse) == 0);
   }
   return retained;
 }
@@ -201,7 +201,8 @@ std::vector<float> FlowerLevels::width_factors(float error, const std::vector<gl
       behind = 2 * (area_of(at(foot), at(left), at(tip)) + area_of(at(foot), at(tip), at(right)));
     }
     if (behind > 0)
-      width_factors[organ.form] = std::clamp(before / behind, is_kite ? narrowest : 1.0f, is_kite ? widest_kite : fullest);
+      width_factors[organ.form] =
+          std::clamp(before / behind, is_kite ? narrowest : 1.0f, is_kite ? widest_kite : fullest);
   }
   return width_factors;
 }
@@ -257,7 +258,8 @@ Level::RemainingTriangles FlowerLevels::remains(const Choice& choice, const std:
     }
     if (!form.rooted) continue;
     const float crowded =
-        form.has_attached ? 1 : std::min(widest, static_cast<float>(stride(form, sparse) * stride_of_all(form, sparse)));
+        form.has_attached ? 1
+                          : std::min(widest, static_cast<float>(stride(form, sparse) * stride_of_all(form, sparse)));
     const float times = width_factors[organ.form] * crowded;
     if (times != 1) remains.wide.push_back({i, times});
   }
@@ -270,8 +272,8 @@ std::vector<glm::vec3> FlowerLevels::rounded(const Derived& derived, generalized
   return rounded_vertices(boundary_.surface);
 }
 
-void FlowerLevels::add_to(Plant& plant, const Program& program, const Derived& derived, generalized_map::Embedding& embedding,
-                    std::vector<std::uint32_t>& numbers) {
+void FlowerLevels::add_to(Plant& plant, const Program& program, const Derived& derived,
+                          generalized_map::Embedding& embedding, std::vector<std::uint32_t>& numbers) {
   if (organs_->is_coarse())
     plant.notes.push_back(expression::sentence(
         "The flower's unlike organs have more than % triangles, so its levels are simplified more coarsely; let it "
@@ -303,7 +305,7 @@ void FlowerLevels::add_to(Plant& plant, const Program& program, const Derived& d
       for (std::size_t t = 0; t < level.triangles(); ++t) {
         const auto [a, b, c] = level.triangle(t);
         occluders.push_back({metres * y_up((wider[a] + wider[b] + wider[c]) / 3.0f),
-                           metres * metres / 2 * area_of(wider[a], wider[b], wider[c])});
+                             metres * metres / 2 * area_of(wider[a], wider[b], wider[c])});
       }
     PlantMesh& out = plant.meshes.emplace_back(level.mesh(wider));
     out.name = names[k];

@@ -26,7 +26,7 @@ class FlowerLevels {
  public:
   // Of a map in `embedding`, which is placed anew. `derived` is unchanged after the call.
   FlowerLevels(const Program& program, const Given& given, const Limits& limits, Derived& derived,
-         generalized_map::Embedding& embedding);
+               generalized_map::Embedding& embedding);
 
   // Whether another flower with the same map has the same levels, placed anew.
   bool lasting() const { return lasting_; }

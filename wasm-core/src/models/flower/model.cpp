@@ -277,7 +277,7 @@ bool rework_cached(CachedFlower& last, const Program& program, const Given& give
 
 // The flower, which is now the first in the cache. Errors: those of reading and of growing.
 Result<CachedFlower*> find_or_grow(std::string_view text, const Given& given, const Limits& limits, bool skinless,
-                     FlowerCache& last) {
+                                   FlowerCache& last) {
   auto& all = last.all;
   std::shared_ptr<const Program> program;
   for (const auto& each : all)

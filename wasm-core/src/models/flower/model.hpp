@@ -9,7 +9,8 @@
 //   volumes.label      uint32, into labels (text, words)
 //   labels.module      uint32: the module of each, from 1 on; 0 of the text itself
 //   volumes.order      uint32
-//   volumes.parent     uint32: the volume that each grew from or is attached to; 0xffffffff of the first. The new volume
+//   volumes.parent     uint32: the volume that each grew from or is attached to; 0xffffffff of the first. The new
+//   volume
 //                      of a split comes after volumes that may be attached to it
 //   volumes.face       uint32: the parent's face, 0 O, 1 E, from 2 on C1 …
 //   volumes.attached   uint8: 1 where it is not sewn to that face

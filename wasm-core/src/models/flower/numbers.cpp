@@ -90,7 +90,7 @@ bool Numbers::work_out(const Record& record, const std::vector<Record>& records,
 }
 
 bool Numbers::enter_call(const Record& record, const std::vector<Record>& records,
-                            const std::vector<Instance>& instances, const VolumeValues& before) {
+                         const std::vector<Instance>& instances, const VolumeValues& before) {
   if (!enter(instances, record.maker)) return false;
   evaluation_.set_volume(before, records[record.before].rank, record.step);
   evaluation_.set_face(record.side);

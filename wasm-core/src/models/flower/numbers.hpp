@@ -25,7 +25,7 @@ class Numbers {
  private:
   // Evaluates a call's blocks for the volume that it grows from.
   bool enter_call(const Record& record, const std::vector<Record>& records, const std::vector<Instance>& instances,
-                     const VolumeValues& before);
+                  const VolumeValues& before);
   bool of_label(const Record& record, VolumeValues& values);
 
   const Program& program_;

@@ -48,7 +48,7 @@ std::vector<std::uint32_t> OrganForm::targets(float error) const {
 class OrganForms::FormFinder {
  public:
   FormFinder(OrganForms& found, const Derived& derived, const generalized_map::Boundary& boundary,
-          const std::vector<glm::vec3>& places);
+             const std::vector<glm::vec3>& places);
 
   void find_organs();
   void find_form(std::uint32_t organ);
@@ -63,9 +63,9 @@ class OrganForms::FormFinder {
   const Derived& derived_;
   const generalized_map::Boundary& boundary_;
   const std::vector<glm::vec3>& places_;
-  std::vector<std::uint32_t> begin_;  // first half-edge of each face; and the end
-  std::vector<std::uint32_t> owner_;  // by vertex, the first organ that has it
-  std::vector<std::uint32_t> local_;  // by vertex, its number in the current organ
+  std::vector<std::uint32_t> begin_;                           // first half-edge of each face; and the end
+  std::vector<std::uint32_t> owner_;                           // by vertex, the first organ that has it
+  std::vector<std::uint32_t> local_;                           // by vertex, its number in the current organ
   std::map<std::vector<std::uint32_t>, std::uint32_t> known_;  // forms by their signature
   std::uint32_t comparable_ = most_compared;                   // triangles, in all further forms together
 };
@@ -80,7 +80,7 @@ OrganForms::OrganForms(const Derived& derived, const generalized_map::Boundary& 
 }
 
 OrganForms::FormFinder::FormFinder(OrganForms& found, const Derived& derived, const generalized_map::Boundary& boundary,
-                             const std::vector<glm::vec3>& places)
+                                   const std::vector<glm::vec3>& places)
     : found_(found), derived_(derived), boundary_(boundary), places_(places) {
   const ClosedSurface& surface = boundary.surface;
   begin_.resize(surface.faces + 1, surface.half_edges());
@@ -212,7 +212,7 @@ void OrganForms::FormFinder::find_form(std::uint32_t organ) {
 }
 
 void OrganForms::FormFinder::find_kite(OrganForm& form, const std::vector<glm::vec3>& places,
-                                    const std::vector<std::uint32_t>& labels) {
+                                       const std::vector<std::uint32_t>& labels) {
   glm::vec3 foot(0);
   float feet = 0;
   for (std::uint32_t v = 0; v < places.size(); ++v) {

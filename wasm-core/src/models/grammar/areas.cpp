@@ -86,7 +86,8 @@ Result<Areas> Areas::read(Request& request, const Limits& limits) {
   const auto from = request.words("path.from");
   MeshData data{request.floats("areas.points"), request.words("areas.triangles")};
   Areas areas;
-  if (kinds.size() > most_areas || path.size() > 3 * most_places) return bad_input("There are too many areas or places.");
+  if (kinds.size() > most_areas || path.size() > 3 * most_places)
+    return bad_input("There are too many areas or places.");
   if (places.size() != place_width * kinds.size() || (!meshes.empty() && meshes.size() != 2 * kinds.size()) ||
       path.size() % 3 != 0)
     return Diagnostic{Reason::bad_request, "Areas and their places are not as many.", 0, 0};

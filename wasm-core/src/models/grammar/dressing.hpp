@@ -12,9 +12,9 @@ struct DressOptions {
   float metres = 0.01f;  // length of one unit of the grammar
   std::uint32_t sides = 10;
   bool meshes = true;
-  bool sky = false;     // whether meshes have sky visibility
-  bool marked = true;   // whether segments and organs name the modules that drew them
-  bool coarse = false;  // preview quality while the user drags: fewer rings and sides for plants of many lines
+  bool sky = false;              // whether meshes have sky visibility
+  bool marked = true;            // whether segments and organs name the modules that drew them
+  bool coarse = false;           // preview quality while the user drags: fewer rings and sides for plants of many lines
   WorkBudget* budget = nullptr;  // work budget that filling polygons is counted against
 };
 

@@ -8,8 +8,8 @@
 #include "lsystem/derivation/words.hpp"
 #include "lsystem_plant/derivation_trace_columns.hpp"
 #include "lsystem_plant/requested_program.hpp"
-#include "models/grammar/areas.hpp"
 #include "models/grammar/area_membership.hpp"
+#include "models/grammar/areas.hpp"
 #include "models/grammar/dressing.hpp"
 #include "models/grammar/girth.hpp"
 #include "models/grammar/measures/measures.hpp"
@@ -118,12 +118,14 @@ void add_area_columns(Plant& plant, const Sketch& sketch, const std::vector<Area
 }
 
 // The trace of the derivation, where it is requested.
-Result<std::optional<lsystem::DerivationTrace>> trace_derivation(const lsystem::BoundProgram& bound, const GrowOptions& options,
-                                                     const Limits& limits, const lsystem::DerivationOptions& around) {
+Result<std::optional<lsystem::DerivationTrace>> trace_derivation(const lsystem::BoundProgram& bound,
+                                                                 const GrowOptions& options, const Limits& limits,
+                                                                 const lsystem::DerivationOptions& around) {
   if (!options.chronicle) return std::optional<lsystem::DerivationTrace>();
   Limits of_derivation = limits;
   of_derivation.work = limits.work_of_derivation();
-  auto traced = lsystem::trace_derivation(bound, options.seed, options.steps, of_derivation, around, *options.chronicle);
+  auto traced =
+      lsystem::trace_derivation(bound, options.seed, options.steps, of_derivation, around, *options.chronicle);
   if (!traced) return traced.error();
   return std::optional(std::move(traced.value()));
 }
@@ -160,7 +162,8 @@ Result<Plant> grow(Request& request, const Limits& given) {
   const lsystem::String& string = *derived->string;
   Sketch sketch(limits);
   sketch.begin();
-  const auto drawn = lsystem::interpret_without_queries(*bound.value(), string, initial_turtle(), sketch, options->seed, limits, around.space);
+  const auto drawn = lsystem::interpret_without_queries(*bound.value(), string, initial_turtle(), sketch, options->seed,
+                                                        limits, around.space);
   if (areas->is_exhausted()) return QueryBudget::error();
   const Diagnostic drawing_error = drawn ? Diagnostic{} : drawn.error();
   if (drawing_error.reason != Reason::none && drawing_error.reason != Reason::limit) return drawing_error;

@@ -55,11 +55,11 @@ void Sketch::line(std::int32_t id, const lsystem::Turtle& before, const lsystem:
 }
 
 void Sketch::add_organ(std::uint32_t tag, const lsystem::Turtle& turtle, float size, std::uint8_t natural,
-                  const lsystem::Lineage& lineage) {
+                       const lsystem::Lineage& lineage) {
   // A plant that has reached its limit of segments may lack some.
   const std::int32_t segment = std::min(segment_of(turtle), static_cast<std::int32_t>(segments.size()) - 1);
   organs.push_back({tag, segment, turtle.position, glm::mat3(-turtle.left, turtle.heading, turtle.up), size,
-                   mark_of(turtle, lineage, natural)});
+                    mark_of(turtle, lineage, natural)});
 }
 
 void Sketch::sphere(const lsystem::Turtle& turtle, float radius, const lsystem::Lineage& lineage) {

@@ -68,7 +68,7 @@ class Sketch final : public Drawing {
   void disc(const lsystem::Turtle& turtle, float radius, const lsystem::Lineage& lineage) override;
   void note(std::string_view note) override { notes.emplace_back(note); }
 
-  std::vector<Mark> lines;   // one a segment
+  std::vector<Mark> lines;          // one a segment
   std::vector<SketchOrgan> organs;  // in the order of the string
   Polygons polygons;
   std::vector<std::string> notes;
@@ -81,7 +81,7 @@ class Sketch final : public Drawing {
   // Whether another organ of a tag is within the limits; if not, `trouble` is set.
   bool can_add_organ(std::uint32_t tag);
   void add_organ(std::uint32_t tag, const lsystem::Turtle& turtle, float size, std::uint8_t natural,
-            const lsystem::Lineage& lineage);
+                 const lsystem::Lineage& lineage);
 };
 
 }  // namespace panicle::grammar

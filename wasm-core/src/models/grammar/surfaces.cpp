@@ -165,7 +165,7 @@ Mesh make_surface(std::uint32_t which, bool plain) {
   constexpr ProfilePoint disc[] = {{0.5f, 0}, {0, 0.02f}};
   constexpr ProfilePoint cone[] = {{0, 0}, {0.25f, 0}, {0.25f, 0}, {0, 1}};
   constexpr ProfilePoint bud[] = {{0, 0},         {0.1f, 0.04f}, {0.2f, 0.18f},  {0.23f, 0.36f},
-                          {0.19f, 0.58f}, {0.1f, 0.82f}, {0.04f, 0.95f}, {0, 1}};
+                                  {0.19f, 0.58f}, {0.1f, 0.82f}, {0.04f, 0.95f}, {0, 1}};
   const std::uint32_t sides = plain ? plain_sides : round_sides;
   const auto blade = [plain](const BladeShape& whole) { return make_blade(plain ? simplified(whole) : whole); };
   switch (which) {

@@ -98,7 +98,7 @@ bool GrowthReader::attribute(std::string_view name, VolumeRule& rule) {
 }
 
 bool GrowthReader::range_of(std::vector<Number>& values, bool drawn, std::string_view name, VolumeRule& rule,
-                      const SourceLocation& place) {
+                            const SourceLocation& place) {
   if (name == "size") {
     if (values.size() != 4)
       return wrong(place, "% takes four numbers: wb, h, wt and grad.", {drawn ? "size.rand" : name});

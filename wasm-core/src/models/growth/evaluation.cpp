@@ -10,7 +10,8 @@ namespace panicle::growth {
 using expression::error_at;
 using expression::number_text;
 
-GrowthEvaluation::GrowthEvaluation(const Rules& rules, std::uint64_t seed) : code_(rules.code), registers_(rules.code.registers) {
+GrowthEvaluation::GrowthEvaluation(const Rules& rules, std::uint64_t seed)
+    : code_(rules.code), registers_(rules.code.registers) {
   sources_.arrays = functions_;
   sources_.seed = seed;
   set(Word::one, 1);

@@ -23,7 +23,7 @@ constexpr float least_size = 0.7f;  // of the largest
 // Distance that leaves fall from below where they hung, as a share of that height, at the median; and a bound of the
 // farthest: few go far, so that litter thins outwards and has no edge.
 constexpr float drift = 0.12f, blown = 0.25f;
-constexpr float above = 0.01f;         // height above the ground, metres
+constexpr float above = 0.01f;           // height above the ground, metres
 constexpr float least_internode = 0.6f;  // shortest internode with leaves of this year, as a share of a leaf's length
 constexpr std::size_t most_together = 256;
 constexpr float near_tip = 0.35f;  // where leaves begin along an internode, as a share

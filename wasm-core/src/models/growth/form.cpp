@@ -86,8 +86,9 @@ class FormBuilder {
         const float turns = golden * static_cast<float>(place + 1);
         const bool low = population_.shoots[parent].trunk && path.internode == 0;
         const float least = low ? bole_along : first_along;
-        path.along = glm::mix(least + (1 - least) * (turns - std::floor(turns)), 1 - 0.08f * (turns - std::floor(turns)),
-                             population_.shoots[parent].trunk ? habit_.whorl : 0);
+        path.along =
+            glm::mix(least + (1 - least) * (turns - std::floor(turns)), 1 - 0.08f * (turns - std::floor(turns)),
+                     population_.shoots[parent].trunk ? habit_.whorl : 0);
       } else {
         ordinals_.push_back(0);
       }
@@ -152,7 +153,8 @@ class FormBuilder {
     const ShootPath& parent = form_.paths[static_cast<std::size_t>(shoot.parent)];
     const glm::vec3 from = form_.nodes[parent.first + path.internode],
                     to = form_.nodes[parent.first + path.internode + 1];
-    const glm::vec3 along = unit(to - from, glm::vec3(0, 1, 0)), one = any_perpendicular(along), other = glm::cross(along, one);
+    const glm::vec3 along = unit(to - from, glm::vec3(0, 1, 0)), one = any_perpendicular(along),
+                    other = glm::cross(along, one);
     const float angle =
         (population_.shoots[static_cast<std::size_t>(shoot.parent)].trunk ? habit_.trunk_angle : habit_.branch_angle) *
         (1 + spread * (2 * angles_.unit(q) - 1));
@@ -279,12 +281,12 @@ class FormBuilder {
   Form form_;
   const Surroundings& about_;
   CrownLight light_;
-  std::vector<std::uint32_t> ordinals_;   // index of each shoot among its parent's
-  std::vector<VolumeShape> shapes_;       // of the volumes
+  std::vector<std::uint32_t> ordinals_;  // index of each shoot among its parent's
+  std::vector<VolumeShape> shapes_;      // of the volumes
   // of each branch of a trunk, the first length that reaches the edge in the end
   std::vector<float> firsts_;
   std::vector<float> by_age_, by_order_;  // factors of lengths by age and by order
-  std::vector<glm::vec3> placed_nodes_;           // every node so far, and the shoot of each
+  std::vector<glm::vec3> placed_nodes_;   // every node so far, and the shoot of each
   std::vector<std::uint32_t> placed_shoots_;
   std::size_t shaded_ = 0, leaf_ = 0;  // numbers of those nodes, and of leaves, that the light includes
   FreeRoom room_;                      // with the nodes of earlier steps

@@ -19,7 +19,7 @@ class FreeRoom {
   struct Query {
     glm::vec3 tip, forward, light;  // unit vectors of its growth and towards the light
     float radius;                   // radius of the search
-    float noise;                     // 0 … 1, varies the depth of places: no two tips search the same places
+    float noise;                    // 0 … 1, varies the depth of places: no two tips search the same places
     float regard;                   // how much a taken place counts against itself, 0 … 1
   };
   // Σ w d over the places, with direction d and weight w of each; and Σ w.

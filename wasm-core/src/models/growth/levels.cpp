@@ -405,7 +405,7 @@ class LevelBuilder {
 }  // namespace
 
 TreeLevels levels_of(const Moment& moment, std::span<const Organ> organs, float leaf_area, float blossom_area,
-                 std::size_t count) {
+                     std::size_t count) {
   return LevelBuilder(moment, organs, leaf_area, blossom_area).run(count);
 }
 

@@ -22,6 +22,6 @@ struct TreeLevels {
 // The nearest `count` levels; a level does not depend on the others. Leaves on the ground are omitted. Areas: one side
 // of a leaf and of a blossom of scale 1; 0: no such organs.
 TreeLevels levels_of(const Moment& moment, std::span<const Organ> organs, float leaf_area, float blossom_area,
-                 std::size_t count = level_count);
+                     std::size_t count = level_count);
 
 }  // namespace panicle::growth

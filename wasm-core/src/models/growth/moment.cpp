@@ -125,7 +125,9 @@ struct MomentBuilder {
 
 }  // namespace
 
-float grown_share(std::uint16_t step, float time) { return std::clamp(time - static_cast<float>(step) + 1, 0.0f, 1.0f); }
+float grown_share(std::uint16_t step, float time) {
+  return std::clamp(time - static_cast<float>(step) + 1, 0.0f, 1.0f);
+}
 
 Result<Moment> moment_of(const Population& population, const Form& form, float time, const WoodHabit& habit,
                          const Limits& limits) {

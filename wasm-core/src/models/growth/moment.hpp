@@ -15,12 +15,12 @@ struct WoodHabit {
 };
 
 struct Moment {
-  std::vector<Segment> segments;      // parents first; tag 0 of trunks, 1 of branches
-  std::vector<std::int32_t> axes;     // the shoot of each segment
+  std::vector<Segment> segments;   // parents first; tag 0 of trunks, 1 of branches
+  std::vector<std::int32_t> axes;  // the shoot of each segment
   // of each node of the form, the segment that ends there; −1 for a node of the future
   std::vector<std::int32_t> of_node;
-  std::vector<glm::vec3> feet;        // bases of trunks
-  std::uint32_t branches = 0;         // number of branches by then, without trunks
+  std::vector<glm::vec3> feet;  // bases of trunks
+  std::uint32_t branches = 0;   // number of branches by then, without trunks
 };
 
 // The moment at `time` in steps: an internode grows during the step before its own ends, and stays unchanged after it.

@@ -242,10 +242,11 @@ class PopulationBuilder {
         return false;
       if (!add_leaves(step, outcome.leaves)) return false;
       shoot_states_.back().counted = {static_cast<std::uint32_t>(plant_.leaves.size()) - outcome.leaves, outcome.leaves,
-                                  step};
+                                      step};
     }
     if (outcome.buds != nullptr) shoot_states_[number].buds_used += grown;
-    shoot_states_[number].of_branches = {first_leaf, static_cast<std::uint32_t>(plant_.leaves.size()) - first_leaf, step};
+    shoot_states_[number].of_branches = {first_leaf, static_cast<std::uint32_t>(plant_.leaves.size()) - first_leaf,
+                                         step};
     for (std::uint32_t each = first_branch; each < plant_.shoots.size(); ++each)
       if (!add_foliage(each, step, outcome)) return false;
     return true;
@@ -361,7 +362,7 @@ class PopulationBuilder {
   const Limits& limits_;
   GrowthEvaluation evaluation_;
   Population plant_;
-  std::vector<ShootState> shoot_states_;           // one a shoot
+  std::vector<ShootState> shoot_states_;   // one a shoot
   std::vector<std::uint16_t> trunk_born_;  // one a volume
   std::vector<Outcome> outcomes_;          // of this step, by volume and age, where shoots do the same
   std::vector<std::uint32_t> buds_until_;  // by age

@@ -276,8 +276,8 @@ bool GrowthReader::place_rule(Rule rule) {
     environment &= each.kind == Consequence::Kind::set && (of_environment & bit(each.word)) != 0;
     // Random values of a bud or a child trunk are independent of the shoots' common outcome.
     is_random &= each.kind == Consequence::Kind::set || each.kind == Consequence::Kind::leaf ||
-            each.kind == Consequence::Kind::falling_leaf || each.kind == Consequence::Kind::foliage ||
-            rule.consequences.size() > 1;
+                 each.kind == Consequence::Kind::falling_leaf || each.kind == Consequence::Kind::foliage ||
+                 rule.consequences.size() > 1;
   }
   rule.stream = hash_combine(hash_text("growth rule"), rules_.of_shoots.size() + rules_.of_volumes.size());
   if (environment && (uses & of_shoot) == 0) {

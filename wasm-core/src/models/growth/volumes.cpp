@@ -124,7 +124,8 @@ float half_width(const GrowthVolume& volume) { return std::max({volume.base, vol
 
 }  // namespace
 
-bool draw_volumes(const Rules& rules, std::uint64_t seed, GrowthEvaluation& evaluation, std::vector<GrowthVolume>& volumes) {
+bool draw_volumes(const Rules& rules, std::uint64_t seed, GrowthEvaluation& evaluation,
+                  std::vector<GrowthVolume>& volumes) {
   Drawer drawer{rules, seed, evaluation};
   const GrowthVolume otherwise{1, 8, 10, 5, 0, {}, 1, 0, 6.5f};
   for (std::uint64_t i = 0; i < rules.footprint.size(); ++i) {
@@ -194,7 +195,8 @@ bool environment_of(const Rules& rules, std::uint64_t seed, const GrowthVolume& 
 namespace {
 
 // The rules of a tree that apply: all without a probability, and one of the others.
-bool drawn_rules(const Rules& rules, std::uint64_t seed, GrowthEvaluation& evaluation, std::vector<const TreeRule*>& drawn) {
+bool drawn_rules(const Rules& rules, std::uint64_t seed, GrowthEvaluation& evaluation,
+                 std::vector<const TreeRule*>& drawn) {
   std::vector<float> weights(rules.tree.size());
   float total = 0;
   for (std::size_t i = 0; i < weights.size(); ++i) {
@@ -233,8 +235,8 @@ bool fail_at(GrowthEvaluation& evaluation, Diagnostic trouble, const expression:
 }
 
 // The values of a divisor function as floats, which hold whole numbers to 2^24.
-bool values_of(const DivisorRule& rule, std::uint32_t last, const expression::SourceLocation& place, GrowthEvaluation& evaluation,
-               std::vector<float>& values) {
+bool values_of(const DivisorRule& rule, std::uint32_t last, const expression::SourceLocation& place,
+               GrowthEvaluation& evaluation, std::vector<float>& values) {
   const auto sums = divisor_sums(rule, last);
   if (!sums) return fail_at(evaluation, sums.error(), place);
   values.clear();

@@ -12,7 +12,8 @@ namespace panicle::growth {
 inline constexpr std::uint32_t most_volumes = 64;  // greatest number in a footprint
 
 // Draws the volumes of a footprint. False: the evaluation's trouble.
-bool draw_volumes(const Rules& rules, std::uint64_t seed, GrowthEvaluation& evaluation, std::vector<GrowthVolume>& volumes);
+bool draw_volumes(const Rules& rules, std::uint64_t seed, GrowthEvaluation& evaluation,
+                  std::vector<GrowthVolume>& volumes);
 
 // Sets the words of a volume and of its environment.
 void enter_volume(const GrowthVolume& volume, const Environment& environment, GrowthEvaluation& evaluation);

@@ -36,13 +36,14 @@ MeshPart whole(const Mesh& mesh) {
 
 }  // namespace
 
-void dress(Plant& plant, const LeafRequest& leaf_request, const Veins& veins, std::span<const Trails> flat, const Bending& bending,
-           const Girth& girth) {
+void dress(Plant& plant, const LeafRequest& leaf_request, const Veins& veins, std::span<const Trails> flat,
+           const Bending& bending, const Girth& girth) {
   using enum Parameter;
   const Values& values = leaf_request.values;
-  const BladeForm form{.thickness = 0.001f * values[thickness],
-                       .relief = values[relief],
-                       .detail = leaf_request.draft ? std::min(leaf_request.detail, draft_detail) : leaf_request.detail};
+  const BladeForm form{
+      .thickness = 0.001f * values[thickness],
+      .relief = values[relief],
+      .detail = leaf_request.draft ? std::min(leaf_request.detail, draft_detail) : leaf_request.detail};
   std::vector<PlantMesh> blade =
       make_blade(veins.margin, veins.outline, pieces_of(flat, veins.all, girth, bending.scale), bending, form);
   if (blade.empty()) plant.notes.push_back("The outline is too narrow somewhere for a blade: veins alone are shown.");

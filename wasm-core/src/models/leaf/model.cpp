@@ -120,7 +120,8 @@ Result<Plant> grow(Request& request, const Limits& limits) {
 
   plant.tags = {"vein"};
   const auto segments = add_trails(plant, bent, veins.all, girth, {}, veins.tally, 0);
-  if (Diagnostic trouble = too_many_parts(limits, plant.segments.size(), 0); trouble.reason != Reason::none) return trouble;
+  if (Diagnostic trouble = too_many_parts(limits, plant.segments.size(), 0); trouble.reason != Reason::none)
+    return trouble;
   add_particles(plant, veins, flat, bending, girth, values[particles]);
   const std::vector<Vein> ordered = veins_of(flat);
   add_orders(plant, ordered, segments);

@@ -38,7 +38,7 @@ class Planner {
       notes.push_back("The midrib sees " + std::to_string(hidden) + " lobe tips from nowhere: they have no rib.");
     if (lobes == 0 && plan_.secondaries > 0)
       side_veins_.add_veins(all[0], midrib, plan_.secondaries,
-                      {.tip = margin_.tip, .last = margin_.points.size(), .fan = true});
+                            {.tip = margin_.tip, .last = margin_.points.size(), .fan = true});
     return all;
   }
 
@@ -133,7 +133,7 @@ class Planner {
 }  // namespace
 
 std::vector<Ribs> build_ribs(const RibPlan& plan, const Margin& margin, const Outline& outline, const glm::vec3& base,
-                           std::vector<std::string>& notes) {
+                             std::vector<std::string>& notes) {
   const Planner planner(plan, margin, outline, base);
   if (plan.kind == RibKind::pinnate) return planner.pinnate(notes);
   if (plan.kind == RibKind::palmate) return planner.palmate(notes);

@@ -31,6 +31,6 @@ struct RibPlan {
 // arc. All end where the petiole joins, `base`. In a lobed pinnate leaf one secondary runs to each lobe tip. Ribs that
 // cannot be placed get a note in `notes`.
 std::vector<Ribs> build_ribs(const RibPlan& plan, const Margin& margin, const Outline& outline, const glm::vec3& base,
-                           std::vector<std::string>& notes);
+                             std::vector<std::string>& notes);
 
 }  // namespace panicle::particles::leaf

@@ -36,7 +36,8 @@ glm::vec3 Axis::at(float y) const {
   if (!(piece_ > 0)) return {foot_.x, y, foot_.z};
   const float along = std::min(std::fabs(y - foot_.y) / piece_, static_cast<float>(pieces));
   const auto below = std::min(static_cast<std::uint32_t>(along), pieces - 1);
-  const glm::vec3 offset = offsets_[below] + (along - static_cast<float>(below)) * (offsets_[below + 1] - offsets_[below]);
+  const glm::vec3 offset =
+      offsets_[below] + (along - static_cast<float>(below)) * (offsets_[below + 1] - offsets_[below]);
   return {foot_.x + offset.x, y, foot_.z + offset.z};
 }
 

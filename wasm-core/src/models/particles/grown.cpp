@@ -69,8 +69,8 @@ const char* why_none(const Extent& room, const Region& outer, bool young) {
 }  // namespace
 
 Result<GrownWood> grow_wood(Plant& plant, const Region& region, const Region& outer, std::span<const glm::vec3> targets,
-                        const SpaceHabit& habit, const SpaceRequest& request, float floor, float ceiling,
-                        std::uint32_t traveller, const Limits& limits) {
+                            const SpaceHabit& habit, const SpaceRequest& request, float floor, float ceiling,
+                            std::uint32_t traveller, const Limits& limits) {
   // A young volume has the grown one's spacing, and so fewer particles.
   auto [starts, spacing, room] = scatter_all(region, habit.pattern, habit.count, request.seed, habit.growth);
   if (region.is_exhausted()) return QueryBudget::error();

@@ -80,7 +80,7 @@ struct GrownWood {
 // tag `traveller`. No particle starts in an obstacle; ways round obstacles stay between `floor` and `ceiling`. Errors:
 // those of `run`.
 Result<GrownWood> grow_wood(Plant& plant, const Region& region, const Region& outer, std::span<const glm::vec3> targets,
-                        const SpaceHabit& habit, const SpaceRequest& request, float floor, float ceiling,
-                        std::uint32_t traveller, const Limits& limits);
+                            const SpaceHabit& habit, const SpaceRequest& request, float floor, float ceiling,
+                            std::uint32_t traveller, const Limits& limits);
 
 }  // namespace panicle::particles

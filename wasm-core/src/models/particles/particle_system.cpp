@@ -10,9 +10,9 @@ namespace panicle::particles {
 namespace {
 
 constexpr std::uint32_t at_target = ~0u;
-constexpr float budget_in_ways = 4;           // of the longest way
+constexpr float budget_in_ways = 4;          // of the longest way
 constexpr std::uint32_t sampled_ways = 100;  // taken from as many starts, evenly
-constexpr float standing = 1e-6f;          // of a step: shorter strides count as waiting
+constexpr float standing = 1e-6f;            // of a step: shorter strides count as waiting
 constexpr std::uint32_t cells_a_particle = 24;
 
 glm::vec3 towards(const glm::vec3& from, const glm::vec3& to) {
@@ -93,8 +93,8 @@ void ParticleSystem::choose_strides() {
     stride = rules_.step * ahead;
     if (other != Neighbours::none) {
       const glm::vec3 to_neighbour = towards(place, places_[other]);
-      const glm::vec3 sum =
-          rules_.printed ? towards(glm::vec3(0), to_neighbour + ahead) : (rules_.pull * to_neighbour + ahead) / (1 + rules_.pull);
+      const glm::vec3 sum = rules_.printed ? towards(glm::vec3(0), to_neighbour + ahead)
+                                           : (rules_.pull * to_neighbour + ahead) / (1 + rules_.pull);
       if (guide_->passes(place, place + rules_.step * sum)) {
         stride = rules_.step * sum;
         continue;

@@ -93,7 +93,7 @@ class ParticleSystem {
   std::vector<glm::vec3> strides_;        // of this step
   std::vector<glm::vec3> aims_;           // of where they are, where that is known: after `join`
 
-  std::vector<Node> nodes_;           // 0 is the target, 1 + i where particle i started
+  std::vector<Node> nodes_;  // 0 is the target, 1 + i where particle i started
   // by particle: the particle that it has merged into; its own number while on its way or at the target
   std::vector<std::uint32_t> merged_into_;
   std::vector<std::uint32_t> slots_;  // by particle; `at_target` after arrival

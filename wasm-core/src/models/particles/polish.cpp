@@ -112,7 +112,7 @@ void move_onto_ribs(Trails& trails, const RibGrid& ribs, const Guide& guide, flo
     lines[i] = ribs.line_of(foot.at);
     const auto carried = static_cast<float>(trails.energy[i] / (trails.energy[i] + bedded_energy * trails.energy[0]));
     const glm::vec3 moved = trails.places[i] + carried * smooth_step(within, 0.5f * within, foot.distance) *
-                                                  (foot.place - trails.places[i]);
+                                                   (foot.place - trails.places[i]);
     // That far away there may be an obstacle in between.
     bool free = within == reach || guide.sees(moved, trails.places[next]);
     for (std::uint32_t k = runs[i].first; free && within > reach && k < runs[i].first + runs[i].second; ++k)

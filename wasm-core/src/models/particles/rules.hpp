@@ -15,7 +15,7 @@ struct Rules {
   float pull = 0.75f;       // w: weight of a particle's neighbour; 1 as much as its target
   // whether every move is as long as the step (section 2.1), not shorter the more the two pulls differ
   bool printed = false;
-  float join = 0;        // closer than this to an older trail ahead, a particle ends in it; 0: trails may cross
+  float join = 0;  // closer than this to an older trail ahead, a particle ends in it; 0: trails may cross
 };
 
 // Half the distance by which two particles that aim at each other approach in a step.

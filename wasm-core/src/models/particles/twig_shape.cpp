@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "foundation/easing.hpp"
-#include "models/particles/value_noise.hpp"
 #include "models/particles/polish.hpp"
+#include "models/particles/value_noise.hpp"
 
 namespace panicle::particles {
 namespace {
@@ -26,7 +26,7 @@ glm::vec3 turned_down(const glm::vec3& way, float share) {
 }  // namespace
 
 void hang_twigs(Trails& trails, const Guide& guide, const Region& outer, const Region& room, const TwigHabit& habit,
-          float arc) {
+                float arc) {
   const std::size_t count = trails.size();
   if (!(habit.weep > 0) || count < 2) return;
   const std::vector<glm::vec3> before = trails.places;
@@ -62,7 +62,8 @@ void hang_twigs(Trails& trails, const Guide& guide, const Region& outer, const R
   take_back_hidden(trails, before, guide);
 }
 
-void wander_branches(Trails& trails, const Guide& guide, const Region& outer, float by, float over, std::uint64_t seed) {
+void wander_branches(Trails& trails, const Guide& guide, const Region& outer, float by, float over,
+                     std::uint64_t seed) {
   const std::size_t count = trails.size();
   if (!(by > 0) || count < 2) return;
   const std::vector<glm::vec3> before = trails.places;

@@ -22,7 +22,7 @@ struct TwigHabit {
 // over `arc`. Tips sink with their twigs where there is `room` for them, and the fewer of its tips have room the less a
 // twig turns; nothing that was in `outer` leaves it. Trails without room still lead to where they led before.
 void hang_twigs(Trails& trails, const Guide& guide, const Region& outer, const Region& room, const TwigHabit& habit,
-          float arc);
+                float arc);
 
 // Moves places sideways by noise, near places alike: `by` at most, changing over about `over`; less where more of all
 // energy passes. Tips and places that lead straight to the target stay, and no place leaves `outer`.

@@ -56,8 +56,7 @@ class Waypoints {
   std::vector<Cell> cells_;
   using Entry = std::pair<float, std::int32_t>;  // a way's length and its cell
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
-  std::vector<std::int32_t>
-      nearest_;  // of each cell: itself, or the nearest that has a way; made at the first query
+  std::vector<std::int32_t> nearest_;  // of each cell: itself, or the nearest that has a way; made at the first query
 };
 
 }  // namespace panicle::particles

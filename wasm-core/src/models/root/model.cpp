@@ -107,7 +107,8 @@ Result<Plant> grow(Request& request, const Limits& limits) {
       grow_wood(plant, soil, outer, targets, space, read.value(), deepest, 0, particle_tag, limits);
   if (!ran) return ran.error();
   const GrownWood& grown = ran.value();
-  if (Diagnostic trouble = too_many_parts(limits, plant.segments.size(), 0); trouble.reason != Reason::none) return trouble;
+  if (Diagnostic trouble = too_many_parts(limits, plant.segments.size(), 0); trouble.reason != Reason::none)
+    return trouble;
   if (values[storage] > 0) {
     const StorageHabit store{0.005f * size * values[storage], values[storage_reach] * extent.y};
     for (std::size_t c = 0; c < grown.trails.size(); ++c) swell(plant.segments, grown, c, store);

@@ -78,7 +78,8 @@ std::vector<glm::vec2> stratified_spots(const Strip& strip, std::uint32_t count,
 constexpr std::uint32_t throws = 60;
 constexpr float most_cells = 1e6f;  // along an edge: the last of them is wider in a strip that needs more
 
-std::vector<glm::vec2> blue_noise_spots(const Strip& strip, std::uint32_t count, float apart, const RandomDraws& draws) {
+std::vector<glm::vec2> blue_noise_spots(const Strip& strip, std::uint32_t count, float apart,
+                                        const RandomDraws& draws) {
   const float room = std::sqrt(strip.size.x * strip.size.y / static_cast<float>(count));
   const float edge = std::max(apart, 0.7f * room);
   const std::uint32_t across = whole(strip.size.x / edge, most_cells) + 1;
@@ -146,7 +147,8 @@ void keep_middle(std::vector<InRow>& spots, std::uint32_t count) {
 
 // Places parallel rows over the whole strip, symmetrically about its middle. `count` 0: as many as have room. The count
 // of the plan fills rows from the back; a smaller count stays in the middle.
-void place_in_rows(const Strip& strip, const Layer& layer, std::uint32_t count, const RandomDraws& draws, Spots& spots) {
+void place_in_rows(const Strip& strip, const Layer& layer, std::uint32_t count, const RandomDraws& draws,
+                   Spots& spots) {
   const SinCos turn = sincos_degrees(layer.towards);
   const glm::vec2 along(turn.cosine, turn.sine), across(-turn.sine, turn.cosine);
   const glm::vec2 middle = strip.at(0.5f, 0.5f);
@@ -248,8 +250,8 @@ Spots spots_of(const Layer& layer, std::uint32_t count, const Ground& ground, st
 namespace {
 
 // Attaches plants of the lines below a parent's line to the parent.
-void attach(std::vector<Placement>& plants, const std::vector<Kind>& kinds, std::uint32_t first_kind, std::size_t parent,
-          bool in_row, std::uint64_t seed, std::uint64_t address) {
+void attach(std::vector<Placement>& plants, const std::vector<Kind>& kinds, std::uint32_t first_kind,
+            std::size_t parent, bool in_row, std::uint64_t seed, std::uint64_t address) {
   for (std::uint32_t i = plants[parent].kind - first_kind + 1; i < kinds.size() && kinds[i].attached; ++i) {
     const Kind& kind = kinds[i];
     const std::uint64_t all = hash_combine(address, i);
@@ -278,8 +280,8 @@ void attach(std::vector<Placement>& plants, const std::vector<Kind>& kinds, std:
 
 }  // namespace
 
-Result<std::vector<Placement>> place(const Plan& plan, const Relief& relief, std::uint64_t seed, std::uint32_t requested,
-                                     std::vector<std::string>& notes) {
+Result<std::vector<Placement>> place(const Plan& plan, const Relief& relief, std::uint64_t seed,
+                                     std::uint32_t requested, std::vector<std::string>& notes) {
   const auto too_many = [] {
     return Diagnostic{Reason::limit, "More than 5000 plants come of this plan; make rows wider, or ask for fewer.", 0,
                       0};
@@ -305,8 +307,9 @@ Result<std::vector<Placement>> place(const Plan& plan, const Relief& relief, std
   for (std::uint32_t i = 0; i < plan.layers.size(); ++i) {
     const Layer& layer = plan.layers[i];
     const std::uint64_t upto = before + counts[i];
-    const std::uint32_t count =
-        requested == 0 || all == 0 ? counts[i] : static_cast<std::uint32_t>(upto * requested / all - before * requested / all);
+    const std::uint32_t count = requested == 0 || all == 0
+                                    ? counts[i]
+                                    : static_cast<std::uint32_t>(upto * requested / all - before * requested / all);
     before = upto;
     if (count == 0) {
       if (counts[i] > 0)
@@ -338,7 +341,8 @@ Result<std::vector<Placement>> place(const Plan& plan, const Relief& relief, std
   }
   for (std::size_t i = 0; i < ground_plants.size(); ++i) {
     const Layer& layer = plan.layers[ground_plants[i].layer];
-    attach(plants, layer.kinds, ground_plants[i].first_kind, i, layer.spacing == Spacing::rows, seed, ground_plants[i].address);
+    attach(plants, layer.kinds, ground_plants[i].first_kind, i, layer.spacing == Spacing::rows, seed,
+           ground_plants[i].address);
     if (plants.size() > most_plants) return too_many();
   }
   return plants;

@@ -38,7 +38,7 @@ Spots spots_of(const Layer& layer, std::uint32_t count, const Ground& ground, st
 
 // Places the plants of a plan. `requested`: number of plants on the ground in place of the plan's; 0: the plan's.
 // Error: limit.
-Result<std::vector<Placement>> place(const Plan& plan, const Relief& relief, std::uint64_t seed, std::uint32_t requested,
-                                     std::vector<std::string>& notes);
+Result<std::vector<Placement>> place(const Plan& plan, const Relief& relief, std::uint64_t seed,
+                                     std::uint32_t requested, std::vector<std::string>& notes);
 
 }  // namespace panicle::stand

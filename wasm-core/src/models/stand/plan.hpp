@@ -36,9 +36,9 @@ struct Kind {
   float width = 4, height = 8;  // of the crown at scale 1, metres; used for the surroundings of neighbours
   ValueRange scale{1, 1};
   std::uint32_t seeds = 0;  // number of different plants; 0: as many as plants
-  bool attached = false;       // to the plants of the nearest line above that is not attached
-  ValueRange each{1, 1};         // number on each parent
-  ValueRange high{1, 1};         // above the parent's foot, metres at its scale 1
+  bool attached = false;    // to the plants of the nearest line above that is not attached
+  ValueRange each{1, 1};    // number on each parent
+  ValueRange high{1, 1};    // above the parent's foot, metres at its scale 1
   float reach = 0.5f;       // along the parent, metres each way
   std::string spot;         // kind of the parent's organs that it hangs at, in place of height and reach; empty: none
   std::vector<Setting> settings;
@@ -64,10 +64,10 @@ struct Layer {
   expression::SourceLocation place;
   std::uint32_t count = 0;  // 0: as many as rows have room for
   Spacing spacing = Spacing::strata;
-  float apart = 0;    // blue: the least distance, 0: chosen by the count; rows: from row to row
-  float along = 0;    // distance in a row
-  float towards = 0;  // direction of rows, degrees from +x to +z
-  float jitter = 0;   // greatest offset from a row's place, metres each way
+  float apart = 0;         // blue: the least distance, 0: chosen by the count; rows: from row to row
+  float along = 0;         // distance in a row
+  float towards = 0;       // direction of rows, degrees from +x to +z
+  float jitter = 0;        // greatest offset from a row's place, metres each way
   ValueRange depth{0, 1};  // the strip of the ground, from its back (−z) to its front
   std::optional<Trellis> trellis;
   std::vector<Kind> kinds;

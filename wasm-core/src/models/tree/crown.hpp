@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "light/voxel_light.hpp"
-#include "models/particles/value_noise.hpp"
 #include "models/particles/boundary.hpp"
 #include "models/particles/hormone.hpp"
+#include "models/particles/value_noise.hpp"
 #include "spatial/solid.hpp"
 
 namespace panicle::particles::tree {

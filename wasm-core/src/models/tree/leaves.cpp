@@ -22,7 +22,7 @@ constexpr float tilt = 0.5f;        // greatest random tilt of leaves
 constexpr float droop = 0.25f;      // of their tips
 constexpr float least_size = 0.7f;  // of the largest
 constexpr float internode = 0.4f;   // from leaf to leaf along the shoot, in leaf lengths
-constexpr float rising = 0.6f;  // share of the unfolding time after which the highest leaves begin
+constexpr float rising = 0.6f;      // share of the unfolding time after which the highest leaves begin
 
 // A random address of a place: independent of its order among the others.
 std::uint64_t address_of(const glm::vec3& p) {

@@ -13,7 +13,7 @@ namespace panicle::particles::tree {
 struct LeafHabit {
   std::uint32_t count = 2;  // at each place: two opposite each other, more one behind the other
   float size = 0.1f;        // metres
-  float attached = 1;           // the share that has not fallen
+  float attached = 1;       // the share that has not fallen
   bool needles = false;     // whether they point away from their twig; others face the light
   glm::vec3 light{0, 1, 0};
   float unfolded = 1;  // progress of unfolding of all together, the lowest first, 0 … 1

@@ -188,7 +188,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   plant.tags = {"branch"};
   plant.organ_tags = {"leaf", "particle"};
   const Result<GrownWood> ran = grow_wood(plant, foliage, crowns_made.outer, crowns_made.feet, space, read.value(), 0,
-                                      highest, particle_tag, limits);
+                                          highest, particle_tag, limits);
   if (!ran) return ran.error();
   const GrownWood& grown = ran.value();
   leaf_habit.unfolded = grown.unfolded;

@@ -19,7 +19,9 @@ struct Bend {
     hanging = hang(twig.internodes, twig.flowers, 1);
     for (const Branch& branch : hanging.branches) ends.push_back(branch.end);
   }
-  BentSkeleton run(float size = 1) const { return bend_skeleton(twig.internodes, twig.flowers, hanging, outcomes, ends, size); }
+  BentSkeleton run(float size = 1) const {
+    return bend_skeleton(twig.internodes, twig.flowers, hanging, outcomes, ends, size);
+  }
 };
 
 glm::vec3 millimetres(float x, float y, float z) { return glm::vec3(x, y, z) * 0.001f; }
@@ -40,7 +42,8 @@ TEST_CASE("stems end where swelling left them, in metres, and pedicels at their 
   CHECK(bent.internodes[2].radius_end > bent.internodes[2].radius);  // where the berry sits
 }
 
-TEST_CASE("stems of a bunch in flower are little over half as thick as ripe ones, and thicken up to a berry size of 0.64") {
+TEST_CASE(
+    "stems of a bunch in flower are little over half as thick as ripe ones, and thicken up to a berry size of 0.64") {
   const Bend bend;
   const auto girth = [&](float size) { return bend.run(size).internodes[0].radius / 0.001f; };
   CHECK(girth(0) == doctest::Approx(0.55));

@@ -97,8 +97,8 @@ TEST_CASE(
   const Crop crop = crop_of(sprout, target);
   const auto lost =
       static_cast<std::size_t>(std::count(crop.swollen.lost.begin(), crop.swollen.lost.end(), RemovalReason::no_room));
-  CHECK(lost > 0);  // some berries are lost
-  CHECK(crop.fruitlets.size() > 84);  // so stand-ins have set
+  CHECK(lost > 0);                            // some berries are lost
+  CHECK(crop.fruitlets.size() > 84);          // so stand-ins have set
   CHECK(crop.fruitlets.size() - lost >= 80);  // and found room
   CHECK(crop.fruitlets.size() == setting(crop.set));
   CHECK(crop.berries.size() == crop.fruitlets.size());

@@ -29,7 +29,8 @@ struct Late {
   }
   Harvest at(float age, float size) const {
     const std::vector<FlowerOutcome> outcomes = outcomes_of(crop, sprout.flowers, 1, age, size);
-    const BentSkeleton bent = bend_skeleton(sprout.internodes, sprout.flowers, hanging, outcomes, crop.swollen.ends, size);
+    const BentSkeleton bent =
+        bend_skeleton(sprout.internodes, sprout.flowers, hanging, outcomes, crop.swollen.ends, size);
     return harvest(crop, sprout, hanging, outcomes, bent, size, 20);
   }
 };

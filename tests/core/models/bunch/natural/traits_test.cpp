@@ -29,7 +29,8 @@ TEST_CASE("a berry's traits are its body's widths in metres and its stage") {
   CHECK(at(50).turned == 0);
 }
 
-TEST_CASE("a flower that will not set stays a flower; light hastens colouring; the second bunch has its own random values") {
+TEST_CASE(
+    "a flower that will not set stays a flower; light hastens colouring; the second bunch has its own random values") {
   RipeningInputs flower{{{}, {0, -1, 0}, 1, 1, 0, 1}, 0.3f, 0.5f, false};
   CHECK(at(11, flower).set == 0);
   RipeningInputs lit{{{}, {0, -1, 0}, 8, 8, 0, 1}, 0.3f, 1, true}, shaded = lit;

@@ -84,7 +84,8 @@ TEST_CASE("the tip of its parent is no obstacle to an internode") {
   REQUIRE(growth.internodes.size() == 2);
   CHECK(growth.internodes[1].end == glm::vec3(0, -42, 0));
   // A grandparent's tip is an obstacle.
-  const PaperGrowth third = grown_from(with_answers("axiom: ?E(0,0,0,30,20,0) [ ?E(0,0,0,8,20,0) [ ?E(0,0,0,8,20,0) ] ]\n"));
+  const PaperGrowth third =
+      grown_from(with_answers("axiom: ?E(0,0,0,30,20,0) [ ?E(0,0,0,8,20,0) [ ?E(0,0,0,8,20,0) ] ]\n"));
   CHECK(!(third.cuts == 0 && third.internodes[2].end == glm::vec3(0, -46, 0)));
 }
 

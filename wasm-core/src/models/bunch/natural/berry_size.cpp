@@ -22,7 +22,8 @@ float normal_noise(const Flower& flower, std::uint64_t seed) {
 
 }  // namespace
 
-float width_share(const Flower& flower, const Situation& situation, const GrowthConditions& nurture, std::uint64_t seed) {
+float width_share(const Flower& flower, const Situation& situation, const GrowthConditions& nurture,
+                  std::uint64_t seed) {
   const float sun = sun_swing * nurture.sunlight * (situation.lit - 0.5f);
   const float fed = hunger_swing * (1 - nurture.vigour) * (0.5f - situation.along);
   return std::clamp((1 + nurture.spread * normal_noise(flower, seed)) * (1 + sun + fed), least_share, most_share);

@@ -18,7 +18,8 @@ struct GrowthConditions {
 };
 
 // A berry's width over the mean one: of its random value, its light and the distance that the sap has come.
-float width_share(const Flower& flower, const Situation& situation, const GrowthConditions& nurture, std::uint64_t seed);
+float width_share(const Flower& flower, const Situation& situation, const GrowthConditions& nurture,
+                  std::uint64_t seed);
 
 // Widths of the berries of those flowers that set, scaled so that the mean of the first `regular` ones is 1; the others
 // are stand-ins. `volumes`, above 0, are those of the berries over full ones.

@@ -22,7 +22,7 @@ void add(Harvest& harvest, std::uint32_t flower, const Flower& of, std::int32_t 
 }  // namespace
 
 std::vector<FlowerOutcome> outcomes_of(const Crop& crop, std::span<const Flower> flowers, std::uint64_t seed, float age,
-                                 float size) {
+                                       float size) {
   std::vector<FlowerOutcome> outcomes(flowers.size());
   for (std::size_t i = 0; i < flowers.size(); ++i)
     if (!(crop.set.volumes[i] > 0) && age < age_of_fall(random_value_of(flowers[i], seed, "fall")))

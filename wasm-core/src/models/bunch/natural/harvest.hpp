@@ -15,7 +15,7 @@ namespace panicle::bunch {
 // The state of each flower: those that did not set fall at an `age` of their own; `size` is the width of berries over
 // ripe ones.
 std::vector<FlowerOutcome> outcomes_of(const Crop& crop, std::span<const Flower> flowers, std::uint64_t seed, float age,
-                                 float size);
+                                       float size);
 
 // Berries first, in the flowers' order, then the flowers that did not set.
 struct Harvest {

@@ -12,8 +12,8 @@ namespace {
 // Standard deviations at a variability of 1, over the mean.
 constexpr float length_spread = 0.15f;
 constexpr float section_spread = 0.32f;  // of the area of its slices
-constexpr float together = 0.5f;  // share of that variance that is common with length: long bunches are wide ones
-constexpr float side_spread = 0.06f;     // of each half-width by itself
+constexpr float together = 0.5f;      // share of that variance that is common with length: long bunches are wide ones
+constexpr float side_spread = 0.06f;  // of each half-width by itself
 constexpr float shoulder_spread = 0.12f;
 constexpr float wing_spread = 0.4f;                          // of its weight
 constexpr float gap_height = 0.06f;                          // of each wave

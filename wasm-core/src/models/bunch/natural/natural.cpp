@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "models/bunch/berry/flower.hpp"
+#include "models/bunch/derived_bunch.hpp"
 #include "models/bunch/foliage/foliage.hpp"
 #include "models/bunch/measures/measures.hpp"
 #include "models/bunch/natural/berry_size.hpp"
@@ -20,7 +21,6 @@
 #include "models/bunch/natural/situation.hpp"
 #include "models/bunch/natural/traits.hpp"
 #include "models/bunch/natural/wing.hpp"
-#include "models/bunch/derived_bunch.hpp"
 #include "models/bunch/units.hpp"
 
 namespace panicle::bunch {
@@ -31,7 +31,7 @@ using enum Parameter;
 constexpr float count_met = 0.97f;  // share of a count; below it a note is added
 
 CropTarget crop_target_for(const BunchRequest& request, const Values& values, const Limits& limits,
-                    std::span<const NaturalPlan> plans) {
+                           std::span<const NaturalPlan> plans) {
   CropTarget target;
   target.count = values[count];
   target.density = values[density];
@@ -142,8 +142,7 @@ std::optional<Foliage> foliage_for(const BunchRequest& request, const Values& va
   for (std::size_t side = 0; side < 4; ++side)
     width = std::max(width, 2 * envelope.half_width(side, envelope.length() / 3));
   const glm::vec3 foot = internodes.empty() ? glm::vec3(0) : internodes[0].start;
-  return grow_foliage(
-      {request.seed, leaf_count, true, values[age], foot, width * metres_per_millimetre, request.leaf});
+  return grow_foliage({request.seed, leaf_count, true, values[age], foot, width * metres_per_millimetre, request.leaf});
 }
 
 void add_meshes(GrownBunch& grown, const BunchRequest& request, const Values& values, const Envelope& envelope,
@@ -195,15 +194,16 @@ std::string_view outcome_text(RemovalReason why) {
 
 // Adds the outcome of each flower to the trace of its module.
 void trace_outcomes(lsystem::DerivationTrace& trace, std::span<const Flower> flowers, const Crop& crop,
-                const Harvest& hung) {
+                    const Harvest& hung) {
   for (std::size_t k = 0; k < hung.berries.size(); ++k)
     if (const std::uint32_t module = hung.berries[k].module; module != no_module)
       trace.add_response(module, crop.set.volumes[hung.flowers[k]] > 0 ? "; its flower set, and it bears the berry"
-                                                                         : "; its flower does not set");
+                                                                       : "; its flower does not set");
   for (const Thinned& one : hung.thinned) {
     const auto flower =
         std::find_if(flowers.begin(), flowers.end(), [&](const Flower& each) { return each.id == one.id; });
-    if (flower != flowers.end() && flower->module != no_module) trace.add_response(flower->module, outcome_text(one.why));
+    if (flower != flowers.end() && flower->module != no_module)
+      trace.add_response(flower->module, outcome_text(one.why));
   }
 }
 

@@ -43,8 +43,8 @@ constexpr float towards_handles = 7;     // degrees by which axes midway between
 constexpr float hanging = 0.35f;         // of its angle left to an axis at the tip
 constexpr float hanging_nodes = 3;       // from the tip on which axes hang
 
-constexpr float drawn_in = 1.5f;          // a second-order axis, by how far the berry at its end would be outside
-constexpr float least_length = 0.3f;      // of the rachis, over the outline's
+constexpr float drawn_in = 1.5f;      // a second-order axis, by how far the berry at its end would be outside
+constexpr float least_length = 0.3f;  // of the rachis, over the outline's
 // upper bound of the number of berries, over those that the outline's volume holds
 constexpr float room_over_volume = 1.2f;
 constexpr float least_room = 12;
@@ -159,7 +159,7 @@ float place_nodes(NaturalPlan& plan, const Axis& axis, float end, const TextCons
 // Places the axes for the spacings in `plan`; returns their number of flowers, an axis counting by the share of it that
 // exists.
 float place_axes(NaturalPlan& plan, const Profile& profile, float pixel, float end, const TextConstants& text,
-               float start) {
+                 float start) {
   plan.arm.clear();
   plan.aim.clear();
   plan.way.clear();
@@ -264,7 +264,8 @@ NaturalPlan make_natural_plan(const Profile& drawn, const Values& values, float 
     plan.stride = stride_over_step * plan.step;
     plan.spacing = std::min(plan.step, plan.length / least_nodes);
     const float flowers = place_axes(plan, profile, pixel, end, text, start);
-    if (!(is_count_requested || plan.overfull) || flowers >= flowers_per_berry * plan.berries || flowers > most_flowers) break;
+    if (!(is_count_requested || plan.overfull) || flowers >= flowers_per_berry * plan.berries || flowers > most_flowers)
+      break;
     closer *= closer_by;
   }
   return plan;

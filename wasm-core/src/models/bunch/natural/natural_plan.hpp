@@ -43,9 +43,9 @@ struct NaturalPlan {
   std::vector<float> node;    // number of its first node among the nodes of all axes, from 1
   std::vector<float> beyond;  // of each node: how far beyond its twig an axis of second order may go
   float berries = 0;  // how many there are to be: as requested, or enough to fill the outline to the requested density
-  float berry = 0;            // volume of one
-  float room = 0;             // upper bound of the number of berries: somewhat more than the outline's volume
-  bool overfull = false;      // whether the density would require more berries than allowed
+  float berry = 0;    // volume of one
+  float room = 0;     // upper bound of the number of berries: somewhat more than the outline's volume
+  bool overfull = false;  // whether the density would require more berries than allowed
 };
 
 // `start`: the azimuth of the first axis if all sides were alike; degrees.

@@ -62,7 +62,8 @@ std::int32_t add_peduncle(std::vector<Internode>& internodes, float length, std:
   for (const Ring& ring : rings) {
     // Upright at p1, curving away from it.
     const float offset = bow * ring.height * ring.height, knee = ring.height == node ? kink : 0;
-    const glm::vec3 at(offset * way.cosine + knee * off.cosine, above * ring.height, offset * way.sine + knee * off.sine);
+    const glm::vec3 at(offset * way.cosine + knee * off.cosine, above * ring.height,
+                       offset * way.sine + knee * off.sine);
     if (!stalk.empty()) {
       stalk.back().end = at;
       stalk.back().radius_end = radius_at(ring);

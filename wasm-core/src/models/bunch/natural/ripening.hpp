@@ -19,11 +19,11 @@ float relief_at(float age);
 std::vector<float> sizes_until(float age);
 
 struct BerryCircumstances {
-  float along = 0;     // 0 at the base … 1 at the tip of the bunch
-  float random_value = 0.5f;   // random, 0 … 1
-  float exposure = 0;  // 0 … 1
-  float sunlight = 0;  // 0 … 1: weight of the exposure
-  float vigour = 1;    // 0 … 1
+  float along = 0;            // 0 at the base … 1 at the tip of the bunch
+  float random_value = 0.5f;  // random, 0 … 1
+  float exposure = 0;         // 0 … 1
+  float sunlight = 0;         // 0 … 1: weight of the exposure
+  float vigour = 1;           // 0 … 1
 };
 
 struct Stage {

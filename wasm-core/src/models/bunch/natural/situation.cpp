@@ -11,7 +11,7 @@
 namespace panicle::bunch {
 namespace {
 
-constexpr float open_sky = 0.3f;                    // weight of the outside for flowers that face upwards as well
+constexpr float open_sky = 0.3f;     // weight of the outside for flowers that face upwards as well
 constexpr float golden = 0.618034f;  // of a turn: the golden ratio sets neighbours along an axis far apart
 // twice the square: sets axis and depth apart together, in a raceme, as well
 constexpr float golden_axis = 2 * golden * golden;
@@ -19,7 +19,8 @@ constexpr float second_order = 0.414214f - golden;  // the same for two axes tha
 constexpr float own_noise = 0.15f;
 
 // The situation of a flower. `own` is its place in the frame of a bunch that hangs straight down.
-Situation situated(const glm::vec3& own, const Envelope& envelope, const UprightTransform& upright, const glm::vec3& sun) {
+Situation situated(const glm::vec3& own, const Envelope& envelope, const UprightTransform& upright,
+                   const glm::vec3& sun) {
   const float length = envelope.length();
   const float depth = std::clamp(-own.y, 0.0f, length);
   const float x = std::max(1.0f, envelope.half_width(own.x >= 0 ? 0 : 1, depth));

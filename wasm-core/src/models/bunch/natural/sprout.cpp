@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "foundation/random.hpp"
+#include "models/bunch/derived_bunch.hpp"
 #include "models/bunch/grammars.hpp"
 #include "models/bunch/natural/individual.hpp"
 #include "models/bunch/natural/ripening.hpp"
@@ -12,7 +13,6 @@
 #include "models/bunch/paper/skeleton_drawing.hpp"
 #include "models/bunch/remarks.hpp"
 #include "models/bunch/roles.hpp"
-#include "models/bunch/derived_bunch.hpp"
 
 namespace panicle::bunch {
 namespace {
@@ -42,7 +42,7 @@ struct PlannedBunch {
 class SproutBuilder {
  public:
   SproutBuilder(const BunchRequest& request, const Values& values, const Limits& limits,
-        std::shared_ptr<const lsystem::Program> program)
+                std::shared_ptr<const lsystem::Program> program)
       : request_(request), values_(values), limits_(limits), program_(std::move(program)) {}
 
   // `slender`: the width of its rachis over the width that the berries require.
@@ -159,7 +159,8 @@ class SproutBuilder {
     derived_bunch->stance = {stance.lean, stance.side, stance.foot / values_[Parameter::unit]};
     if (first) remark_text(*derived_bunch->bound, values_, "natural", used_by_plan, notes);
     std::vector<std::string> repeated_notes;
-    drawing.begin(*derived_bunch->bound, roles_of(*program_, first ? notes : repeated_notes), !first, derived_bunch->first_axis);
+    drawing.begin(*derived_bunch->bound, roles_of(*program_, first ? notes : repeated_notes), !first,
+                  derived_bunch->first_axis);
     sprout.bounds.push_back({planned->plan.envelope, stance});
     sprout.plans.push_back(std::move(planned->plan));
     if (first) {

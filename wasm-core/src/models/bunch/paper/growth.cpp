@@ -13,7 +13,7 @@ PaperGrowth::PaperGrowth(const InteractionOptions& options, const Limits& limits
     : SkeletonDrawing(limits), options_(options), structure_(largest) {}
 
 void PaperGrowth::begin(const lsystem::BoundProgram& text, const SymbolRoles& roles, bool second, std::uint64_t seed,
-                   std::int32_t first_axis) {
+                        std::int32_t first_axis) {
   SkeletonDrawing::begin(text, roles, second, first_axis);
   constants_.narrowing = lsystem::constant(text, "r_w", 1);
   constants_.withered_length = lsystem::constant(text, "l_w", 10);
@@ -22,7 +22,7 @@ void PaperGrowth::begin(const lsystem::BoundProgram& text, const SymbolRoles& ro
 }
 
 Newborn PaperGrowth::newborn(const Question& question, const lsystem::Turtle& turtle, std::span<const float> parameters,
-                        std::uint64_t address) const {
+                             std::uint64_t address) const {
   const ParameterSlots& slots = question.slots;
   Newborn newborn;
   newborn.pedicel = question.pedicel;
@@ -38,7 +38,7 @@ Newborn PaperGrowth::newborn(const Question& question, const lsystem::Turtle& tu
 }
 
 SkeletonDrawing::Answer PaperGrowth::answer(const Question& question, const lsystem::Turtle& turtle,
-                                       std::span<float> parameters, const lsystem::Lineage& lineage) {
+                                            std::span<float> parameters, const lsystem::Lineage& lineage) {
   const ReservedRoom* const reserved = find_reserved(lineage.address);
   const bool rachis = is_rachis(lineage.parent_symbol);
   Room room;
@@ -123,7 +123,7 @@ const PaperGrowth::ReservedRoom* PaperGrowth::find_reserved(std::uint64_t addres
 }
 
 void PaperGrowth::line(std::int32_t id, const lsystem::Turtle& before, const lsystem::Turtle& after,
-                  const lsystem::Lineage& lineage) {
+                       const lsystem::Lineage& lineage) {
   SkeletonDrawing::line(id, before, after, lineage);
   if (tips_.size() < segments.size()) tips_.push_back(lineage.address == tip_of_ ? tip_ : SphereGrid::no_sphere);
 }

@@ -32,7 +32,7 @@ struct Room {
   float theta = 0;  // 0 without room
   float phi = 0;
   Sphere sphere;
-  Sphere unturned;                   // its place without turning
+  Sphere unturned;                // its place without turning
   std::uint32_t adjustments = 0;  // number made or tried
   float turned = 0;               // degrees in total
 };

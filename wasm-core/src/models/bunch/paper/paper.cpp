@@ -7,12 +7,12 @@
 
 #include "foundation/mathematics.hpp"
 #include "models/bunch/berry_ids.hpp"
+#include "models/bunch/derived_bunch.hpp"
 #include "models/bunch/grammars.hpp"
 #include "models/bunch/measures/measures.hpp"
 #include "models/bunch/paper/growth.hpp"
 #include "models/bunch/remarks.hpp"
 #include "models/bunch/shape.hpp"
-#include "models/bunch/derived_bunch.hpp"
 #include "models/bunch/units.hpp"
 
 namespace panicle::bunch {
@@ -24,14 +24,16 @@ struct Planned {
   std::optional<DerivedBunch> second;
 };
 
-Result<DerivedBunch> derived_bunch_for(const Shape& shape, const Values& values, std::shared_ptr<const lsystem::Program> program,
-                        std::uint64_t seed, std::optional<std::uint32_t> steps, const Limits& limits) {
+Result<DerivedBunch> derived_bunch_for(const Shape& shape, const Values& values,
+                                       std::shared_ptr<const lsystem::Program> program, std::uint64_t seed,
+                                       std::optional<std::uint32_t> steps, const Limits& limits) {
   auto bound = lsystem::bind(std::move(program), inputs_for(shape, values), limits);
   if (!bound) return bound.error();
   return derive_bunch(std::move(bound.value()), seed, steps, limits);
 }
 
-Result<Planned> plan_bunches(const BunchRequest& request, const Values& values, const Limits& limits, GrownBunch& grown) {
+Result<Planned> plan_bunches(const BunchRequest& request, const Values& values, const Limits& limits,
+                             GrownBunch& grown) {
   using enum Parameter;
   const Profile profile = values.profile();
   auto shape = shape_for(request, profile, values[fit]);
@@ -55,8 +57,8 @@ Result<Planned> plan_bunches(const BunchRequest& request, const Values& values, 
 }
 
 // Interprets a bunch into the growth, among the structure that is there already.
-Diagnostic grow_bunch(const DerivedBunch& derived_bunch, const SymbolRoles& roles, const Limits& limits, PaperGrowth& growth, bool second,
-                      lsystem::DerivationTrace* trace = nullptr) {
+Diagnostic grow_bunch(const DerivedBunch& derived_bunch, const SymbolRoles& roles, const Limits& limits,
+                      PaperGrowth& growth, bool second, lsystem::DerivationTrace* trace = nullptr) {
   growth.begin(*derived_bunch.bound, roles, second, derived_bunch.seed, derived_bunch.first_axis);
   const Diagnostic trouble = interpret(derived_bunch, limits, growth, trace);
   return trouble.reason == Reason::none ? growth.trouble() : trouble;
@@ -65,7 +67,7 @@ Diagnostic grow_bunch(const DerivedBunch& derived_bunch, const SymbolRoles& role
 // Grows both bunches. The second bunch's rachis is placed first, for it would find no way through the first's berries;
 // the berries of both come later, as in nature. `second_from` becomes the number of the second's first berry.
 Diagnostic grow_bunches(const Planned& planned, const SymbolRoles& roles, const Limits& limits, PaperGrowth& growth,
-                       lsystem::DerivationTrace* trace, std::size_t& second_from) {
+                        lsystem::DerivationTrace* trace, std::size_t& second_from) {
   Diagnostic trouble;
   if (planned.second) {
     growth.begin_rachis_pass();

@@ -22,7 +22,8 @@ void SkeletonDrawing::erase() {
   balls.resize(first_ball_);
 }
 
-void SkeletonDrawing::query(const lsystem::Turtle& turtle, std::span<float> parameters, const lsystem::Lineage& lineage) {
+void SkeletonDrawing::query(const lsystem::Turtle& turtle, std::span<float> parameters,
+                            const lsystem::Lineage& lineage) {
   answering_ = false;
   Question question;
   if (!slots_for(parameters.size(), question.slots)) return fail(wrong_arity());

@@ -49,10 +49,11 @@ bool FlowerReader::material() {
 // `margin "ffffff" 0.2 light 0.6`: each once, in any order.
 bool FlowerReader::material_settings(Material& material) {
   static constexpr std::array<std::string_view, 7> setting_names = {"foot", "margin", "veins", "light",
-                                                              "bud",  "wilted", "name"};
+                                                                    "bud",  "wilted", "name"};
   std::array<bool, setting_names.size()> is_set{};
   while (at_ < end_) {
-    const auto word = static_cast<std::size_t>(std::find(setting_names.begin(), setting_names.end(), found()) - setting_names.begin());
+    const auto word = static_cast<std::size_t>(std::find(setting_names.begin(), setting_names.end(), found()) -
+                                               setting_names.begin());
     if (!on_name() || word == setting_names.size())
       return wrong(here(), "Of a material one can say foot, margin, veins, light, bud, wilted and name; '%' is none.",
                    {found()});

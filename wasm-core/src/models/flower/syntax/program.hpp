@@ -152,7 +152,7 @@ struct Material {
   std::string kind;  // of `material_kinds`
   std::string name;  // of organs of the material; empty: its kind's
   Colours open;
-  Colours bud, wilted;                      // at an age of 0 and of 2; mixed between
+  Colours bud, wilted;  // at an age of 0 and of 2; mixed between
   // share of an organ's length over which the first colour blends into the second
   float foot = 0.6f;
   std::uint32_t margin = 0, veins = 0;      // colours

@@ -50,8 +50,10 @@ float LeafCoverage::share_of(const Surface& surface) const {
   for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
     done += area(i);
     // Each triangle gets samples in proportion to its area; those beyond its diagonal are folded into it.
-    for (const double until = std::floor(places * done / whole + 0.5); static_cast<double>(sampled) < until; ++sampled) {
-      double u = share(0.5 + across * static_cast<double>(sampled)), v = share(0.5 + along * static_cast<double>(sampled));
+    for (const double until = std::floor(places * done / whole + 0.5); static_cast<double>(sampled) < until;
+         ++sampled) {
+      double u = share(0.5 + across * static_cast<double>(sampled)),
+             v = share(0.5 + along * static_cast<double>(sampled));
       if (u + v > 1) {
         u = 1 - u;
         v = 1 - v;

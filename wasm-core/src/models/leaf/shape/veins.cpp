@@ -103,7 +103,8 @@ Result<Veins> grow_veins(const LeafRequest& leaf_request, const Limits& limits, 
   note_on(rules_of(values, 1), notes);
   const glm::vec3 base = base_of(veins.outline, notes);
   const std::vector<Ribs> trees = build_ribs(plan_of(values), veins.margin, veins.outline, base, notes);
-  const auto starts = scatter_all(veins.outline, static_cast<Pattern>(values.whole(pattern)), count, leaf_request.seed).points;
+  const auto starts =
+      scatter_all(veins.outline, static_cast<Pattern>(values.whole(pattern)), count, leaf_request.seed).points;
   if (starts.empty()) notes.push_back("No particle found room in the outline: give more, or another seed.");
 
   std::vector<std::unique_ptr<const Venation>> guides;

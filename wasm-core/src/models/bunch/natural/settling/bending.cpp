@@ -152,8 +152,9 @@ class Bending {
 
 }  // namespace
 
-BentSkeleton bend_skeleton(std::span<const Internode> internodes, std::span<const Flower> flowers, const Hanging& hanging,
-                   std::span<const FlowerOutcome> outcomes, std::span<const glm::vec3> ends, float size) {
+BentSkeleton bend_skeleton(std::span<const Internode> internodes, std::span<const Flower> flowers,
+                           const Hanging& hanging, std::span<const FlowerOutcome> outcomes,
+                           std::span<const glm::vec3> ends, float size) {
   return Bending(internodes, flowers, hanging, outcomes, ends, size).run();
 }
 

@@ -10,8 +10,8 @@ namespace panicle::bunch {
 namespace {
 
 constexpr float grams_per_volume = 1.06e-3f;  // mass of a cubic millimetre of berry
-constexpr float softness = 1e-4f;  // radians a gram, mm of lever and of length, at a radius of 1 mm, of the total
-constexpr float most_bent = 0.5f;  // radians; upper bound that no branch reaches
+constexpr float softness = 1e-4f;      // radians a gram, mm of lever and of length, at a radius of 1 mm, of the total
+constexpr float most_bent = 0.5f;      // radians; upper bound that no branch reaches
 constexpr float turned_round = -0.9f;  // cosine: an axis that would have to turn further up stays as it is
 constexpr float limp = 0.75f;          // how far down a level pedicel is drawn, over its own length
 constexpr float limper = 0.25f;        // more where it points up, less where it hangs already
@@ -96,7 +96,8 @@ void Sagging::brace(std::span<const Swelling> berries) {
     const auto axis = static_cast<std::size_t>(axis_of[k]);
     const std::int32_t axis_parent = branches_[axis].parent;
     before[axis] += heads[k] * (branch.end - branches_[axis].start);
-    after[axis] += heads[k] * (ends[k] - (axis_parent < 0 ? branches_[axis].start : ends[static_cast<std::size_t>(axis_parent)]));
+    after[axis] +=
+        heads[k] * (ends[k] - (axis_parent < 0 ? branches_[axis].start : ends[static_cast<std::size_t>(axis_parent)]));
   }
   for (std::size_t k = 0; k < branches_.size(); ++k)
     if (axis_of[k] == static_cast<std::int32_t>(k)) braced_[k] = least_turn(after[k], before[k]);

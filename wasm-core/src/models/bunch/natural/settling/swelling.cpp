@@ -35,9 +35,9 @@ constexpr int joining = 8;              // steps in which those that join late c
 constexpr int most_joinings = 5;        // number of batches of late berries
 // number that joins over the number that is missing, for some of them will be lost too
 constexpr float over_missing = 2.0f;
-constexpr float near_enough = 0.98f;    // of the requested number
-constexpr float youngest = 0.08f;       // size of a berry that joins
-constexpr float rounding = 1.0001f;     // factor for a squared distance: berries farther apart than that cannot touch
+constexpr float near_enough = 0.98f;  // of the requested number
+constexpr float youngest = 0.08f;     // size of a berry that joins
+constexpr float rounding = 1.0001f;   // factor for a squared distance: berries farther apart than that cannot touch
 
 // A berry and a stem that it may lean on.
 struct BerryStemPair {
@@ -272,8 +272,8 @@ class Solver {
     }
   }
 
-  // `berry_stem_pairs_` lists the berries of one stem after another: the values computed for a stem serve all its berries, until
-  // one of them pushes its end.
+  // `berry_stem_pairs_` lists the berries of one stem after another: the values computed for a stem serve all its
+  // berries, until one of them pushes its end.
   void part_stems() {
     work_.looks += berry_stem_pairs_.size();
     for (std::size_t at = 0; at < berry_stem_pairs_.size();) {
@@ -383,8 +383,8 @@ class Solver {
   bool settled_ = false;
   std::vector<UprightTransform> turns_;
   SphereOverlapQuery nearby_;
-  std::vector<SpherePair> pairs_;  // berries that may touch
-  std::vector<BerryStemPair> berry_stem_pairs_;   // by stem
+  std::vector<SpherePair> pairs_;                // berries that may touch
+  std::vector<BerryStemPair> berry_stem_pairs_;  // by stem
   std::vector<float> pushes_, bound_pushes_;
   SwellingWork work_;
 };
