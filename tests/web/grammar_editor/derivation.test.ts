@@ -39,7 +39,7 @@ function setUp() {
 
 const settle = () => new Promise((resolve) => setTimeout(resolve));
 
-describe("a derivation that is looked at", () => {
+describe("the state of the step viewer", () => {
 	let { context, growOffscreen, plants, followers, tool } = setUp();
 	let derivation: Derivation;
 	beforeEach(async () => {
@@ -61,7 +61,7 @@ describe("a derivation that is looked at", () => {
 		expect(plants).toHaveLength(0);
 	});
 
-	it("shows the plant as it was after the step, once its string is told", async () => {
+	it("shows the plant of a step once the step's string has loaded", async () => {
 		await to(3);
 		expect(text()).toBe("ABAAB");
 		expect(plants.map(({ options }) => options.steps)).toEqual([3]);
@@ -73,7 +73,7 @@ describe("a derivation that is looked at", () => {
 		expect(tool().scene).toMatchObject({ step: STEPS, instead: false });
 	});
 
-	it("shows no plant of a step that has been left meanwhile", async () => {
+	it("does not show the plant of a step that was left before it had grown", async () => {
 		await to(3);
 		await to(2);
 		plants[0].let();
@@ -84,7 +84,7 @@ describe("a derivation that is looked at", () => {
 		expect(tool().scene?.step).toBe(2);
 	});
 
-	it("shows the document's plant at the last step, whatever comes late", async () => {
+	it("shows the document's plant at the last step, and ignores late plants of other steps", async () => {
 		await to(3);
 		await to(STEPS);
 		plants[0].let();
@@ -114,7 +114,7 @@ describe("a derivation that is looked at", () => {
 		expect(derivation.down()).toBe(false);
 	});
 
-	it("takes the chosen module along from step to step, and lets it go where one jumps", async () => {
+	it("follows the chosen module from step to step, and clears the choice after a jump", async () => {
 		await to(2, 1);
 		derivation.stepBy(1);
 		await settle();
@@ -126,7 +126,7 @@ describe("a derivation that is looked at", () => {
 		expect(derivation.chosen).toBeUndefined();
 	});
 
-	it("lets the descendants shine in the last plant, and the module itself in its own step's", async () => {
+	it("highlights the module's descendants in the last plant, and the module itself in its own step's plant", async () => {
 		derivation.follows = false;
 		await to(2, 1); // B of ABA: A, AB, ABA in the last.
 		expect(tool().lit).toEqual({ first: 5, count: 3 });
@@ -141,7 +141,7 @@ describe("a derivation that is looked at", () => {
 		expect(tool().lit).toEqual({ first: 1, count: 1 });
 	});
 
-	it("marks what is met in the view, and chooses what is clicked, in the step that is shown", async () => {
+	it("marks the pointed module in the string, and chooses the clicked one", async () => {
 		derivation.follows = false;
 		await to(2);
 		context.setToolState(DERIVATION, { ...tool(), met: { module: 6, step: STEPS, chosen: false } });
@@ -153,7 +153,7 @@ describe("a derivation that is looked at", () => {
 		expect(derivation.chosen).toBe(2);
 	});
 
-	it("takes nothing in the view of the step before for what is in this one, whose plant has not come", async () => {
+	it("ignores picks in the previous step's plant while the new one is growing", async () => {
 		await to(2);
 		plants[0].let();
 		await settle();
@@ -168,7 +168,7 @@ describe("a derivation that is looked at", () => {
 		expect(growOffscreen.mock.calls).toHaveLength(calls);
 	});
 
-	it("asks for the ancestor of what is clicked where the window does not tell", async () => {
+	it("requests the ancestor of a clicked module outside the window", async () => {
 		derivation.follows = false;
 		await to(2);
 		vi.spyOn(derivation, "page", "get").mockReturnValue({ ...algae({ step: 2, first: 0, count: 1 }, STEPS) });
@@ -179,7 +179,7 @@ describe("a derivation that is looked at", () => {
 		expect(derivation.chosen).toBe(2);
 	});
 
-	it("follows another document: its string in place of this one's, never this one's light", async () => {
+	it("replaces string and highlight when the document changes", async () => {
 		await to(STEPS, 2);
 		expect(tool().lit).toBeDefined();
 		Object.assign(context.state, { grown: { ...EMPTY_PLANT }, grownFrom: { model: "grammar" } });
@@ -190,7 +190,7 @@ describe("a derivation that is looked at", () => {
 		expect(tool().scene?.from).toBe(context.state.grownFrom);
 	});
 
-	it("leaves the last plant in view where none can be grown of the step", async () => {
+	it("keeps the last plant in view if a step's plant cannot be grown", async () => {
 		await to(1);
 		plants[0].refuse(new Error("Too many segments."));
 		await settle();
@@ -206,7 +206,7 @@ describe("a derivation that is looked at", () => {
 		expect(tool().scene?.step).toBe(STEPS);
 	});
 
-	it("says why nothing is told, and gives the view back", async () => {
+	it("reports why there is no trace, and restores the view", async () => {
 		growOffscreen.mockRejectedValueOnce(new Error("The text needs 3 inputs."));
 		Object.assign(context.state, { grownFrom: { model: "grammar" } });
 		derivation.follow();

@@ -9,8 +9,8 @@ import { specimenFromPreset } from "../bunch";
 
 const number = (text: string) => ({ text, value: Number(text) });
 
-describe("numbers moved by hand", () => {
-	it("go by their last digit, and stay written as they are", () => {
+describe("dragged numbers", () => {
+	it("change by their last digit, and keep their decimals", () => {
 		expect(stepped(number("60"), 5)).toBe("65");
 		expect(stepped(number("0.50"), -3)).toBe("0.47");
 		expect(stepped(number("1.5"), 0.1)).toBe("1.51");
@@ -27,7 +27,7 @@ describe("numbers moved by hand", () => {
 	});
 });
 
-describe("a curve moved by hand", () => {
+describe("an edited curve", () => {
 	const points = [
 		[0, 0],
 		[0.5, 0.5],
@@ -40,7 +40,7 @@ describe("a curve moved by hand", () => {
 		expect(moved(points, 0, [0.9, -1], frame)[0]).toEqual([0.49, 0]);
 	});
 
-	it("takes points where none is, and gives up all but two", () => {
+	it("adds a point only in a gap, and removes points down to two", () => {
 		expect(added(points, [0.25, 0.7], frame)).toHaveLength(4);
 		expect(added(points, [0.25, 0.7], frame)[1]).toEqual([0.25, 0.7]);
 		expect(added(points, [0.501, 0.7], frame)).toBe(points);
@@ -48,11 +48,11 @@ describe("a curve moved by hand", () => {
 		expect(removed(points.slice(1), 0)).toHaveLength(2);
 	});
 
-	it("is written as a text has it", () => {
+	it("is formatted as in a text", () => {
 		expect(inText([[0, 0], [1 / 3, -0.0001], [1, 1]], frame)).toBe("(0, 0) (0.33, 0) (1, 1)"); // biome-ignore format: a point each
 	});
 
-	it("goes through its points, never beyond them, and level outside", () => {
+	it("interpolates its points without overshoot, and is constant outside", () => {
 		const hill = [
 			[0, 0],
 			[0.2, 1],
@@ -67,14 +67,14 @@ describe("a curve moved by hand", () => {
 	});
 });
 
-describe("a text beside another", () => {
-	it("differs in one stretch", () => {
+describe("the difference of two texts", () => {
+	it("is a single stretch", () => {
 		expect(difference("abc", "abc")).toBeUndefined();
 		expect(difference("aXc", "abbc")).toEqual({ from: 1, to: 2, insert: "bb" });
 		expect(difference("aa", "aaa")).toEqual({ from: 2, to: 2, insert: "a" });
 	});
 
-	it("is none of its own where it is the built-in one", () => {
+	it("does not count as the document's own text if it equals the built-in one", () => {
 		const source: GrammarSource = { noun: "bunch", group: "branching", builtIn: () => "axiom: F" };
 		const specimen = specimenFromPreset("long-conical");
 		expect(withText(source, specimen, "axiom: F F")).toEqual({ details: { grammar: "axiom: F F" } });
@@ -86,7 +86,7 @@ describe("a text beside another", () => {
 describe("a number typed for a constant", () => {
 	const number = (value: number) => ({ text: String(value), value });
 
-	it("is taken as far as links hold it, and it is said what it became", () => {
+	it("is clamped to the range of links, with a message", () => {
 		expect([3, 2e9, -2e9].map(takenOf)).toEqual([3, 1e9, -1e9]);
 		expect(complaintOf("length", "3", 3, number(3))).toBeUndefined();
 		expect(complaintOf("length", "2e9", 2e9, number(1e9))).toBe(
@@ -96,10 +96,10 @@ describe("a number typed for a constant", () => {
 	});
 });
 
-describe("what the core says of a text", () => {
+describe("problems reported by the core", () => {
 	const notes = ["Line 3, column 5: F1 is one symbol.", "4 pedicels found no room."];
 
-	it("is a mistake, or else the remarks that name a place", () => {
+	it("are the fault, or else the remarks with a place", () => {
 		expect(problemsOf(undefined, notes)).toEqual([
 			{ severity: "remark", line: 3, column: 5, message: "F1 is one symbol." },
 		]);
@@ -109,7 +109,7 @@ describe("what the core says of a text", () => {
 	});
 });
 
-it("problems are the same where place, kind and words are", () => {
+it("are equal if place, severity and message are equal", () => {
 	const remark = { severity: "remark", line: 3, column: 2, message: "odd" } as const;
 	expect(sameProblems([remark], [{ ...remark }])).toBe(true);
 	expect(sameProblems([remark], [])).toBe(false);

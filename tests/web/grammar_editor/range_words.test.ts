@@ -21,7 +21,7 @@ it.each(["", "90", "0 tons", "0to9", "from to 9", "0 .. x", "a..b", ". .. ."])("
 	expect(findRange(text)).toBeUndefined(),
 );
 
-it("trims what parts words from a range, and the signs of a comment", () => {
+it("trims separators around a range, and the delimiters of a comment", () => {
 	expect(trimSeparators(" ,; turning, of:; ")).toBe("turning, of");
 	expect(trimSeparators(" ;,")).toBe("");
 	expect(["/* a */", "/** a **/", "/* a", "/**/", "/*/", "/***/"].map(insideComment)).toEqual([

@@ -36,7 +36,7 @@ function byHand() {
 const settle = () => vi.advanceTimersByTimeAsync(0);
 const shown = ({ page }: TraceReader) => page?.modules[0]?.text;
 
-describe("a derivation read window by window", () => {
+describe("the trace reader", () => {
 	beforeEach(() => void vi.useFakeTimers());
 	afterEach(() => void vi.useRealTimers());
 
@@ -58,7 +58,7 @@ describe("a derivation read window by window", () => {
 		expect(changed).toHaveBeenCalled();
 	});
 
-	it("never gives a string of another step than the one that is request for, however fast these follow", async () => {
+	it("never returns a window of another step than requested, however fast requests follow", async () => {
 		const { reader, requests } = await opened();
 		for (const step of [11, 10, 9, 8, 7]) {
 			reader.want({ step, about: 0 });
@@ -79,7 +79,7 @@ describe("a derivation read window by window", () => {
 		expect(requests).toHaveLength(3);
 	});
 
-	it("ends a question that takes long and is wanted no more", async () => {
+	it("aborts a slow request that is no longer needed", async () => {
 		const { reader, requests } = await opened();
 		reader.want({ step: 3, about: 0 });
 		await vi.advanceTimersByTimeAsync(100);
@@ -94,7 +94,7 @@ describe("a derivation read window by window", () => {
 		expect(reader.fault).toBeUndefined();
 	});
 
-	it("goes on with a question that takes long and is wanted again", async () => {
+	it("continues a slow request that is needed again", async () => {
 		const { reader, requests } = await opened();
 		for (const step of [3, 4, 3]) reader.want({ step, about: 0 });
 		await vi.advanceTimersByTimeAsync(1000);
@@ -112,7 +112,7 @@ describe("a derivation read window by window", () => {
 		expect(requests[2].signal.aborted).toBe(true);
 	});
 
-	it("keeps a window of the same step until the one farther on has come", async () => {
+	it("shows another window of the same step until the requested one has loaded", async () => {
 		const { reader, requests } = await opened();
 		reader.want({ step: 12, about: 3000 });
 		expect(shown(reader)).toBe("A(12,0)");
@@ -122,7 +122,7 @@ describe("a derivation read window by window", () => {
 		expect(reader.page?.first).toBe(2800);
 	});
 
-	it("keeps the last document's string, as such, until another's has come, and drops what comes late of it", async () => {
+	it("shows the previous document's string as stale until the new one has loaded, and ignores late windows", async () => {
 		const { reader, requests } = await opened();
 		const next = byHand();
 		reader.want({ step: 5, about: 0 });
@@ -143,7 +143,7 @@ describe("a derivation read window by window", () => {
 		expect(reader.stale).toBe(false);
 	});
 
-	it("stays within a string that has become shorter, and a derivation that has", async () => {
+	it("stays within a shorter string, and within a shorter derivation", async () => {
 		const { reader, requests } = await opened();
 		const next = byHand();
 		reader.want({ step: undefined, about: 4000 });
@@ -159,7 +159,7 @@ describe("a derivation read window by window", () => {
 		expect(shown(reader)).toBe("A(3,0)");
 	});
 
-	it("says why nothing comes, and goes on with the next question", async () => {
+	it("reports an error, and continues with the next request", async () => {
 		const { reader, requests } = await opened();
 		reader.want({ step: 2, about: 0 });
 		requests[1].fail(new Error("The core broke."));
@@ -180,7 +180,7 @@ describe("a derivation read window by window", () => {
 		expect(reader.counts).toBeUndefined();
 	});
 
-	it("requests again where another question has taken its place", async () => {
+	it("repeats a request that another one replaced", async () => {
 		const { reader, requests } = await opened();
 		reader.want({ step: 2, about: 0 });
 		requests[1].fail(new Superseded());
@@ -193,7 +193,7 @@ describe("a derivation read window by window", () => {
 	});
 });
 
-it("windows begin where they are found again, and hold what they are about", () => {
+it("windows begin at fixed multiples, and contain the requested module", () => {
 	for (const length of [1, 599, 601, 5000, 1_000_003]) {
 		for (const about of [0, 1, 250, 4999, length - 1].filter((each) => each >= 0 && each < length)) {
 			const first = windowAbout(about, length);

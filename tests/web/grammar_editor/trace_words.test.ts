@@ -28,8 +28,8 @@ const module: TraceEntry = {
 	last: { first: 9, count: 20 },
 };
 
-describe("a module in words", () => {
-	it("has a symbol and parameters, be the symbol a parenthesis's neighbour", () => {
+describe("the description of a module", () => {
+	it("splits symbol and parameters, even if the symbol is next to a parenthesis", () => {
 		expect(["B(29)", "F", "(", "+(40)", "?E(1,2)", "["].map(partsOfModule)).toEqual([
 			["B", "(29)"],
 			["F", ""],
@@ -40,14 +40,14 @@ describe("a module in words", () => {
 		]);
 	});
 
-	it("tells what wrote it, what rewrites it and with what, and what becomes of it", () => {
+	it("names the productions that wrote and rewrite it, with their values, and its result", () => {
 		expect(moduleInWords(module, false)).toBe(
 			"Written by the production in line 7. Rewritten next by line 9 with n = 3, t = 0.5, by chance: 0.333 of 1 is its weight, 0.612 was drawn. It becomes 3 modules.",
 		);
 		expect(chanceInWords({ total: 3, weight: 2, drawn: 0 })).toContain("2 of 3");
 	});
 
-	it("tells what was asked and answered, and why", () => {
+	it("includes query and response of the environment, and the reason", () => {
 		expect(answerInWords({ asked: ["0.1", "2"], answered: ["0.31", "1"] })).toBe("Asked 0.1, 2 → answered 0.31, 1");
 		expect(answerInWords({ asked: [], answered: ["1"] })).toBe("Asked nothing → answered 1");
 		expect(answerInWords({ answered: ["0", "1", "0"] })).toBe("Was told 0, 1, 0");
@@ -58,7 +58,7 @@ describe("a module in words", () => {
 		);
 	});
 
-	it("is cut, stays, or leaves nothing", () => {
+	it("says whether the module is cut, stays, or leaves nothing", () => {
 		const none = { first: 3, count: 0 };
 		const one = { first: 3, count: 1 };
 		const { fires } = module;
@@ -69,7 +69,7 @@ describe("a module in words", () => {
 		expect(fateOf({ fires, children: one }, true)).toBe("The derivation ends here.");
 	});
 
-	it("lists the productions that do not rewrite it, and why", () => {
+	it("lists the productions that do not apply, and why", () => {
 		const refusals = [
 			{ production: { line: 3, column: 1 }, why: "its condition is false with n = 3" },
 			{ production: { line: 5, column: 1 }, why: "the production in line 9 comes first" },
@@ -79,16 +79,16 @@ describe("a module in words", () => {
 		);
 	});
 
-	it("is one of a number, after a step of so many", () => {
+	it("has the step's number and the total", () => {
 		expect([countInWords(1), countInWords(1240)]).toEqual(["1 module", "1,240 modules"]);
 		expect([stepInWords(0, 7), stepInWords(3, 7)]).toEqual(["Axiom", "Step 3 of 7"]);
 	});
 });
 
-describe("who drew what", () => {
+describe("parts drawn by modules", () => {
 	const marks = { segments: Uint32Array.of(0, 3, 3, NOT_DRAWN, 7), organs: Uint32Array.of(4, 8) };
 
-	it("is found by a span of modules, and the other way", () => {
+	it("are found by a span of modules, and modules by a part", () => {
 		expect(drawnBy({ first: 3, count: 5 }, marks)).toEqual({ segments: [1, 2, 4], organs: [0] });
 		expect(drawnBy({ first: 3, count: 0 }, marks)).toEqual({ segments: [], organs: [] });
 		expect(drawnBy({ first: 0, count: NOT_DRAWN }, marks).segments).toEqual([0, 1, 2, 4]);
@@ -98,8 +98,8 @@ describe("who drew what", () => {
 	});
 });
 
-describe("the outline of the steps", () => {
-	it("rises by powers, from the first step to the last", () => {
+describe("the chart of the steps", () => {
+	it("is logarithmic, from the first step to the last", () => {
 		const heights = [...stepChart([1, 10, 100]).matchAll(/[ML](\S+) ([\d.]+)/g)].map(([, x, y]) => [+x, +y]);
 		const [one, ten, hundred] = heights.slice(1, 4);
 		expect([one[0], ten[0], hundred[0]]).toEqual([0, 50, 100]);
@@ -108,7 +108,7 @@ describe("the outline of the steps", () => {
 		expect(one[1]).toBeLessThan(CHART_HEIGHT);
 	});
 
-	it("ends where it is to, is nothing of an axiom alone, and is short however many steps there are", () => {
+	it("ends at the given step, is empty for an axiom alone, and is short for any number of steps", () => {
 		expect(stepChart([1, 2, 4, 8], 1)).toContain("33.33");
 		expect(stepChart([1, 2, 4, 8], 1)).not.toContain("66.67");
 		expect(stepChart([5])).toBe("");
@@ -116,7 +116,7 @@ describe("the outline of the steps", () => {
 	});
 });
 
-describe("the production at a place of the text", () => {
+describe("the production at a position of the text", () => {
 	const text = "#define n 3\naxiom: A\n/* grows */\nA -->\n  F A\nB --> C\n";
 	const { pieces } = outlineOf(text);
 	const at = (words: string) => {
@@ -124,11 +124,11 @@ describe("the production at a place of the text", () => {
 		return productionAt(pieces, place, text.slice(0, place).split("\n").length);
 	};
 
-	it("is the one whose line it is, or that goes on there", () => {
+	it("is the production of the line, or of the line that it continues", () => {
 		expect([at("A -->"), at("F A"), at("C")]).toEqual([4, 4, 6]);
 	});
 
-	it("is none in statements and comments", () => {
+	it("is undefined in statements and comments", () => {
 		expect([at("#define"), at("axiom"), at("grows")]).toEqual([undefined, undefined, undefined]);
 	});
 });

@@ -19,8 +19,8 @@ const offered = (text: string, word = "") => {
 	return optionsFor(text.replace("¦", ""), place, word, ["axis", "end"], LSYSTEM).map(({ label }) => label);
 };
 
-describe("the words that the editor knows", () => {
-	it("are the functions that the core has, with their arguments", () => {
+describe("words of the editor", () => {
+	it("are the core's functions, with their arguments", () => {
 		const operations = readFileSync("wasm-core/src/expression/operations.hpp", "utf8");
 		const listed = /\bfunctions = \{\{([\s\S]*?)\}\};/.exec(operations)?.[1] ?? "";
 		const core = [...listed.matchAll(/\{"(\w+)", Op::\w+, (\d)\}/g)].map(([, name, count]) => `${name} ${count}`);
@@ -31,7 +31,7 @@ describe("the words that the editor knows", () => {
 		expect(ours).toEqual(core);
 	});
 
-	it("are told apart by their names", () => {
+	it("have unique names", () => {
 		for (const kind of ["symbol", "function", "statement"]) {
 			expect(new Set(named(kind)).size).toBe(named(kind).length);
 			expect(named(kind).length).toBeGreaterThan(7);
@@ -39,7 +39,7 @@ describe("the words that the editor knows", () => {
 	});
 });
 
-describe("one key", () => {
+describe("a single key press", () => {
 	it("scans the text once, for the editor, the panel, the document and completion", () => {
 		const scans = vi.fn(scan);
 		const language = { ...LSYSTEM, scan: scans };
@@ -55,7 +55,7 @@ describe("one key", () => {
 		expect(scans).toHaveBeenCalledTimes(3);
 	});
 
-	it("offers no name that stands only where it is typed", () => {
+	it("does not offer the name that is being typed", () => {
 		expect(offered("axiom: A¦", "A")).not.toContain("A");
 		expect(offered(`${TEXT} A¦`, "A")).toContain("A");
 		expect(offered("#define one 1\naxiom: F(on¦)", "on")).toEqual(expect.arrayContaining(["one"]));
@@ -67,7 +67,7 @@ describe("colours", () => {
 	const ranges = [{ from: 0, to: 60_000 }];
 	const colouredIn = (text: string) => colouredPieces(scan(text), Text.of(text.split("\n")), ranges);
 
-	it("are those of the pieces in sight, without those of long lines", () => {
+	it("are those of visible tokens, except in long lines", () => {
 		const long = "F".repeat(LONGEST_COLOURED);
 		const text = `axiom: F\nA --> ${long}\nB --> F G`;
 		expect(colouredIn(text).map((piece) => piece.text)).toEqual(["axiom:", "F", "B", "-->", "F", "G"]);
@@ -80,7 +80,7 @@ describe("colours", () => {
 describe("help", () => {
 	const at = (words: string) => explain(outlineOf(TEXT), TEXT.indexOf(words), LSYSTEM.words);
 
-	it("says what stands at a place", () => {
+	it("explains the word at a position", () => {
 		expect(at("F(")).toMatchObject({ written: "F(s)", help: expect.stringContaining("draw a line") });
 		expect(at("angle)")?.help).toBe("#define angle 35");
 		expect(at("n-1")?.help).toContain("parameter");
@@ -92,7 +92,7 @@ describe("help", () => {
 		expect(at("35")).toBeUndefined();
 	});
 
-	it("knows a production's parameters, as far as it goes", () => {
+	it("knows the parameters of a production within it", () => {
 		expect(formalsAt(scan(TEXT), TEXT.length)).toEqual(["n"]);
 		expect(formalsAt(scan(TEXT), TEXT.indexOf("axiom"))).toEqual([]);
 		expect(formalsAt(scan("A(a) < B(b) > C(c) : a>1 --> F\naxiom: A"), 30)).toEqual(["a", "b", "c"]);
@@ -100,7 +100,7 @@ describe("help", () => {
 });
 
 describe("completion", () => {
-	it("offers values where values stand, and modules where modules do", () => {
+	it("offers values in expressions, and modules in strings", () => {
 		const values = offered(`${TEXT.slice(0, -4)} F(¦)`);
 		expect(values).toEqual(expect.arrayContaining(["n", "angle", "clamp"]));
 		expect(values).not.toContain("F");
@@ -109,7 +109,7 @@ describe("completion", () => {
 		expect(modules).not.toContain("clamp");
 	});
 
-	it("offers roles behind #role, statements where a line begins, nothing in comments", () => {
+	it("offers roles after #role, statements at the beginning of a line, and nothing in comments", () => {
 		expect(offered("#role ¦ A")).toEqual(["axis", "end"]);
 		expect(offered("#d¦\naxiom: A", "#d")).toContain("#define");
 		expect(offered("axiom: A /* ¦ */")).toEqual([]);

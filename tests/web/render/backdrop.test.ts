@@ -13,7 +13,7 @@ function high(x: number, y: number): number {
 	return rise.value.dot(new Vector3(x, y, 1)) / Math.hypot(sight.value.x * x, sight.value.y * y, 1);
 }
 
-it("a sky is as high as the camera looks, at every place of the view", () => {
+it("the sky has the camera's elevation at every position of the view", () => {
 	camera.position.set(3, 1, 2);
 	camera.lookAt(8, 4, -1);
 	camera.updateMatrixWorld();
@@ -29,7 +29,7 @@ it("a sky is as high as the camera looks, at every place of the view", () => {
 	}
 });
 
-it("pictures that are cut out have none, nor has who looks from without", () => {
+it("cut-out pictures, and cameras outside the plant, have no sky", () => {
 	backdrop.setFlat(0);
 	backdrop.setSky(camera);
 	expect(uniforms.sky.value).toBe(0);

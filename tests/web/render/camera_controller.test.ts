@@ -44,7 +44,7 @@ describe("CameraController", () => {
 		});
 	};
 
-	it("draws all of both on the way from a seedling to a tree a hundred times as tall, and back", () => {
+	it("contains both plants in the depth range while gliding from a seedling to a tree a hundred times as tall, and back", () => {
 		table.reducedMotion = false;
 		const { camera } = table;
 		const [small, large] = [profile(90, 0.16), profile(90, 16)];
@@ -62,7 +62,7 @@ describe("CameraController", () => {
 		expect(camera.far).toBeLessThan(20 * table.distance);
 	});
 
-	it("fits a tree that goes on growing while the view is on its way", () => {
+	it("fits a tree that goes on growing during a glide", () => {
 		table.reducedMotion = false;
 		for (let i = 1; i <= 12; i++) {
 			table.follow(profile(90, 0.16 * 1.2 ** i), false);
@@ -75,7 +75,7 @@ describe("CameraController", () => {
 		expect(distance / table.distance).toBeCloseTo(1, 1);
 	});
 
-	it("glides, and stops gliding when motion becomes unwelcome", () => {
+	it("glides, and stops gliding when reduced motion is switched on", () => {
 		table.reducedMotion = false;
 		const before = table.distance;
 		table.follow(profile(90, 0.3), false);
@@ -91,7 +91,7 @@ describe("CameraController", () => {
 		expect(table.controls.enableDamping).toBe(false);
 	});
 
-	it("has the eye of who walks stay where it was put, and see all of what grows meanwhile", () => {
+	it("keeps a walking eye where it was placed, with the growing plant in the depth range", () => {
 		table.look({ eye: [0, 1, 2], towards: [0, 1, 1] });
 		const before = pose();
 		table.zoom(2);
@@ -109,14 +109,14 @@ describe("CameraController", () => {
 		expect(table.distance).toBeGreaterThan(200);
 	});
 
-	it("stands still while a drag changes the bunch a little", () => {
+	it("does not move while a drag changes the bunch a little", () => {
 		const before = pose();
 		table.follow(profile(90, 0.165), false);
 		table.advance(1000);
 		expectPose(before);
 	});
 
-	it("goes back from a plant that outgrows the view under a control in hand, and does nothing else meanwhile", () => {
+	it("moves away from a plant that outgrows the view while a control is held, and otherwise does not move", () => {
 		const before = table.distance;
 		table.follow(profile(90, 0.3), true);
 		table.advance(1000);
@@ -130,7 +130,7 @@ describe("CameraController", () => {
 		expect(table.distance).toBeLessThan(0.7 * distance);
 	});
 
-	it("keeps all of a plant in the picture that bends aside and grows while pointers do not turn it, and never comes nearer", () => {
+	it("keeps a plant that bends and grows completely in the picture while orbiting is off, and never comes nearer", () => {
 		// Returns a stem of spheres of a given length that bends to the right by an angle.
 		const stem = (length: number, degrees: number) => {
 			const spheres: number[] = [];
@@ -172,7 +172,7 @@ describe("CameraController", () => {
 		expect(table.distance).toBeLessThan(0.7 * distance);
 	});
 
-	it("follows a bunch that has outgrown the view, but not while a handle in the scene is held", () => {
+	it("follows a bunch that has outgrown the view, but not while a handle in the scene is dragged", () => {
 		const before = table.distance;
 		table.controls.enabled = false;
 		table.follow(profile(90, 0.3), true);
@@ -185,7 +185,7 @@ describe("CameraController", () => {
 		expect(table.distance).toBeGreaterThan(1.4 * before);
 	});
 
-	it("comes back to where it was after a picture of another shape, turned and zoomed as it is", () => {
+	it("restores its position after a picture of another shape, with its orbit and zoom", () => {
 		table.orbit(0.7, 0.5);
 		table.zoom(1.7);
 		table.follow(profile(90, 0.167), false);
@@ -195,7 +195,7 @@ describe("CameraController", () => {
 		expectPose(before);
 	});
 
-	it("zooms and pans within reason", () => {
+	it("limits zooming and panning", () => {
 		const { distance } = table;
 		table.zoom(1e6);
 		expect(table.distance).toBeGreaterThan(0.1 * distance);
@@ -212,7 +212,7 @@ describe("CameraController", () => {
 		return near.clone().project(table.camera);
 	};
 
-	it("turns the plant's near side to the right and down, as its words say", () => {
+	it("turns the plant's near side to the right and down", () => {
 		table.orbit(0.2, 0);
 		expect(seen().x).toBeGreaterThan(0.02);
 		expect(Math.abs(seen().y)).toBeLessThan(0.01);
@@ -233,7 +233,7 @@ describe("CameraController", () => {
 		expect(away).toBeLessThan(0.12);
 	});
 
-	it("fits a plant of another kind as it fitted the first, and at once", () => {
+	it("fits a plant of another model at once, like the first one", () => {
 		const first = table.distance;
 		table.orbit(1, 0.4);
 		table.forget();
@@ -249,7 +249,7 @@ describe("CameraController", () => {
 		expect(table.camera.position.clone().sub(table.controls.target).angleTo(table.camera.up)).toBeGreaterThan(0.1);
 	});
 
-	it("keeps the paper behind the bunch however it is tilted", () => {
+	it("keeps the paper behind the bunch at any tilt", () => {
 		table.orbit(0, 1.2);
 		expect(table.paper - table.distance).toBeGreaterThan(0.08);
 	});

@@ -26,7 +26,7 @@ function reach(distance: number, azimuth: number, elevation: number, aspect: num
 }
 
 describe("fitView", () => {
-	it("keeps every berry in view whichever way the bunch is turned", () => {
+	it("keeps every berry in view from all sides", () => {
 		const aspect = evenly(0.4, 3);
 		const azimuth = evenly(0, 6.3);
 		const elevation = evenly(-1.4, 1.4);
@@ -38,13 +38,13 @@ describe("fitView", () => {
 		);
 	});
 
-	it("comes no farther away than it must", () => {
+	it("is no farther away than necessary", () => {
 		const { distance } = fitView(profile, (FOV * Math.PI) / 180, 1.6, 0.07, 0);
 		const reaches = Array.from({ length: 48 }, (_, k) => reach(distance, (k * Math.PI) / 24, 0, 1.6));
 		expect(Math.max(...reaches)).toBeGreaterThan(0.75);
 	});
 
-	it("tells a crown of very many leaves by its outermost, and fits it as well", () => {
+	it("fits a crown of very many leaves by its outermost rings", () => {
 		const count = 30_000;
 		const spheres = new Float32Array(4 * count);
 		for (let i = 0; i < count; i++) {
@@ -74,7 +74,7 @@ describe("fitView", () => {
 		expect(fitView(flat, 0.4, 1, 0.07, 0).distance).toBeGreaterThan(5);
 	});
 
-	it("fits something of no size and the stems of a bunch without berries", () => {
+	it("fits an object without size, and the stems of a bunch without berries", () => {
 		expect(fitView(boundingProfileOf({ spheres: NONE, points: NONE }), 0.4, 1, 0.07, 0).distance).toBeGreaterThan(0);
 		const bare = fitView(boundingProfileOf({ spheres: NONE, points: bunch.internodes.ends }), 0.4, 1, 0.07, 0);
 		expect(bare.distance).toBeGreaterThan(0.1);
@@ -84,11 +84,11 @@ describe("fitView", () => {
 
 describe("needsRefit", () => {
 	const fit = fitView(profile, 0.4, 1.6, 0.07, 0);
-	it("lets a drag's small changes be", () => {
+	it("ignores small changes of a drag", () => {
 		expect(needsRefit(fit, { ...fit, distance: fit.distance * 1.05 })).toBe(false);
 		expect(needsRefit(fit, { ...fit, distance: fit.distance * 0.85 })).toBe(false);
 	});
-	it("follows a bunch that has outgrown the view, shrunk in it or left it", () => {
+	it("is true for a bunch that has outgrown, shrunk from or left the view", () => {
 		expect(needsRefit(fit, { ...fit, distance: fit.distance * 1.2 })).toBe(true);
 		expect(needsRefit(fit, { ...fit, distance: fit.distance * 0.6 })).toBe(true);
 		expect(needsRefit(fit, { ...fit, target: [fit.radius, 0, 0] })).toBe(true);

@@ -1,7 +1,7 @@
 import { expect, it, vi } from "vitest";
 import { cutOut, cutOutOf } from "../../../web/src/render/cut_out";
 
-it("finds what covers the ground, and its own colour, from pictures over black and over white", () => {
+it("computes coverage and colour from pictures over black and over white", () => {
 	const over = (ground: number) =>
 		Uint8ClampedArray.from(
 			[
@@ -19,7 +19,7 @@ it("finds what covers the ground, and its own colour, from pictures over black a
 	expect([...cut.subarray(8)]).toEqual([0, 0, 0, 0]);
 });
 
-it("puts the ground back where there is no room for the picture", () => {
+it("restores the background if there is no room for the picture", () => {
 	vi.stubGlobal(
 		"OffscreenCanvas",
 		class {

@@ -3,20 +3,20 @@ import { FrameLoop } from "../../../web/src/render/frame_loop";
 import { PixelRatio } from "../../../web/src/render/pixel_ratio";
 
 describe("PixelRatio", () => {
-	it("keeps to the device's ratio, within what eyes can tell", () => {
+	it("uses the device's ratio, up to the visible limit", () => {
 		expect(new PixelRatio(1).rest).toBe(1);
 		expect(new PixelRatio(3).rest).toBe(2);
 		expect(new PixelRatio(0.5).rest).toBe(1);
 	});
 
-	it("gets coarser while frames come slowly, but never too coarse, and leaves the rest alone", () => {
+	it("gets coarser while frames are slow, within a limit, and does not change the ratio at rest", () => {
 		const ratio = new PixelRatio(2);
 		for (let i = 0; i < 60; i++) ratio.note(300);
 		expect(ratio.moving).toBe(0.5);
 		expect(ratio.rest).toBe(2);
 	});
 
-	it("gets finer again when frames come fast", () => {
+	it("gets finer again when frames are fast", () => {
 		const ratio = new PixelRatio(1);
 		for (let i = 0; i < 30; i++) ratio.note(200);
 		const coarse = ratio.moving;
@@ -25,7 +25,7 @@ describe("PixelRatio", () => {
 		expect(ratio.moving).toBe(1);
 	});
 
-	it("takes no notice of one slow frame", () => {
+	it("ignores one slow frame", () => {
 		const ratio = new PixelRatio(1);
 		ratio.note(16);
 		ratio.note(60);
@@ -60,7 +60,7 @@ describe("FrameLoop", () => {
 		vi.unstubAllGlobals();
 	});
 
-	it("draws once for many requests, and not at all without one", () => {
+	it("draws once for many requests, and not without a request", () => {
 		const draw = vi.fn(() => false);
 		const loop = new FrameLoop(draw, 1);
 		loop.request();
@@ -71,7 +71,7 @@ describe("FrameLoop", () => {
 		expect(pending).toBeUndefined();
 	});
 
-	it("keeps a movement coarse though something else asks for the same frame", () => {
+	it("keeps a movement coarse if the same frame is requested otherwise", () => {
 		const ratios: number[] = [];
 		const loop = new FrameLoop(
 			({ ratio }) => {
@@ -87,7 +87,7 @@ describe("FrameLoop", () => {
 		expect(ratios).toEqual([0.5]);
 	});
 
-	it("goes on while the movement does", () => {
+	it("continues while the movement continues", () => {
 		let left = 3;
 		const draw = vi.fn(() => --left > 0);
 		new FrameLoop(draw, 1).request(true);
@@ -118,7 +118,7 @@ describe("FrameLoop", () => {
 		expect(idle).toBe(true);
 	});
 
-	it("draws no more once stopped, and lets nobody wait", async () => {
+	it("stops drawing, and resolves all waiting promises", async () => {
 		const draw = vi.fn(() => true);
 		const loop = new FrameLoop(draw, 1);
 		loop.request();

@@ -25,7 +25,7 @@ function total({ sharpness, colour }: Lobe): number {
 describe.each(["light", "dark"] as Theme[])("the %s rig", (theme) => {
 	const rig = rigOf(theme);
 
-	it("loses no light when it is blurred", () => {
+	it("keeps its total light when blurred", () => {
 		for (const lobe of rig.surroundings) {
 			for (const sharpness of [COSINE_SHARPNESS, GLOSS_SHARPNESS]) {
 				const wide = blurred(lobe, sharpness);
@@ -43,7 +43,7 @@ describe.each(["light", "dark"] as Theme[])("the %s rig", (theme) => {
 		}
 	});
 
-	it("reaches the shader as lobes that look like the Gaussians they stand for", () => {
+	it("reaches the shader as lobes that approximate the Gaussians", () => {
 		const uniforms = lightUniforms();
 		setRig(uniforms, rig);
 		rig.surroundings.forEach((lobe, i) => {

@@ -13,7 +13,7 @@ const drawn: DrawnGeometry = {
 const parts = (renderer: LitRenderer) => renderer.object.children as Mesh[];
 
 describe("what shines", () => {
-	it("lies over segments, wider than they are and never too thin to be seen, in sight and through what hides it", () => {
+	it("covers segments, wider than they are and never too thin, also behind other parts", () => {
 		const renderer = new LitRenderer();
 		renderer.show(drawn, [0, 1], [], 0.05, "#c25e00");
 		const tubes = parts(renderer);
@@ -36,7 +36,7 @@ describe("what shines", () => {
 		expect(ends).toEqual([[0, 2, 0], [3, 2, 0]]); // biome-ignore format: an end each
 	});
 
-	it("lies on organs, and goes with what it lay on", () => {
+	it("covers organs, and is removed with them", () => {
 		const renderer = new LitRenderer();
 		renderer.show(drawn, [], [0], 0.05, "orange");
 		const [sheet] = parts(renderer);
@@ -46,7 +46,7 @@ describe("what shines", () => {
 		expect(parts(renderer)).toEqual([]);
 	});
 
-	it("is thinned out evenly where it is very much", () => {
+	it("is thinned out evenly above a limit", () => {
 		const count = 50_000;
 		const many = { ...drawn, ends: new Float32Array(6 * count), radii: new Float32Array(2 * count) };
 		const renderer = new LitRenderer();

@@ -31,12 +31,12 @@ function branchless(light: number[]): number[] {
 }
 
 describe("light as the screen shows it", () => {
-	it("ends with three's own curve of sRGB, as every other material does", () => {
+	it("ends with three's own sRGB curve, like every other material", () => {
 		expect(OUTPUT_CHUNK).toMatch(/return sRGBTransferOETF\(vec4\(max\(vec3\(0\.0\), toned\), 1\.0\)\)\.rgb;/);
 		expect(ShaderChunk.colorspace_pars_fragment).toContain("vec4 sRGBTransferOETF( in vec4 value )");
 	});
 
-	it("rolls highlights off as Khronos' neutral tone mapping does", () => {
+	it("compresses highlights like Khronos' neutral tone mapping", () => {
 		for (const light of [
 			[0.02, 0.3, 0.5],
 			[0.5, 0.6, 0.7],

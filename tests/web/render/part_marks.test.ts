@@ -7,7 +7,7 @@ import { StageLight } from "../../../web/src/render/stage_light";
 import { windUniforms } from "../../../web/src/render/wind";
 import { PULP, tetrahedron } from "../formats/toy_parts";
 
-it("marks cells by geometry of their own, so that what is thrown away with a mark is nothing of the plant's", () => {
+it("marks triangles by separate geometry, so that disposing of a mark leaves the plant's buffers", () => {
 	const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
 	const renderer = partRenderer<unknown, Part[]>((parts) => parts)(stage);
 	const mesh = { ...tetrahedron([0, 0, 0], 1), pickIds: Uint32Array.of(1, 2, 2, 1) };

@@ -32,8 +32,8 @@ function staged() {
 	return { stage, renderer, meshes };
 }
 
-describe("the renderer of any plant", () => {
-	it("draws every part, instances as instances, each casting its shadow", () => {
+describe("the renderer of parts", () => {
+	it("draws every part, with instances, and their shadows", () => {
 		const { stage, renderer, meshes } = staged();
 		renderer.show(plant, {});
 		expect(meshes().map(({ name }) => name)).toEqual(["Trunk", "Branch", "Bract", "Leaf"]);
@@ -44,7 +44,7 @@ describe("the renderer of any plant", () => {
 		expect(stage.shadow.hard.children).toHaveLength(2);
 	});
 
-	it("keeps what it wears from plant to plant, so that no program is built anew, and throws away what many have not worn", () => {
+	it("reuses materials between plants, and disposes of materials that many plants did not use", () => {
 		const { renderer, meshes } = staged();
 		renderer.show(plant, {});
 		const worn = meshes().map(({ material }) => material as MeshPhysicalMaterial);
@@ -64,7 +64,7 @@ describe("the renderer of any plant", () => {
 		expect(new Set(gone)).toEqual(new Set(worn.map(({ name }) => name)));
 	});
 
-	it("lays pictures on what has textures, and others in their place, in the same materials", () => {
+	it("shows pictures on textured parts, and replaces them in the same materials", () => {
 		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
 		const renderer = partRenderer<unknown, Part[]>((parts) => parts)(stage);
 		const meshes = () => stage.root.children.filter((child): child is Mesh => "isMesh" in child);
@@ -101,7 +101,7 @@ describe("the renderer of any plant", () => {
 		expect(gone).toEqual(["colour", "normal"]);
 	});
 
-	it("knows of every mesh and its instances a ball that holds them", () => {
+	it("computes a bounding sphere of every mesh and its instances", () => {
 		const { renderer, meshes } = staged();
 		renderer.show(plant, {});
 		const corner = new Vector3();
@@ -121,7 +121,7 @@ describe("the renderer of any plant", () => {
 		}
 	});
 
-	it("holds the whole plant", () => {
+	it("has bounds that contain the whole plant", () => {
 		const { renderer } = staged();
 		renderer.show(plant, {});
 		const { spheres, points } = renderer.bounds();
@@ -131,7 +131,7 @@ describe("the renderer of any plant", () => {
 		expect(points).toHaveLength(3 * (8 + 8 + 4));
 	});
 
-	it("tells cells from what has none, which is counted behind the last cell", () => {
+	it("returns pick ids of meshes that have them, and numbers other parts behind the last id", () => {
 		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
 		const renderer = partRenderer<unknown, Part[]>((parts) => parts)(stage);
 		const meshes = () => stage.root.children.filter((child): child is Mesh => "isMesh" in child);
@@ -157,7 +157,7 @@ describe("the renderer of any plant", () => {
 		expect(others).toBeLessThan(own);
 	});
 
-	it("finds the part that a ray meets first, each instance by itself, and marks it", () => {
+	it("picks the first part along a ray, with instances separately, and marks it", () => {
 		const { renderer, meshes } = staged();
 		renderer.show(plant, {});
 		// The first leaf stands upright at (0, 0.1 … 0.15, 0), before the branch.
@@ -176,7 +176,7 @@ describe("the renderer of any plant", () => {
 		expect(meshes()).toHaveLength(4);
 	});
 
-	it("takes everything along when it goes", () => {
+	it("disposes of all its objects", () => {
 		const { stage, renderer } = staged();
 		renderer.show(plant, {});
 		renderer.mark(0);
@@ -185,7 +185,7 @@ describe("the renderer of any plant", () => {
 		expect(stage.shadow.hard.children).toEqual([]);
 	});
 
-	it("stands in the stage's light", () => {
+	it("is lit by the stage's light", () => {
 		const { stage, renderer } = staged();
 		stage.light.setTheme("dark");
 		const camera = new PerspectiveCamera();
@@ -197,7 +197,7 @@ describe("the renderer of any plant", () => {
 		expect(lamps[0].position.x).toBeCloseTo(stage.light.rig.key.direction.x, 9);
 	});
 
-	it("throws the key light's shadow on itself, drawn again when the plant or the light has moved, or the card has lost it", () => {
+	it("casts the key light's shadow on itself, redrawn after changes of plant or light, or after a lost context", () => {
 		const { stage, renderer, meshes } = staged();
 		renderer.show(plant, {});
 		expect(meshes().every(({ castShadow, receiveShadow }) => castShadow && receiveShadow)).toBe(true);
@@ -224,7 +224,7 @@ describe("the renderer of any plant", () => {
 		expect(key.position.distanceTo(middle)).toBeCloseTo((near + far) / 2, 9);
 	});
 
-	it("dims what sees little of the sky: vertices by themselves, organs one by one", () => {
+	it("darkens parts by their visible sky: vertices separately, organs one by one", () => {
 		const { renderer, meshes } = staged();
 		const trunk = { ...plant.meshes[0], sky: new Uint8Array(plant.meshes[0].positions.length / 3).fill(51) };
 		const organs = { ...plant.organs, sky: Uint8Array.from({ length: plant.organs.count }, (_, i) => 85 * i) };
@@ -236,7 +236,7 @@ describe("the renderer of any plant", () => {
 		expect(leaves.getX(1)).toBeCloseTo(1 / 3, 6);
 	});
 
-	it("shows the open sky where nobody has asked, in the same materials", () => {
+	it("shows a fully visible sky by default, in the same materials", () => {
 		const { renderer, meshes } = staged();
 		const sky = (vertices: Float32Array) => new Uint8Array(vertices.length / 3).fill(51);
 		const organs = { ...plant.organs, sky: new Uint8Array(plant.organs.count) };
@@ -254,7 +254,7 @@ describe("the renderer of any plant", () => {
 		}
 	});
 
-	it("lays a material's picture on its mesh, the same texture for the same picture", () => {
+	it("shows a material's picture on its mesh, with the same texture for the same picture", () => {
 		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
 		const colour = { width: 1, height: 1, pixels: Uint8Array.of(1, 2, 3) };
 		const renderer = partRenderer<unknown, Plant>((grown) =>
@@ -276,7 +276,7 @@ describe("the renderer of any plant", () => {
 		renderer.dispose();
 	});
 
-	it("shows colours of vertices in place of the material's", () => {
+	it("shows vertex colours in place of the material's colour", () => {
 		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
 		const renderer = partRenderer(() => fruits())(stage);
 		renderer.show({}, {});

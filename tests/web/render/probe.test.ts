@@ -17,7 +17,7 @@ function drawn(n: Vector3): Vector3 {
 }
 
 describe("probeOf", () => {
-	it("lights standard materials by the surroundings as our shaders do", () => {
+	it("lights standard materials by the surroundings like our shaders", () => {
 		for (const at of [
 			[0, 1, 0],
 			[0, -1, 0],

@@ -7,7 +7,7 @@ const tetrahedron = (x: number) => ({
 	triangles: [0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2],
 });
 
-it("marks the surfaces that are asked for, faces and edges, and no other", () => {
+it("marks the faces and edges of the given shells only", () => {
 	const renderer = new ShellRenderer();
 	renderer.show([tetrahedron(0), tetrahedron(2), tetrahedron(4)], "#112233");
 	const colours = () =>

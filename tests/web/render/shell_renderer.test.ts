@@ -23,8 +23,8 @@ function ends({ attributes: { position }, index }: BufferGeometry): string[] {
 	return points.flatMap((a, i) => (i % 2 === 0 ? [[at(a), at(points[i + 1])].sort().join(" – ")] : [])).sort();
 }
 
-describe("the renderer of what bounds a plant", () => {
-	it("has a body's faces, and the edges between those that are not level", () => {
+describe("the renderer of bounding shells", () => {
+	it("draws faces, and edges between faces that are not coplanar", () => {
 		const renderer = new ShellRenderer();
 		renderer.show([{ points: corners, triangles: faces }], "red");
 		expect((renderer.object.children[0] as Mesh).geometry.index?.count).toBe(36);
@@ -34,7 +34,7 @@ describe("the renderer of what bounds a plant", () => {
 		expect(found).not.toContain("0,0,0 – 0,1,1");
 	});
 
-	it("looks for edges once: a body that is moved keeps those it has, where it stands now", () => {
+	it("finds edges once: a moved body reuses its edges at its new place", () => {
 		const renderer = new ShellRenderer();
 		renderer.show([{ points: corners, triangles: faces }], "red");
 		const first = [...(edgesIn(renderer).index?.array ?? [])];

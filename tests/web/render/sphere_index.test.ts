@@ -7,7 +7,7 @@ const coordinate = evenly(-0.2, 0.2);
 const sphere = fc.tuple(coordinate, coordinate, coordinate, evenly(0.001, 0.02));
 
 describe("SphereIndex", () => {
-	it("finds every sphere within the distance, and none twice", () => {
+	it("finds every sphere within the distance once", () => {
 		const distance = evenly(0, 0.5);
 		fc.assert(
 			fc.property(fc.array(sphere, { maxLength: 60 }), sphere, distance, (spheres, [x, y, z], reach) => {
@@ -22,13 +22,13 @@ describe("SphereIndex", () => {
 		);
 	});
 
-	it("leaves out what is far", () => {
+	it("leaves out distant spheres", () => {
 		const far = Float32Array.from([0, 0, 0, 0.01, 0.5, 0, 0, 0.01]);
 		const found = new Uint32Array(4);
 		expect(new SphereIndex(far).near(0, 0, 0, 0.02, found)).toBe(1);
 	});
 
-	it("stops where the scratch memory ends, and knows nothing of an empty bunch", () => {
+	it("stops at the end of the scratch memory, and finds nothing in an empty bunch", () => {
 		const heap = Float32Array.from(Array.from({ length: 50 }, () => [0, 0, 0, 0.01]).flat());
 		expect(new SphereIndex(heap).near(0, 0, 0, 1, new Uint32Array(8))).toBe(8);
 		const none = new SphereIndex(new Float32Array(0));

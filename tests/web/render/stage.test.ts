@@ -31,7 +31,7 @@ function fakeRenderer() {
 const RAY = { origin: [0, 0, 1], direction: [0, 0, -1] } as const;
 
 describe("Stage", () => {
-	it("has the renderer show plants, and tells what the view is to hold", () => {
+	it("shows plants by its renderer, and returns the bounds", () => {
 		const { make, calls } = fakeRenderer();
 		const stage = new Stage<string, number>();
 		stage.use(make);
@@ -41,11 +41,11 @@ describe("Stage", () => {
 		expect([stage.filled, stage.pick(RAY), ...calls]).toEqual([true, 7, "show 3 seed"]);
 	});
 
-	it("says what to do where there is no renderer", () => {
+	it("throws an error with a remedy if there is no renderer", () => {
 		expect(() => new Stage<string, number>().show(1, "a")).toThrow("give the viewer one to use");
 	});
 
-	it("takes the last renderer off when another comes", () => {
+	it("disposes of the previous renderer", () => {
 		const [one, other] = [fakeRenderer(), fakeRenderer()];
 		const stage = new Stage<string, number>();
 		stage.use(one.make);
@@ -62,7 +62,7 @@ describe("Stage", () => {
 		expect(other.given().root.visible).toBe(true);
 	});
 
-	it("passes marks and modes on once, and only modes that there are; a new plant starts unmarked", () => {
+	it("passes on changed marks and existing modes only; a new plant has no mark", () => {
 		const { make, calls } = fakeRenderer();
 		const stage = new Stage<string, number>();
 		stage.use(make);

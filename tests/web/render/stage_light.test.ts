@@ -17,7 +17,7 @@ describe("StageLight", () => {
 		expect(light.uniforms.keyDirection.value.distanceTo(new Vector3(z, y, -x))).toBeLessThan(1e-9);
 	});
 
-	it("is the rig of its theme, in the shaders too", () => {
+	it("uses the rig of its theme, in the shaders too", () => {
 		const light = new StageLight();
 		light.setTheme("dark");
 		expect(light.rig).toBe(rigOf("dark"));
@@ -26,7 +26,7 @@ describe("StageLight", () => {
 });
 
 describe.each(["light", "dark"] as Theme[])("the shadow's lamp of the %s rig", (theme) => {
-	it("stands before the paper, on the key light's side and lower: the shadow falls away from it", () => {
+	it("is in front of the paper, on the key light's side and lower, so that the shadow falls away from it", () => {
 		const rig = rigOf(theme);
 		const shadow = new PaperShadow();
 		shadow.setRig(rig);

@@ -40,7 +40,7 @@ function programOf(material: Material, options: Omit<StandardOptions, "light">) 
 }
 
 describe("standardMaterial", () => {
-	it("has every value of ours that three's has a place for", () => {
+	it("copies every value that three's material supports", () => {
 		const made = standardMaterial(rich, { light }) as MeshPhysicalMaterial;
 		expect(made.color.toArray()).toEqual([0.4, 0.2, 0.1]);
 		expect(made.sheenColor.toArray()).toEqual([0.1, 0.2, 0.3]);
@@ -59,13 +59,13 @@ describe("standardMaterial", () => {
 		expect(made.ior).toBeCloseTo(1.4, 9);
 	});
 
-	it("leaves colour to the vertices where they have it, and costly lobes out where there are none", () => {
+	it("leaves colour to vertices that have it, and omits unused costly lobes", () => {
 		const made = standardMaterial({ name: "Plain", colour: [0.4, 0.2, 0.1], roughness: 1 }, { light, coloured: true });
 		expect(made.color.toArray()).toEqual([1, 1, 1]);
 		expect([made.vertexColors, made.side, made instanceof MeshPhysicalMaterial]).toEqual([true, FrontSide, false]);
 	});
 
-	it("dims the surroundings by the sky, and the lamps by who stands in them, where there is word of it", () => {
+	it("darkens the surroundings by the sky, and the lamps by their shares, if these are known", () => {
 		const plain: Material = { name: "Plain", colour: [1, 1, 1], roughness: 1 };
 		const bare = programOf(plain, {});
 		expect(bare.fragmentShader).not.toContain("openSky");
@@ -83,7 +83,7 @@ describe("standardMaterial", () => {
 		expect(shaded.uniforms.passing).toBe(passing);
 	});
 
-	it("lets light through sheets, and colours their other side, which may change", () => {
+	it("transmits light through sheets, and colours their reverse side, which can change", () => {
 		const sheet: Material = { ...rich, sheet: { through: [0.75, 0.5, 0.25], reverse: [2, 3, 4] } };
 		const { fragmentShader, uniforms } = programOf(sheet, {});
 		expect(fragmentShader).toContain("sheetThrough * sqrt(diffuseColor.rgb)");
@@ -95,7 +95,7 @@ describe("standardMaterial", () => {
 		expect(made.userData.sheet.sheetReverse.value.toArray()).toEqual([1, 1, 1]);
 	});
 
-	it("is laid with a material's picture in place of its colour, until it is another", () => {
+	it("shows a material's picture in place of its colour, until the picture changes", () => {
 		const colour = { width: 2, height: 1, pixels: Uint8Array.of(10, 20, 30, 40, 50, 60) };
 		const made = standardMaterial({ ...rich, textures: { colour } }, { light });
 		expect(made.color.toArray()).toEqual([1, 1, 1]);
@@ -113,14 +113,14 @@ describe("standardMaterial", () => {
 		expect(made.map).toBeNull();
 	});
 
-	it("wears the texture that stands for its picture, and makes none beside it", () => {
+	it("uses the given texture for its picture, and makes no other", () => {
 		const colour = { width: 1, height: 1, pixels: Uint8Array.of(10, 20, 30) };
 		const map = new Texture();
 		const made = standardMaterial({ ...rich, textures: { colour } }, { light, maps: { colour: map } });
 		expect(made.map).toBe(map);
 	});
 
-	it("repeats a picture that is told to, and no other", () => {
+	it("repeats a picture only if requested", () => {
 		const picture = { width: 1, height: 1, pixels: Uint8Array.of(1, 2, 3) };
 		const wrapOf = (repeats?: boolean) =>
 			standardMaterial({ ...rich, textures: { colour: picture, repeats } }, { light }).map?.wrapT;
@@ -128,7 +128,7 @@ describe("standardMaterial", () => {
 		expect(wrapOf()).toBe(ClampToEdgeWrapping);
 	});
 
-	it("shares programs between what is drawn alike, and not between what is not", () => {
+	it("shares programs between materials of the same features only", () => {
 		const key = (options: Omit<StandardOptions, "light">) =>
 			standardMaterial(rich, { light, ...options }).customProgramCacheKey();
 		expect(key({ sky: true })).toBe(key({ sky: true, coloured: true }));

@@ -6,7 +6,7 @@ const content = (vertices: number) =>
 	[["position", Float32Array.from({ length: 3 * vertices }, (_, i) => i), 3]] as const;
 
 describe("fillStreams", () => {
-	it("keeps its buffers while they are large enough, and draws no more than it was given", () => {
+	it("reuses buffers that are large enough, and draws only the given content", () => {
 		const geometry = new BufferGeometry();
 		fillStreams(geometry, content(12), new Uint32Array(30));
 		const { position } = geometry.attributes;
@@ -19,7 +19,7 @@ describe("fillStreams", () => {
 		expect([...position.array].slice(0, 12)).toEqual([...content(4)[0][1]]);
 	});
 
-	it("sends what is new to the GPU each time, and no more of it than there is", () => {
+	it("uploads only new content to the GPU", () => {
 		const geometry = new BufferGeometry();
 		fillStreams(geometry, content(12), new Uint32Array(30));
 		const position = geometry.attributes.position as BufferAttribute;
@@ -30,7 +30,7 @@ describe("fillStreams", () => {
 		expect(position.updateRanges).toEqual([{ start: 0, count: 12 }]);
 	});
 
-	it("does so for instances too", () => {
+	it("does the same for instances", () => {
 		const geometry = new InstancedBufferGeometry();
 		fillInstances(geometry, "place", [1, 2, 3, 4], 2);
 		const place = geometry.attributes.place as InstancedBufferAttribute;
@@ -48,7 +48,7 @@ describe("fillStreams", () => {
 		expect(geometry.attributes.place.getY(19)).toBe(39);
 	});
 
-	it("has bytes read as shares of 255", () => {
+	it("reads bytes as shares of 255", () => {
 		const geometry = new BufferGeometry();
 		fillStreams(geometry, [...content(4), ["sky", Uint8Array.from([0, 51, 255, 102]), 1]], new Uint32Array(6));
 		const { sky } = geometry.attributes;
@@ -56,7 +56,7 @@ describe("fillStreams", () => {
 		expect([0, 1, 2].map((i) => sky.getX(i))).toEqual([0, 0.2, 1]);
 	});
 
-	it("takes new ones with room to spare where they are not, and lets go of the old", () => {
+	it("allocates larger buffers when needed, and disposes of the old ones", () => {
 		const geometry = new BufferGeometry();
 		fillStreams(geometry, content(4), new Uint32Array(6));
 		let disposed = 0;

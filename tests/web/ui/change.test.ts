@@ -6,7 +6,7 @@ import { BUNCH, specimenFromPreset } from "../bunch";
 const bunch = specimenFromPreset("grape-15c");
 
 describe("apply", () => {
-	it("changes what the change names and nothing else", () => {
+	it("changes only the values in the change", () => {
 		const next = apply(BUNCH, bunch, { seed: 9, parameters: { l: 300 }, look: { bloom: 0.25 } });
 		expect(next).toEqual({
 			...bunch,
@@ -16,7 +16,7 @@ describe("apply", () => {
 		});
 	});
 
-	it("puts details in the place of those there are", () => {
+	it("replaces details", () => {
 		const thinned = apply(BUNCH, bunch, { details: { thinned: [3, 1] } });
 		expect(thinned).toEqual({ ...bunch, thinned: [3, 1] });
 		expect(apply(BUNCH, thinned, { parameters: { l: 300 } }).thinned).toEqual([3, 1]);
@@ -28,7 +28,7 @@ describe("apply", () => {
 	});
 });
 
-it("another seed differs, whatever the dice say", () => {
+it("another random seed always differs", () => {
 	fc.assert(
 		fc.property(fc.nat(0xffffffff), fc.double({ min: 0, max: 1, maxExcluded: true, noNaN: true }), (seed, dice) => {
 			const other = otherSeed(seed, () => dice);

@@ -4,7 +4,7 @@ import { TREE_TABLE } from "../../../web/src/models/tree/table";
 import { coarseStep } from "../../../web/src/ui/coarse_step";
 
 describe("an arrow key on a slider", () => {
-	it("goes ten steps with Shift, either way, and is the browser's without", () => {
+	it("moves ten steps with Shift in both directions, and is left to the browser without", () => {
 		expect(coarseStep(0.01, { key: "ArrowUp", shiftKey: true })).toBeCloseTo(0.1);
 		expect(coarseStep(5, { key: "ArrowLeft", shiftKey: true })).toBe(-50);
 		expect(coarseStep(5, { key: "ArrowLeft", shiftKey: false })).toBeUndefined();

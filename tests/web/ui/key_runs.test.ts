@@ -3,7 +3,7 @@ import { HeldKey } from "../../../web/src/ui/held_key";
 import { KeyRuns } from "../../../web/src/ui/key_runs";
 
 describe("runs of key presses", () => {
-	it("go on while presses follow each other on one thing, and are told apart", () => {
+	it("continue while presses follow each other on one object, and have unique names", () => {
 		const [runs, others] = [new KeyRuns(), new KeyRuns()];
 		const first = runs.press("p3", 0);
 		expect(runs.press("p3", 900)).toBe(first);
@@ -13,7 +13,7 @@ describe("runs of key presses", () => {
 		expect(new Set([first, later, elsewhere, others.press("p4", 3000)]).size).toBe(4);
 	});
 
-	it("of a slider are its keys', not its drags'", () => {
+	it("of a slider include its keys, but not its drags", () => {
 		const settle = vi.fn();
 		const held = new HeldKey(settle);
 		const down = (key: string) => held.down({ key } as KeyboardEvent);

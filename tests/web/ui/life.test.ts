@@ -26,7 +26,7 @@ describe("stages", () => {
 		[125, "Shrivelled"],
 	])("call %d %s", (age, name) => expect(stageOf(LIFE, age).name).toBe(name));
 
-	it("go on and back to neighbours only, and stay at the ends", () => {
+	it("lead to neighbours only, and stop at the ends", () => {
 		fc.assert(
 			fc.property(anyAge, (age) => {
 				const on = nextStage(LIFE, age, 1).at;
@@ -40,8 +40,8 @@ describe("stages", () => {
 	});
 });
 
-describe("one step on", () => {
-	it("comes by every step of a life, then to its end, then to its beginning", () => {
+describe("the next step", () => {
+	it("visits every step of a life, then its end, then its beginning", () => {
 		const steps = fc.integer({ min: 1, max: 3000 });
 		fc.assert(
 			fc.property(steps, (count) => {

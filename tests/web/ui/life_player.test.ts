@@ -44,9 +44,9 @@ describe("the player of a life", () => {
 		});
 	});
 
-	it("never starts by itself", () => expect(due).toBeUndefined());
+	it("does not start by itself", () => expect(due).toBeUndefined());
 
-	it("runs from the first flowers to ripe in about nine seconds, never back, and leaves no step", () => {
+	it("plays from the first flowers to ripe in about nine seconds, never back, without skipping a step", () => {
 		play(true);
 		const seen = run(20_000);
 		expect(seen[0]).toBe(0);
@@ -59,7 +59,7 @@ describe("the player of a life", () => {
 		expect(studio.state.history.gesture).toBeUndefined();
 	});
 
-	it("goes on from where the age stands, and a pause is one step", () => {
+	it("continues from the current age, and a pause is one undo step", () => {
 		studio.set({ parameters: { age: 40 } });
 		play(true);
 		const seen = run(1000);
@@ -89,7 +89,7 @@ describe("the player of a life", () => {
 		expect(studio.state.specimen).toBe(taken);
 	});
 
-	it("goes on where it was when the page was hidden", () => {
+	it("continues where it was after the page was hidden", () => {
 		play(true);
 		run(1000);
 		const before = age();
@@ -98,14 +98,14 @@ describe("the player of a life", () => {
 		expect(age() - before).toBeLessThan(10);
 	});
 
-	it("goes from stage to stage where motion is unwelcome", () => {
+	it("moves from stage to stage with reduced motion", () => {
 		stepwise = true;
 		play(true);
 		expect([...new Set(run(20_000))]).toEqual([0, 10, 30, 60, 100]);
 		expect(playing()).toBe(false);
 	});
 
-	it("runs as much faster or slower as it is told, mid-way too, and remembers that", () => {
+	it("changes its speed as set, also during playing, and remembers it", () => {
 		const at = (speed: number) => studio.setToolState(PLAYED, { ...studio.toolState(PLAYED), speed });
 		at(4);
 		studio.setToolState(PLAYED, { playing: true, speed: 4 });
@@ -121,7 +121,7 @@ describe("the player of a life", () => {
 		expect(age() - fast).toBeLessThan(3);
 	});
 
-	it("runs one loop of frames, though it is stopped and started again before the next frame", () => {
+	it("runs one loop of frames, even if it is stopped and started again before the next frame", () => {
 		const frames: ((now: number) => void)[] = [];
 		const clock = { request: (frame: (now: number) => void) => void frames.push(frame), stepwise: () => false };
 		player.dispose();
@@ -134,7 +134,7 @@ describe("the player of a life", () => {
 		player.dispose();
 	});
 
-	it("lets go for good: where it stood is a step, and nothing runs any more", () => {
+	it("stops when disposed: the current age becomes an undo step, and no frame follows", () => {
 		play(true);
 		run(1000);
 		const stopped = age();

@@ -4,7 +4,7 @@ import { rove, stopAt } from "../../../web/src/ui/roving";
 const row = () => Array.from({ length: 3 }, () => ({ tabIndex: -1, focus: vi.fn() })) as unknown as HTMLElement[];
 const press = (key: string, target: unknown) => ({ key, target, preventDefault: vi.fn() }) as unknown as KeyboardEvent;
 
-it("has one stop, which goes where the arrow keys, Home and End lead", () => {
+it("has one tab stop, which the arrow keys, Home and End move", () => {
 	const items = row();
 	stopAt(items, items[0]);
 	const stops = () => items.map(({ tabIndex }) => tabIndex);
@@ -25,7 +25,7 @@ it("has one stop, which goes where the arrow keys, Home and End lead", () => {
 	expect(items.map(({ focus }) => vi.mocked(focus).mock.calls.length)).toEqual([2, 2, 2]);
 });
 
-it("stays at its ends, and leaves other keys and other elements alone", () => {
+it("stops at its ends, and ignores other keys and other elements", () => {
 	const items = row();
 	for (const event of [
 		press("ArrowLeft", items[0]),

@@ -9,13 +9,13 @@ it("reads numbers as people type them", () => {
 	expect(["", "wide", "1.2.3"].map(readTyped)).toEqual([Number.NaN, Number.NaN, Number.NaN]);
 });
 
-it("hands a slider's key over where a number begins with it, and no other", () => {
+it("moves the focus from the slider for keys that begin a number only", () => {
 	for (const name of ["Enter", "0", "9", "-", "−", ".", ","]) expect(isForField(key(name)), name).toBe(true);
 	for (const name of ["ArrowLeft", "Delete", "k", "F1", "Home", " "]) expect(isForField(key(name)), name).toBe(false);
 	expect(isForField(key("0", { ctrlKey: true }))).toBe(false);
 });
 
-it("lets what was typed go into the field, but not Enter", () => {
+it("passes the typed character to the field, but not Enter", () => {
 	const field = { focus: vi.fn(), select: vi.fn() } as unknown as HTMLInputElement;
 	const [digit, enter] = [key("4"), key("Enter")];
 	handOver(digit, field);
@@ -25,7 +25,7 @@ it("lets what was typed go into the field, but not Enter", () => {
 	expect(enter.preventDefault).toHaveBeenCalledOnce();
 });
 
-it("goes back to the slider with Enter, and with Escape as if nothing had been typed", () => {
+it("returns to the slider with Enter, and discards the text with Escape", () => {
 	const slider = { focus: vi.fn() } as unknown as HTMLInputElement;
 	const typed = (name: string) => {
 		const target = { value: "41" };

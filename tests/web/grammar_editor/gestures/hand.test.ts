@@ -17,7 +17,7 @@ function handAt(x: number, y: number, apart = 0.1) {
 }
 
 describe("a hand before the camera", () => {
-	it("goes right where whoever holds it goes right, and reaches both ends before it leaves the picture", () => {
+	it("moves right as the person's hand does, and reaches both ends of the range within the picture", () => {
 		const at = (x: number, y: number) => new HandReader().read(handAt(x, y), 1);
 		expect(at(0.5, 0.5)).toMatchObject({ x: 0.5, y: 0.5 });
 		expect(at(0.75, 0.3)?.x).toBeLessThan(0.2);
@@ -26,7 +26,7 @@ describe("a hand before the camera", () => {
 		expect(at(0.9, 0.88)).toMatchObject({ x: 0, y: 1 });
 	});
 
-	it("pinches once, until it has opened again", () => {
+	it("pinches once, until the fingers open again", () => {
 		const reader = new HandReader();
 		let seconds = 0;
 		const pinched = (apart: number) => {
@@ -44,7 +44,7 @@ describe("a hand before the camera", () => {
 		]);
 	});
 
-	it("is quiet where it trembles, and follows where it goes", () => {
+	it("is smoothed at rest, and follows fast movements", () => {
 		const reader = new HandReader();
 		const steps = Array.from({ length: 60 }, (_, i) => reader.read(handAt(0.5 + 0.004 * (i % 2), 0.5), i / 30)?.x ?? 0);
 		const late = steps.slice(30);
@@ -54,7 +54,7 @@ describe("a hand before the camera", () => {
 		expect(last).toBeGreaterThan(0.85);
 	});
 
-	it("is none where there are no landmarks, or numbers that are none", () => {
+	it("returns undefined without landmarks, or with invalid numbers", () => {
 		const reader = new HandReader();
 		expect(reader.read(undefined, 0)).toBeUndefined();
 		expect(reader.read(handAt(0.5, 0.5).slice(1), 0)).toBeUndefined();

@@ -16,7 +16,7 @@ function cameraAt(azimuth: number): PerspectiveCamera {
 }
 
 describe("a stem that bends towards the circle", () => {
-	it("has its head where the circle is on the screen, from whichever way the plant is seen", () => {
+	it("has its head at the circle on the screen, seen from any side", () => {
 		for (const azimuth of [0, 24, 75, 110, 150, 180, -100, -30]) {
 			const camera = cameraAt(azimuth);
 			for (const circle of [0.1, 0.4, 0.7, 1]) {
@@ -27,7 +27,7 @@ describe("a stem that bends towards the circle", () => {
 		}
 	});
 
-	it("has the circle stay where it is taken hold of", () => {
+	it("does not move the circle when a drag begins", () => {
 		for (const right of [-1, -0.2, 0.3, 1])
 			for (const share of [0, 0.3, 1]) expect(acrossScreen(acrossScreen(share, right), right)).toBeCloseTo(share);
 	});

@@ -15,23 +15,23 @@ const axis = (id: string, min = 0, max = 1, value = 0): Axis => ({
 const ids = ({ across, up }: { across?: Axis; up?: Axis }) => [across?.id, up?.id];
 const none = { across: undefined, up: undefined };
 
-describe("two numbers at a time", () => {
+describe("the pair of controlled numbers", () => {
 	const axes = ["constant scale", "constant length", "constant bend", "parameter age", "parameter open"].map((id) =>
 		axis(id),
 	);
 
-	it("are the bend and the length of the stem, where there are such", () => {
+	it("defaults to the bend and the length of the stem", () => {
 		expect(ids(pairOf(axes, none))).toEqual(["constant bend", "constant length"]);
 		expect(ids(pairOf(axes.slice(3), none))).toEqual(["parameter age", "parameter open"]);
 		expect(ids(pairOf(axes.slice(0, 2), none))).toEqual(["constant scale", "constant length"]);
 		expect(ids(pairOf([], none))).toEqual([undefined, undefined]);
 	});
 
-	it("are those asked for, as far as there are such", () => {
+	it("keeps the requested numbers that exist", () => {
 		expect(ids(pairOf(axes, { across: "parameter age", up: "gone" }))).toEqual(["parameter age", "constant length"]);
 	});
 
-	it("make way for the next two, round and round", () => {
+	it("advances to the next two, cyclically", () => {
 		const next = nextPair(axes, { across: "constant bend", up: "constant length" });
 		expect(next).toEqual({ across: "parameter age", up: "parameter open" });
 		expect(nextPair(axes, next)).toEqual({ across: "constant scale", up: "constant length" });
@@ -45,7 +45,7 @@ describe("two numbers at a time", () => {
 	});
 });
 
-it("a gamepad pushes by its stick and its cross, and not where its stick hangs a little askew", () => {
+it("a gamepad moves by its stick and its directional pad, with a dead zone", () => {
 	const buttons = (...pressed: number[]) => Array.from({ length: 16 }, (_, i) => ({ pressed: pressed.includes(i) }));
 	expect(pushOf({ axes: [0.1, -0.14], buttons: [] })).toEqual({ x: 0, y: 0 });
 	expect(pushOf({ axes: [1, -1], buttons: [] })).toEqual({ x: 1, y: -1 });

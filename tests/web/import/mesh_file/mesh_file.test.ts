@@ -48,20 +48,20 @@ function ball(rings: number): Soup {
 }
 
 describe("a closed mesh from a file", () => {
-	it("comes from an OBJ, in a frame of height 1 over the middle of the ground", () => {
+	it("is read from an OBJ, and scaled to height 1 over the middle of the ground", () => {
 		const { points, triangles } = closedMesh(readObj(BOX));
 		expect(triangles).toHaveLength(36);
 		expect(new Set(points)).toEqual(new Set([-0.25, 0.25, 0, 1]));
 		expect(volumeOf({ points, triangles })).toBeCloseTo(0.25);
 	});
 
-	it("is turned inside out where its triangles face inwards", () => {
+	it("is reversed if its triangles face inwards", () => {
 		const { points, triangles } = readObj(BOX);
 		const inwards = triangles.map((_, i) => triangles[3 * Math.floor(i / 3) + [0, 2, 1][i % 3]]);
 		expect(volumeOf(closedMesh({ points, triangles: inwards }))).toBeCloseTo(0.25);
 	});
 
-	it("comes from a GLB that Panicle writes, points that lie together welded", async () => {
+	it("is read from a GLB that Panicle writes, with coincident points welded", async () => {
 		const { points, triangles } = readObj(BOX);
 		const apart = triangles.flatMap((corner) => points.slice(3 * corner, 3 * corner + 3));
 		const mesh = {
@@ -81,7 +81,7 @@ describe("a closed mesh from a file", () => {
 		expect(readGlb(bytes.buffer).triangles).toHaveLength(36);
 	});
 
-	it("is simplified to a bounded number of triangles, and stays closed and as large", () => {
+	it("is simplified to a bounded number of triangles, stays closed and keeps its size", () => {
 		const fine = ball(80);
 		expect(fine.triangles.length / 3).toBeGreaterThan(20_000);
 		const simple = closedMesh(fine);
@@ -108,7 +108,7 @@ describe("a closed mesh from a file", () => {
 		expect(() => closedMesh(readObj(text))).toThrow(message);
 	});
 
-	it("is refused when it is open, with how many edges are and what to do, but hairline cracks are closed", () => {
+	it("is rejected if it is open, with the number of open edges and a remedy; hairline cracks are closed", () => {
 		const { points, triangles } = ball(8);
 		const opened = { points, triangles: triangles.toSpliced(120, 3) };
 		expect(() => closedMesh(opened)).toThrow(
@@ -118,7 +118,7 @@ describe("a closed mesh from a file", () => {
 		expect(volumeOf(closedMesh(cracked))).toBeCloseTo(volumeOf(closedMesh({ points, triangles })), 3);
 	});
 
-	it("is refused when the file is of another kind, or damaged", async () => {
+	it("is rejected if the file has another format, or is damaged", async () => {
 		await expect(readMeshFile(new File(["x"], "box.ply"))).rejects.toThrow(
 			"box.ply is neither an OBJ nor a GLB nor an STL: save the mesh as one of them.",
 		);
@@ -139,7 +139,7 @@ describe("a closed mesh from a file", () => {
 		expect(corners({ points, triangles })).toEqual(corners(same));
 	});
 
-	it("comes from an STL in capitals, and from one with padding behind its triangles", () => {
+	it("is read from an STL in capitals, and from one with padding behind its triangles", () => {
 		const box = readObj(BOX);
 		const plain = readStl(textStl(box).buffer);
 		const capitals = new TextDecoder().decode(textStl(box)).toUpperCase();
@@ -150,7 +150,7 @@ describe("a closed mesh from a file", () => {
 		expect(readStl(padded.buffer)).toEqual(readStl(bytes.buffer));
 	});
 
-	it("is refused where an STL is damaged, and the reason said", () => {
+	it("is rejected if an STL is damaged, with the reason", () => {
 		const box = readObj(BOX);
 		const unfinished = "The STL is damaged or unfinished: export it again.";
 		expect(() => readStl(binaryStl(box).slice(0, -7).buffer)).toThrow(unfinished);
@@ -170,7 +170,7 @@ describe("a closed mesh from a file", () => {
 		expect(() => closedMesh(readStl(binaryStl(opened).buffer))).toThrow("The mesh is not closed: 3 of its edges");
 	});
 
-	it("is refused before it is read where it has too many triangles, with what is read at most", async () => {
+	it("is rejected before reading if it has too many triangles, with the limit", async () => {
 		const most = 500_000;
 		const refused = "The mesh has more than 500,000 triangles: simplify it first.";
 		const large = new Uint8Array(84 + 50 * (most + 1)).fill(255);
@@ -273,7 +273,7 @@ describe("a closed mesh from a file", () => {
 		expect(read).not.toHaveBeenCalled();
 	});
 
-	it("is read where a GLB's points lie apart in the buffer", () => {
+	it("is read from a GLB with interleaved points", () => {
 		const accessors = [
 			{ bufferView: 0, byteOffset: 4, componentType: 5126, count: 3, type: "VEC3" },
 			{ bufferView: 1, componentType: 5125, count: 3, type: "SCALAR" },
@@ -285,7 +285,7 @@ describe("a closed mesh from a file", () => {
 		expect(readGlb(glbOf([{ mesh: 0 }], { accessors, bufferViews })).points).toEqual([0, 0, 1, 0, 0, 1, 0, 0, 1]);
 	});
 
-	it("has of a GLB's points those that its triangles use, however many parts share them", () => {
+	it("contains only the points of a GLB that its triangles use, also if many parts share them", () => {
 		const primitive = { attributes: { POSITION: 0 }, indices: 1 };
 		const shared = glbOf([{ mesh: 0 }], { meshes: [{ primitives: Array(300).fill(primitive) }] });
 		const { points, triangles } = readGlb(shared);
@@ -295,7 +295,7 @@ describe("a closed mesh from a file", () => {
 		expect(readGlb(glbOf([{ mesh: 0 }], { accessors })).points).toHaveLength(9);
 	});
 
-	it("is refused where a GLB has very many parts, and where nodes are nested very deep it is read", () => {
+	it("is rejected if a GLB has very many parts, and read if nodes are nested very deep", () => {
 		const nodes = Array.from({ length: 1001 }, () => ({ mesh: 0 }));
 		const meshes = [{ primitives: Array(100).fill({ attributes: {}, mode: 1 }) }];
 		expect(() => readGlb(glbOf(nodes, { meshes }))).toThrow("The GLB has more than 100,000 parts: join them first.");
@@ -303,7 +303,7 @@ describe("a closed mesh from a file", () => {
 		expect(readGlb(glbOf(chain)).triangles).toHaveLength(12);
 	});
 
-	it("is refused where a GLB's node puts points nowhere, and where points are too far away to be added up", () => {
+	it("is rejected if a GLB's node moves points to invalid places, or if coordinates are too large", () => {
 		for (const placing of [{ matrix: [1] }, { scale: [1e308, 1e308, 1e308] }])
 			expect(() => readGlb(glbOf([{ mesh: 0, ...placing }]))).toThrow("The GLB has a point that is no place.");
 		const far = readObj(BOX.replace("v 1 2 3", "v -1e300 2 3"));
@@ -318,21 +318,21 @@ describe("a closed mesh from a file", () => {
 		expect(stl("\r")).toEqual(stl("\n"));
 	});
 
-	it("is refused where an OBJ has more points than its triangles can use, or a face of more corners than are read", () => {
+	it("is rejected if an OBJ has more points than its triangles can use, or a face of too many corners", () => {
 		expect(() => readObj("v 0 0 0\n".repeat(1_500_001))).toThrow("The mesh has more than 1,500,000 points: simplify");
 		const face = `v 0 0 0\nf ${"1 ".repeat(500_002)}`;
 		expect(readObj(face).triangles).toHaveLength(1_500_000);
 		expect(() => readObj(`${face} 1 9`)).toThrow("The mesh has more than 500,000 triangles: simplify it first.");
 	});
 
-	it("has a GLB's every node once: one without scenes begins with nodes that are nobody's child", () => {
+	it("contains every node of a GLB once; without scenes, reading begins at the nodes without parents", () => {
 		const nodes = [{ mesh: 0, translation: [5, 0, 0] }, { children: [0] }];
 		for (const more of [{}, { scenes: [{ nodes: [1] }] }]) {
 			expect(readGlb(glbOf(nodes, more)).triangles).toHaveLength(12);
 		}
 	});
 
-	it("is refused at once where a GLB's nodes meet again", () => {
+	it("is rejected at once if a GLB's nodes form no tree", () => {
 		// Two paths at each of forty nodes give 10¹² visits.
 		const ladder = Array.from({ length: 40 }, (_, i) => (i < 39 ? { children: [i + 1, i + 1] } : { mesh: 0 }));
 		expect(() => readGlb(glbOf(ladder))).toThrow("The GLB's nodes do not form a tree.");

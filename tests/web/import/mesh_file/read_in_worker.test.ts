@@ -17,8 +17,8 @@ function reading() {
 	return { worker, mesh: readMeshInWorker(file, () => worker as unknown as Worker) };
 }
 
-describe("reading a mesh's file in a worker", () => {
-	it("hands the file over, resolves with the mesh and ends the worker", async () => {
+describe("reading a mesh file in a worker", () => {
+	it("sends the file, resolves with the mesh and ends the worker", async () => {
 		const { worker, mesh } = reading();
 		expect(worker.postMessage).toHaveBeenCalledExactlyOnceWith(file);
 		worker.onmessage?.({ data: { type: "read", mesh: { points: [0, 0, 0], triangles: [] } } });
@@ -33,7 +33,7 @@ describe("reading a mesh's file in a worker", () => {
 		expect(worker.terminate).toHaveBeenCalledOnce();
 	});
 
-	it("rejects where the worker's script does not come, and where it runs out of memory", async () => {
+	it("rejects if the worker's script does not load, or runs out of memory", async () => {
 		const lost = reading();
 		lost.worker.onerror?.({ preventDefault: () => {} });
 		await expect(lost.mesh).rejects.toThrow("Part of the page could not be fetched");
@@ -42,7 +42,7 @@ describe("reading a mesh's file in a worker", () => {
 		await expect(full.mesh).rejects.toThrow("out of memory");
 	});
 
-	it("is answered by the worker's script, with the mesh or with the reason", async () => {
+	it("answers from the worker's script with the mesh or the reason", async () => {
 		const answers: FromMeshReader[] = [];
 		const scope = globalThis as unknown as { postMessage?: unknown; onmessage?: (event: unknown) => Promise<void> };
 		scope.postMessage = (message: FromMeshReader) => answers.push(message);

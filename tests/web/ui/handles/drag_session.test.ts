@@ -29,7 +29,7 @@ function session(start: Places, alone = false) {
 const START = { a: { x: 1, y: 2 }, b: { x: 5, y: 5 } };
 
 describe("a drag", () => {
-	it("takes hold beside a handle without a jump, and follows the pointer from there", () => {
+	it("begins beside a handle without a jump, and follows the pointer", () => {
 		const number = fc.integer({ min: -50, max: 50 });
 		fc.assert(
 			fc.property(number, number, (x, y) => {
@@ -47,7 +47,7 @@ describe("a drag", () => {
 		);
 	});
 
-	it("asks for one frame at a time, and tells two fingers' places together", () => {
+	it("requests one frame at a time, and reports the positions of two fingers together", () => {
 		const { view, drags } = session(START);
 		drags.begin(1, "a", START.a);
 		drags.begin(2, "b", START.b);
@@ -65,7 +65,7 @@ describe("a drag", () => {
 		expect(view.places).toEqual(START);
 	});
 
-	it("makes a second finger wait where a view takes one at a time", () => {
+	it("rejects a second finger in a view that allows one drag", () => {
 		const { drags } = session(START, true);
 		expect(drags.begin(1, "a", START.a)).toBe(true);
 		expect(drags.begin(2, "b", START.b)).toBe(false);
@@ -73,7 +73,7 @@ describe("a drag", () => {
 		expect(drags.begin(2, "b", START.b)).toBe(true);
 	});
 
-	it("is dropped where it is, and told to be over", () => {
+	it("keeps its changes when dropped, and reports its end", () => {
 		const { view, drags } = session(START);
 		drags.begin(1, "a", START.a);
 		drags.move(1, { x: 2, y: 3 });
@@ -84,7 +84,7 @@ describe("a drag", () => {
 		expect(drags.active).toBe(false);
 	});
 
-	it("that moved nothing is called off without a word", () => {
+	it("reports nothing when cancelled without movement", () => {
 		const { view, drags } = session(START);
 		drags.begin(1, "a", START.a);
 		drags.cancel();
@@ -94,7 +94,7 @@ describe("a drag", () => {
 	});
 });
 
-it("takes the nearest handle within reach, or none", () => {
+it("picks the nearest handle within reach, or none", () => {
 	const places: [string, Point][] = [
 		["p2", { x: 0, y: 20 }],
 		["p3", { x: 14, y: 10 }],
@@ -109,7 +109,7 @@ it("makes scale bars of round lengths", () => {
 	expect([99, 100, 0.049, 7].map(roundLength)).toEqual([50, 100, 0.02, 5]);
 });
 
-it("hears Escape while it listens, and lets no one else hear it", () => {
+it("handles Escape while listening, and stops its propagation", () => {
 	const page = new EventTarget();
 	vi.stubGlobal("window", page);
 	const pressed = vi.fn();

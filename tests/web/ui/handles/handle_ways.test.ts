@@ -8,8 +8,8 @@ const X: Vector = [1, 0, 0];
 const Y: Vector = [0, 1, 0];
 const place = fc.tuple(evenly(-1, 1), evenly(-1, 1), evenly(-1, 1));
 
-describe("a handle under a pointer", () => {
-	it("stays where it is while the pointer looks at it, on a plane and on a line", () =>
+describe("a dragged handle", () => {
+	it("does not move while the pointer is on it, on a plane and on a line", () =>
 		fc.assert(
 			fc.property(place, place, fc.constantFrom([X, Y], [Y]), (at, offset, ways) => {
 				const eye: Vector = [offset[0], offset[1], 3];
@@ -19,20 +19,20 @@ describe("a handle under a pointer", () => {
 			}),
 		));
 
-	it("goes to where the sight meets its plane, and no farther off it", () => {
+	it("moves to the intersection of the ray with its plane, within limits", () => {
 		const ray = { origin: [0.25, -0.5, 2], direction: [0, 0, -4] } as const;
 		expect(placeUnder([0, 0, 0.5], [X, Y], ray)).toEqual([0.25, -0.5, 0.5]);
 		expect(placeUnder([0, 0, 0.5], [Y], ray)).toEqual([0, -0.5, 0.5]);
 	});
 
-	it("goes nowhere by a sight that says nothing: along the plane or line, or with the handle behind the eye", () => {
+	it("does not move by a ray along its plane or line, or with the handle behind the eye", () => {
 		expect(placeUnder([0, 0, 0], [X, Y], { origin: [0, 0, 1], direction: [1, 0, 0] })).toBeUndefined();
 		expect(placeUnder([0, 0, 0], [X, Y], { origin: [0, 0, 1], direction: [0, 0, 1] })).toBeUndefined();
 		expect(placeUnder([0, 0, 0], [Y], { origin: [0, 3, 0.01], direction: [0, -1, 0] })).toBeUndefined();
 		expect(placeUnder([0, 0, 0], [Y], { origin: [0, 0, 1], direction: [0, 0, 1] })).toBeUndefined();
 	});
 
-	it("has of a plane seen edge-on the way alone that is seen across", () => {
+	it("moves along the visible direction only if its plane is seen edge-on", () => {
 		const from = (direction: Vector) => visibleWays([X, Y], { origin: [0, 0, 0], direction });
 		expect(from([0, 0, -1])).toEqual([X, Y]);
 		expect(from([0.5, 0.5, -1])).toEqual([X, Y]);

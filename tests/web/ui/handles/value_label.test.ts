@@ -12,7 +12,7 @@ function apart(at: { x: number; y: number }, place: { x: number; y: number }): n
 }
 
 describe("a label beside a handle", () => {
-	it("lies away from the middle of what is drawn", () => {
+	it("is placed away from the middle of the drawing", () => {
 		const right = labelPlace({ x: 250, y: 150 }, LABEL, FIELD, []);
 		expect(right.x).toBeGreaterThan(250);
 		const left = labelPlace({ x: 150, y: 150 }, LABEL, FIELD, []);
@@ -21,7 +21,7 @@ describe("a label beside a handle", () => {
 		expect(above.y + LABEL.height).toBeLessThan(60);
 	});
 
-	it("never lies on its own handle nor out of the field, wherever that is", () => {
+	it("never covers its own handle, nor leaves the field", () => {
 		for (let x = 0; x <= FIELD.width; x += 20) {
 			for (let y = 0; y <= FIELD.height; y += 20) {
 				const place = labelPlace({ x, y }, LABEL, FIELD, []);
@@ -34,7 +34,7 @@ describe("a label beside a handle", () => {
 		}
 	});
 
-	it("goes where it covers no other handle", () => {
+	it("covers no other handle", () => {
 		const at = { x: 250, y: 150 };
 		const alone = labelPlace(at, LABEL, FIELD, []);
 		const others = [
