@@ -237,7 +237,7 @@ export default [
 			},
 			{
 				id: "alike-without-flowers",
-				find: "...others, ...joined(borne)]",
+				find: "...others, ...joined(attached)]",
 				replace: "...others]",
 				breaks: "a flowering bunch of instances has no stamens",
 			},

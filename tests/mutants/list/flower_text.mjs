@@ -66,7 +66,7 @@ export default [
 		faults: [
 			{
 				id: "flower-xml-lines-of-the-text",
-				find: "textName: grammar === said ? file :",
+				find: "textName: grammar === contents ? file :",
 				replace: "textName: grammar !== undefined ? file :",
 				breaks: "mistakes in a text that XML became are told with lines that the XML does not have",
 			},

@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
 import { downloadFormats } from "../../../web/src/app/files/formats";
 import { formatsOfMany } from "../../../web/src/app/files/many";
-import { formatsOf as formatsOfSeries } from "../../../web/src/batch/series";
+import { formatKeysOf as formatsOfSeries } from "../../../web/src/batch/series";
 import { EMPTY_PLANT } from "../../../web/src/plant/plant";
 import { specimenFromPreset } from "../bunch";
 import { bunchModel } from "./context";

@@ -45,7 +45,7 @@ describe("files of the command", () => {
 			environment: {},
 			loadCore: freshCore,
 			print: () => {},
-			say: (line: string) => said.push(line),
+			printError: (line: string) => said.push(line),
 		};
 		expect(await run(["redcurrant", "--set", "count=5", "--out", path], world)).toBe(1);
 		expect(said).toEqual([`grow: ${path} cannot be written: the disk is full`]);

@@ -1,7 +1,7 @@
 /** A folder of a series: one series, one process to a table, and what happens where that is not so. */
 import { describe, expect, it } from "vitest";
 import { run } from "../../../web/src/cli/run";
-import type { Surroundings } from "../../../web/src/cli/surroundings";
+import type { CommandEnvironment } from "../../../web/src/cli/surroundings";
 import { memoryWorld } from "./world";
 
 const SMALL = ["redcurrant", "--set", "count=5", "--as", "json", "--out", "d"];
@@ -11,7 +11,11 @@ const LOCK = "d/plants.csv.lock";
 type Written = Map<string, string | Uint8Array>;
 
 /** The command in a process of its own, in a folder that others may write to. */
-async function series(words: readonly string[], written: Written = new Map(), differs: Partial<Surroundings> = {}) {
+async function series(
+	words: readonly string[],
+	written: Written = new Map(),
+	differs: Partial<CommandEnvironment> = {},
+) {
 	const { world, said } = memoryWorld({}, {}, written);
 	const status = await run([...SMALL, ...words], { ...world, ...differs });
 	return { status, said, written };
@@ -185,7 +189,7 @@ describe("the lock of a table", () => {
 		const written: Written = new Map();
 		const { world, said } = memoryWorld({}, {}, written);
 		const theirs = JSON.stringify(owner);
-		const loadCore: Surroundings["loadCore"] = (wasm) => {
+		const loadCore: CommandEnvironment["loadCore"] = (wasm) => {
 			written.set(LOCK, theirs);
 			return world.loadCore(wasm);
 		};
@@ -199,13 +203,13 @@ describe("the lock of a table", () => {
 		const written: Written = new Map();
 		let onSignal: (() => Promise<void>) | undefined;
 		const { world } = memoryWorld({}, {}, written);
-		const loadCore: Surroundings["loadCore"] = async (wasm) => {
+		const loadCore: CommandEnvironment["loadCore"] = async (wasm) => {
 			expect(written.has(LOCK)).toBe(true);
 			await onSignal?.();
 			expect(written.has(LOCK)).toBe(false);
 			return world.loadCore(wasm);
 		};
-		const whenTerminated: Surroundings["whenTerminated"] = (work) => {
+		const whenTerminated: CommandEnvironment["whenTerminated"] = (work) => {
 			onSignal = work;
 			return () => {};
 		};
@@ -217,7 +221,7 @@ describe("the lock of a table", () => {
 describe("what cannot be written", () => {
 	const failing = (code: string, pattern: RegExp, written: Written) => {
 		const { world } = memoryWorld({}, {}, written);
-		const replaceFile: Surroundings["replaceFile"] = async (path, data) => {
+		const replaceFile: CommandEnvironment["replaceFile"] = async (path, data) => {
 			if (pattern.test(path)) throw Object.assign(new Error(`${code}: write`), { code });
 			await world.replaceFile(path, data);
 		};

@@ -1,6 +1,6 @@
 import { expect } from "vitest";
 import { run } from "../../../web/src/cli/run";
-import type { Surroundings } from "../../../web/src/cli/surroundings";
+import type { CommandEnvironment } from "../../../web/src/cli/surroundings";
 import { loadCoreFromBytes } from "../../../web/src/core/loader";
 import { wasmBytes } from "../core/wasm";
 
@@ -14,13 +14,13 @@ let processes = 100;
  */
 export function memoryWorld(
 	files: Record<string, string | Uint8Array> = {},
-	environment: Surroundings["environment"] = {},
+	environment: CommandEnvironment["environment"] = {},
 	written = new Map<string, string | Uint8Array>(),
 ) {
 	const printed: string[] = [];
 	const said: string[] = [];
 	const missing = (path: string) => Object.assign(new Error(`ENOENT: ${path}`), { code: "ENOENT" });
-	const world: Surroundings = {
+	const world: CommandEnvironment = {
 		readFile: async (path) => {
 			const data = files[path] ?? written.get(path);
 			if (data === undefined) throw missing(path);
@@ -58,7 +58,7 @@ export function memoryWorld(
 			if (typeof text === "string") printed.push(text);
 			else printed.push(`${printed.pop() ?? ""}${new TextDecoder().decode(text)}`);
 		},
-		say: (line) => said.push(line),
+		printError: (line) => said.push(line),
 	};
 	return { world, written, printed, said };
 }

@@ -1,6 +1,6 @@
 import { beforeEach, describe, expect, it } from "vitest";
 import type { Built } from "../../../web/src/offline/built";
-import { KeptApp } from "../../../web/src/offline/kept_app";
+import { CachedApp } from "../../../web/src/offline/kept_app";
 import { FakeCaches } from "./fake_caches";
 
 const scope = "https://plants.example/app/";
@@ -26,7 +26,7 @@ beforeEach(() => {
 });
 
 /** A build; its host has these files, and answers only with what has the integrity asked for, as browsers see to. */
-function app(id: string, files: Record<string, string>, at = scope): KeptApp {
+function app(id: string, files: Record<string, string>, at = scope): CachedApp {
 	const built: Built = { release: "1", id, files, cores: {}, specimens: "assets/specimens.js" };
 	const fetch = async (url: string, init: RequestInit) => {
 		const path = url.slice(at.length);
@@ -35,10 +35,10 @@ function app(id: string, files: Record<string, string>, at = scope): KeptApp {
 		if (text !== undefined && text !== init.integrity) throw new TypeError("integrity");
 		return new Response(text ?? "", { status: text === undefined ? 404 : 200 });
 	};
-	return new KeptApp({ scope: at, built, caches: caches as unknown as CacheStorage, fetch });
+	return new CachedApp({ scope: at, built, caches: caches as unknown as CacheStorage, fetch });
 }
 
-async function filled(id: string, files: Record<string, string>, at = scope): Promise<KeptApp> {
+async function filled(id: string, files: Record<string, string>, at = scope): Promise<CachedApp> {
 	host = files;
 	const kept = app(id, files, at);
 	await kept.fill();
@@ -111,7 +111,7 @@ describe("a kept app", () => {
 		Object.defineProperty(answer, "redirected", { value: true });
 		const built = { release: "1", id: "1", files: { "": "page 1" }, cores: {}, specimens: "" };
 		const options = { scope, built, caches: caches as unknown as CacheStorage, fetch: async () => answer };
-		const kept = new KeptApp(options);
+		const kept = new CachedApp(options);
 		await kept.fill();
 		expect(await text(kept.find(""))).toBe("page 1");
 		expect(caches.stored.get(`panicle ${scope} 1`)?.get(scope)?.redirected).toBe(false);

@@ -4,7 +4,7 @@ import { afterEach, describe, expect, it, vi } from "vitest";
 import { CoreTrap } from "../../../web/src/core/errors";
 import { modelNamed, modelNames } from "../../../web/src/models/index";
 import { FILE_KEYS } from "../../../web/src/service/address";
-import { Known } from "../../../web/src/service/known";
+import { TagCache } from "../../../web/src/service/known";
 import { makeService } from "../../../web/src/service/service";
 import { compressText } from "../../../web/src/specimen/compressed_text";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
@@ -216,7 +216,7 @@ describe("what HTTP asks", () => {
 
 describe("tags that are known", () => {
 	it("are as many as it was told, those asked for last", () => {
-		const known = new Known(2);
+		const known = new TagCache(2);
 		known.keep("a", "1");
 		known.keep("b", "2");
 		expect(known.tag("a")).toBe("1");

@@ -1,6 +1,6 @@
 /** Registers the service worker and offers new versions of the app: the page's side of docs/offline.md. */
 import { holdScripts } from "../core/hold_scripts";
-import type { ToWorker } from "../offline/messages";
+import type { ToServiceWorker } from "../offline/messages";
 import { forgetWorker, registerWorker, reportOpened } from "../offline/register";
 import { hostSpecimens } from "../offline/specimen_host";
 
@@ -87,7 +87,7 @@ export class AppUpdater {
 		const waiting = this.#registration?.waiting;
 		if (waiting) {
 			navigator.serviceWorker.addEventListener("controllerchange", () => location.reload(), { once: true });
-			waiting.postMessage({ type: "take over" } satisfies ToWorker);
+			waiting.postMessage({ type: "take over" } satisfies ToServiceWorker);
 		} else location.reload();
 	}
 

@@ -40,7 +40,7 @@ export function independentDraws<S extends Specimen>(species: ModelSchema<S>, fr
 
 /**
  * Draws for paired comparisons: the number itself is the seed, and a quantity has the same share in every series,
- * whatever its variety and settings.
+ * for any variety and settings.
  */
 export function literalDraws(): Draws {
 	const draw = hashFunction("");

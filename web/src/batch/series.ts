@@ -28,13 +28,13 @@ export interface Series {
 	readonly draws: Draws;
 	/** Target measures of each plant: parameters are searched for with its seed. */
 	readonly goals?: readonly Goal[];
-	/** Kinds of files of each plant: keys of `formatsOf`, at least one. */
+	/** Kinds of files of each plant: keys of `formatKeysOf`, at least one. */
 	readonly formats: readonly string[];
 	readonly options?: FileOptions;
 }
 
 /** One plant of a series, not yet grown. */
-export interface Member {
+export interface SeriesPlant {
 	readonly number: number;
 	readonly seed: number;
 	readonly specimen: Specimen;
@@ -56,7 +56,7 @@ export interface MadeFile {
 	readonly sum: string;
 }
 
-export interface Grown {
+export interface GrownSeriesPlant {
 	readonly plant: Plant;
 	/** With the parameters that reach the targets, if there are targets. */
 	readonly specimen: Specimen;
@@ -69,14 +69,14 @@ export interface Grown {
 }
 
 /** The keys of all kinds of files. */
-export const formatsOf = ({ formats = [] }: Pick<Model, "formats">): string[] => [
+export const formatKeysOf = ({ formats = [] }: Pick<Model, "formats">): string[] => [
 	...[...PLANT_FILES.filter(({ life, levelled }) => !life && !levelled).map(({ key }) => key), "obj", "json"],
 	...formats.map(({ key }) => key),
 ];
 
 /** @throws Unusable where there is no such kind of file */
 export function checkFormat(model: Model, format: string): void {
-	const known = formatsOf(model);
+	const known = formatKeysOf(model);
 	if (!known.includes(format))
 		throw new Unusable(`“${format}” is no kind of file of a ${model.noun}; there are ${known.join(", ")}`);
 }
@@ -91,10 +91,10 @@ function suffixOf({ formats }: Model, format: string): string {
 }
 
 /** The names of a plant's files. */
-export const filesOf = ({ model, from, formats }: Series, number: number): string[] =>
+export const fileNamesOf = ({ model, from, formats }: Series, number: number): string[] =>
 	formats.map((format) => `${from.preset}-${number}${suffixOf(model, format)}`);
 
-export async function memberOf(series: Series, number: number): Promise<Member> {
+export async function memberOf(series: Series, number: number): Promise<SeriesPlant> {
 	const { model, from, varied, draws, goals = [] } = series;
 	const seed = draws.seed(number);
 	const values = varied.map((each) => drawn(each, number, draws));
@@ -106,16 +106,16 @@ export async function memberOf(series: Series, number: number): Promise<Member> 
 	);
 	const aims = aimsOf(model.table, goals, draws, number);
 	const link = await encodeLink(model, specimen);
-	return { number, seed, specimen, values, aims, link, files: filesOf(series, number) };
+	return { number, seed, specimen, values, aims, link, files: fileNamesOf(series, number) };
 }
 
-export interface Means {
+export interface SeriesMeans {
 	grow(model: Model, specimen: Specimen, options: GrowthOptions): Promise<Plant>;
 	make(model: Model, request: FileRequest): Promise<Blob>;
 }
 
 /** Grows a plant and makes its files; rejects as these do. */
-export async function growMember(series: Series, member: Member, means: Means): Promise<Grown> {
+export async function growMember(series: Series, member: SeriesPlant, means: SeriesMeans): Promise<GrownSeriesPlant> {
 	const { model, formats, options = {} } = series;
 	const { specimen, link, missed } =
 		member.aims.length > 0 ? await foundFor(series, member, means) : { ...member, missed: [] };
@@ -142,7 +142,11 @@ interface Found {
 }
 
 /** The specimen nearest to the targets. */
-async function foundFor({ model }: Series, { specimen: from, aims }: Member, { grow }: Means): Promise<Found> {
+async function foundFor(
+	{ model }: Series,
+	{ specimen: from, aims }: SeriesPlant,
+	{ grow }: SeriesMeans,
+): Promise<Found> {
 	const { specimen, reached } = await aimed(model, from, aims, (each) =>
 		grow(model, each, { meshes: false, measures: true }),
 	);

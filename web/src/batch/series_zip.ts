@@ -1,7 +1,7 @@
 /** A series as one archive, byte for byte the folder that the command line writes. */
 import { ZipStream } from "../generate/files/zip";
 import { formatManifest, MANIFEST, manifestOf } from "./manifest";
-import { growMember, type Means, memberOf, type Series } from "./series";
+import { growMember, memberOf, type Series, type SeriesMeans } from "./series";
 import { columnsOf, failedRow, rowOf, written } from "./table";
 import { Unusable } from "./unusable";
 
@@ -21,7 +21,12 @@ export interface Watch {
  * Grows plant after plant and packs their files with the table. A plant that cannot be grown has a row with the reason.
  * @throws Unusable where no plant can be grown, and where one archive is too small, and the signal's reason
  */
-export async function zipOf(series: Series, numbers: readonly number[], means: Means, watch: Watch): Promise<Blob> {
+export async function zipOf(
+	series: Series,
+	numbers: readonly number[],
+	means: SeriesMeans,
+	watch: Watch,
+): Promise<Blob> {
 	const { signal, progress } = watch;
 	if (numbers.length > MOST_IN_ARCHIVE) {
 		throw new Unusable(

@@ -1,9 +1,9 @@
 /** The table of a series: a row for each plant, with its link and measures. */
 import { classesOf, descriptorsOf } from "../formats/classes";
-import { type Cell, writeCsv } from "../formats/csv";
+import { type CsvValue, writeCsv } from "../formats/csv";
 import { measureValues } from "../formats/measures";
 import { splitCells, splitRows } from "./csv_rows";
-import type { Grown, Member, Series } from "./series";
+import type { GrownSeriesPlant, Series, SeriesPlant } from "./series";
 
 /**
  * Columns of a plant's files: `file`, `bytes`, `crc32` for the first kind, `file_json` and so on for each further one.
@@ -30,10 +30,10 @@ export function columnsOf(series: Series): string[] {
 }
 
 /** The cells of a row by column; missing ones are empty. */
-type Cells = Record<string, Cell>;
+type Cells = Record<string, CsvValue>;
 
 /** The cells of a plant that has not grown yet. */
-function memberCells({ varied, goals = [] }: Series, { number, seed, values, aims, link }: Member): Cells {
+function memberCells({ varied, goals = [] }: Series, { number, seed, values, aims, link }: SeriesPlant): Cells {
 	return {
 		...{ number, seed },
 		...(goals.length > 0 ? { from: link } : {}),
@@ -43,7 +43,11 @@ function memberCells({ varied, goals = [] }: Series, { number, seed, values, aim
 }
 
 /** The row of a grown plant. */
-export function rowOf(series: Series, member: Member, { plant, specimen, link, missed, files }: Grown): Cell[] {
+export function rowOf(
+	series: Series,
+	member: SeriesPlant,
+	{ plant, specimen, link, missed, files }: GrownSeriesPlant,
+): CsvValue[] {
 	const cells = memberCells(series, member);
 	fileColumns(series).forEach(([name, bytes, sum], at) => {
 		Object.assign(cells, { [name]: files[at].name, [bytes]: files[at].bytes.length, [sum]: files[at].sum });
@@ -56,16 +60,17 @@ export function rowOf(series: Series, member: Member, { plant, specimen, link, m
 }
 
 /** The row of a plant that could not be grown: no file, and the reason. */
-export function failedRow(series: Series, member: Member, why: string): Cell[] {
+export function failedRow(series: Series, member: SeriesPlant, why: string): CsvValue[] {
 	return inColumns(series, { ...memberCells(series, member), link: member.link, notes: why.replaceAll(/\s+/g, " ") });
 }
 
-const inColumns = (series: Series, cells: Cells): Cell[] => columnsOf(series).map((column) => cells[column] ?? null);
+const inColumns = (series: Series, cells: Cells): CsvValue[] =>
+	columnsOf(series).map((column) => cells[column] ?? null);
 
-export const written = (row: readonly Cell[]): string => writeCsv([row]);
+export const written = (row: readonly CsvValue[]): string => writeCsv([row]);
 
 /** A row of a table that was read. */
-export interface Line {
+export interface TableRow {
 	/** In the order of the formats. */
 	readonly files: readonly { readonly name: string; readonly bytes: number; readonly sum: string }[];
 	/** The member's link, from before the search for parameters. */
@@ -80,11 +85,11 @@ export interface Line {
  * The whole rows of a table by the numbers of their plants, without failed plants and an unfinished last row. Undefined
  * where the text is the table of another series: it has other columns.
  */
-export function readLines(series: Series, text: string): Map<number, Line> | undefined {
+export function readLines(series: Series, text: string): Map<number, TableRow> | undefined {
 	const [header, ...rows] = splitRows(text);
 	const columns = columnsOf(series);
 	if (header !== undefined && header !== written(columns)) return undefined;
-	const lines = new Map<number, Line>();
+	const lines = new Map<number, TableRow>();
 	for (const row of rows) {
 		const cells = new Map(splitCells(row).map((cell, at) => [columns[at], cell]));
 		const cell = (column: string) => cells.get(column) ?? "";

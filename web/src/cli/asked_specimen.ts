@@ -17,7 +17,7 @@ import type { Specimen } from "../specimen/specimen";
 import { onStep } from "../specimen/table";
 import { TextError } from "../specimen/text_error";
 import type { Call } from "./arguments";
-import type { Surroundings } from "./surroundings";
+import type { CommandEnvironment } from "./surroundings";
 import { UsageError } from "./usage";
 import { reasonOf } from "./writing";
 
@@ -26,12 +26,12 @@ import { reasonOf } from "./writing";
  * grammar.
  * @throws UsageError
  */
-export async function askedSpecimen(
+export async function requestedSpecimen(
 	call: Call,
-	{ readFile }: Pick<Surroundings, "readFile">,
+	{ readFile }: Pick<CommandEnvironment, "readFile">,
 ): Promise<Asked & { textName: string }> {
-	const said = call.grammarFile === undefined ? undefined : await readGrammar(call.grammarFile, readFile);
-	const read = said === undefined ? undefined : await readGrammarText(said, call.grammarFile ?? "");
+	const contents = call.grammarFile === undefined ? undefined : await readGrammar(call.grammarFile, readFile);
+	const read = contents === undefined ? undefined : await readGrammarText(contents, call.grammarFile ?? "");
 	const grammar = read?.text;
 	const { model, specimen: start, notes } = await readStart(call.source, read);
 	let specimen = start;
@@ -44,7 +44,7 @@ export async function askedSpecimen(
 		const start = specimen;
 		specimen = readSettings(model, call.set, bounded);
 		const brought = (key: string) => held(start, key) !== held(bounded, key);
-		refuseUnheeded(model, brought, specimen, `--boundary ${call.boundaryFile}`);
+		refuseIneffective(model, brought, specimen, `--boundary ${call.boundaryFile}`);
 	}
 	const idle = idleSettings(model, call.set, specimen);
 	if (grammar !== undefined) {
@@ -52,13 +52,13 @@ export async function askedSpecimen(
 			throw new UsageError(`--grammar ${call.grammarFile}: the ${model.noun} is not grown by a grammar's text`);
 		specimen = typed(model, { grammar }, specimen, (note) => `--grammar ${call.grammarFile}: ${note.problem}`);
 	}
-	await refuseStrangers(model, call.set, specimen);
+	await refuseUnknownNames(model, call.set, specimen);
 	const file = call.grammarFile ?? "the link's grammar";
-	return { model, specimen, notes: [...notes, ...idle], textName: grammar === said ? file : `${file}, as text` };
+	return { model, specimen, notes: [...notes, ...idle], textName: grammar === contents ? file : `${file}, as text` };
 }
 
 /** The model that a call names, by its preset, its link or its own name; the default where it names none. */
-export async function askedModel(source: string | undefined): Promise<Model> {
+export async function requestedModel(source: string | undefined): Promise<Model> {
 	const [model] = source?.split("/") ?? [];
 	const link = linkIn(source ?? "");
 	return modelNamed(link ? modelInQuery(link.query) : model);
@@ -91,7 +91,7 @@ function readSettings(model: Model, settings: Call["set"], specimen: Specimen): 
 }
 
 /** Refuses names that the text does not define: a note for a link, an error for a call. */
-async function refuseStrangers(model: Model, settings: Call["set"], specimen: Specimen): Promise<void> {
+async function refuseUnknownNames(model: Model, settings: Call["set"], specimen: Specimen): Promise<void> {
 	const named = Object.keys(settings).filter((key) => !detailOf(model, key) && !entryOf(model, key));
 	if (named.length === 0) return;
 	const stranger = await model.details.find(({ unknownName }) => unknownName)?.unknownName?.(specimen, named);
@@ -110,9 +110,9 @@ function idleSettings(model: Model, settings: Call["set"], specimen: Specimen): 
 	const notes = new Notes();
 	for (const key of Object.keys(settings)) {
 		const { where = {} } = detailOf(model, key) ?? entryOf(model, key) ?? {};
-		for (const [choice, heeding] of Object.entries(where)) {
+		for (const [choice, needed] of Object.entries(where)) {
 			const used = model.table.option(specimen, choice);
-			if (heeding !== used) notes.add(key, `${choice}=${used} does not heed it`, `--set ${choice}=${heeding} does`);
+			if (needed !== used) notes.add(key, `${choice}=${used} does not heed it`, `--set ${choice}=${needed} does`);
 		}
 	}
 	return notes.all();
@@ -121,16 +121,16 @@ function idleSettings(model: Model, settings: Call["set"], specimen: Specimen): 
 const held = (specimen: Specimen, key: string) => (specimen as unknown as Record<string, unknown>)[key];
 
 /** Refuses an option that has no effect because of a typed choice. */
-function refuseUnheeded(
+function refuseIneffective(
 	{ details, table }: Model,
 	brought: (key: string) => boolean,
 	specimen: Specimen,
 	option: string,
 ): void {
 	for (const { where = {} } of details.filter(({ keys }) => keys.some(brought))) {
-		for (const [choice, heeding] of Object.entries(where)) {
+		for (const [choice, needed] of Object.entries(where)) {
 			const used = table.option(specimen, choice);
-			if (used !== heeding)
+			if (used !== needed)
 				throw new UsageError(`${option}: ${choice}=${used} does not heed it; leave --set ${choice} out`);
 		}
 	}
@@ -169,7 +169,7 @@ async function readBoundary(
 	model: Model,
 	path: string,
 	specimen: Specimen,
-	readFile: Surroundings["readFile"],
+	readFile: CommandEnvironment["readFile"],
 ): Promise<Specimen> {
 	if (!model.bounded) throw new UsageError(`--boundary ${path}: the ${model.noun} has no boundary`);
 	const bytes = await readFile(path).catch((error: unknown) => {
@@ -185,16 +185,16 @@ const BEGIN =
 	"begin with “axiom: F”, a flower with “#define STEM(8,0,0,0,9,3,3,1)” and “#axiom: STEM”, a tree of growth with “tree -> DivFunc(…)”, a stand with “plants 100”";
 
 /** A text and its model, translated into a grammar where it has another form. */
-async function readGrammarText(said: string, file: string): Promise<ReadText> {
+async function readGrammarText(contents: string, file: string): Promise<ReadText> {
 	try {
-		return await readText(said, file);
+		return await readText(contents, file);
 	} catch (error) {
 		if (error instanceof TextError) throw new UsageError(`--grammar ${file}: ${error.message}`);
 		throw error;
 	}
 }
 
-async function readGrammar(file: string, readFile: Surroundings["readFile"]): Promise<string> {
+async function readGrammar(file: string, readFile: CommandEnvironment["readFile"]): Promise<string> {
 	const bytes = await readFile(file).catch((error: unknown) => {
 		throw new UsageError(`--grammar ${file}: ${reasonOf(error)}`);
 	});

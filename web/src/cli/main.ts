@@ -27,5 +27,5 @@ process.exitCode = await run(process.argv.slice(2), {
 	environment: process.env,
 	loadCore: async (wasm, timePassed) => loadCoreFromBytes(await coreBytes(wasm), timePassed),
 	print: (text) => void process.stdout.write(text),
-	say: (line) => process.stderr.write(`${line}\n`),
+	printError: (line) => process.stderr.write(`${line}\n`),
 });

@@ -2,10 +2,10 @@
 import { randomUUID } from "node:crypto";
 import { appendFile, link, lstat, mkdir, readdir, readFile, rename, rm, writeFile } from "node:fs/promises";
 import { hostname } from "node:os";
-import type { Surroundings } from "./surroundings";
+import type { CommandEnvironment } from "./surroundings";
 
 type Files = Pick<
-	Surroundings,
+	CommandEnvironment,
 	| "readFile"
 	| "writeFile"
 	| "replaceFile"

@@ -42,7 +42,7 @@ export function ownFormat({ formats }: Pick<Model, "formats">, ending: string) {
  * The files of a plant by the suffix of the requested name; an OBJ has its materials and their pictures beside it.
  * @param further the plant at other ages and levels of detail, if any
  */
-export async function filesOf(
+export async function outputFiles(
 	file: string,
 	ending: string,
 	model: Model,

@@ -17,12 +17,12 @@ import type { Specimen } from "../specimen/specimen";
 import type { Aim } from "../targets/aim";
 import { changesInWords, growthsInWords, reachedInWords } from "../targets/words";
 import { type Call, readArguments } from "./arguments";
-import { askedModel, askedSpecimen } from "./asked_specimen";
+import { requestedModel, requestedSpecimen } from "./asked_specimen";
 import { refuseUnused } from "./file_options";
-import { endingOf, endingsOf, filesOf, jsonOf, ownFormat } from "./outputs";
+import { endingOf, endingsOf, jsonOf, outputFiles, ownFormat } from "./outputs";
 import { printable } from "./printable";
 import { growSeries } from "./series";
-import type { Surroundings } from "./surroundings";
+import type { CommandEnvironment } from "./surroundings";
 import { readTargets } from "./targets";
 import { TimeLimit, TimeOverError } from "./time_limit";
 import { CUT_SHORT, MISSED, TIME_OVER, UsageError, usage } from "./usage";
@@ -33,11 +33,11 @@ import { writing } from "./writing";
  * series did not grow, 2 the call cannot be used, 3 grown but a target is missed, 4 the plant is empty and the file
  * cannot be, 5 the time limit was reached, 6 a limit of the core cut the plant short
  */
-export async function run(words: readonly string[], surroundings: Surroundings): Promise<number> {
-	const world = { ...surroundings, say: (line: string) => surroundings.say(printable(line)) };
+export async function run(words: readonly string[], surroundings: CommandEnvironment): Promise<number> {
+	const world = { ...surroundings, printError: (line: string) => surroundings.printError(printable(line)) };
 	try {
 		const call = readArguments(words);
-		if (call.help) world.print(usage(await askedModel(call.source), modelNames()));
+		if (call.help) world.print(usage(await requestedModel(call.source), modelNames()));
 		else if (call.list) world.print(await listed());
 		else {
 			const limit = new TimeLimit(call.seconds, world.elapsed);
@@ -47,7 +47,7 @@ export async function run(words: readonly string[], surroundings: Surroundings):
 		return 0;
 	} catch (error) {
 		const message = error instanceof Error ? error.message.replaceAll("\n", " ") : error;
-		world.say(`grow: ${message}${error instanceof UsageError ? error.below : ""}`);
+		world.printError(`grow: ${message}${error instanceof UsageError ? error.below : ""}`);
 		if (error instanceof EmptyPlantError) return 4;
 		if (error instanceof TimeOverError) return TIME_OVER;
 		return error instanceof UsageError || error instanceof FileTooLargeError ? 2 : 1;
@@ -69,8 +69,8 @@ async function listed(): Promise<string> {
  * @returns the exit status: 0 grown, 3 grown but a target is missed, 5 or 6 cut short by the time limit or a limit of
  * the core
  */
-async function growAndWrite(call: Call, limit: TimeLimit, world: Surroundings): Promise<number> {
-	const { model, specimen: from, notes, textName } = await askedSpecimen(call, world);
+async function growAndWrite(call: Call, limit: TimeLimit, world: CommandEnvironment): Promise<number> {
+	const { model, specimen: from, notes, textName } = await requestedSpecimen(call, world);
 	const goals = readTargets(model, from, call.targets);
 	const aims = aimsOf(model.table, goals, literalDraws(), from.seed);
 	const { out } = call;
@@ -80,7 +80,7 @@ async function growAndWrite(call: Call, limit: TimeLimit, world: Surroundings): 
 	if (ending === undefined) throw new UsageError(`--out ${out}: the name must end in ${endingsOf(model)}`);
 	await checkForm(call, ending, model, from);
 	refuseUnused(call.files, [plantFile(ending, call.form)?.key ?? ending]);
-	checkTold(call, model, ending);
+	checkTraceable(call, model, ending);
 	const cores = new CoreCache((wasm) => world.loadCore(wasm, limit.passed));
 	const run = cores.grow.bind(cores);
 	// Compute only data that the file holds: levels and ages are grown by themselves.
@@ -122,10 +122,10 @@ async function growAndWrite(call: Call, limit: TimeLimit, world: Surroundings): 
 		note: (text: string) => void ofFile.push(text),
 	};
 	const options = { ...call.files, form: call.form };
-	for (const [file, data] of await filesOf(out, ending, model, all, specimen, options, further)) {
+	for (const [file, data] of await outputFiles(out, ending, model, all, specimen, options, further)) {
 		await writing(file, () => world.writeFile(file, data));
 	}
-	for (const note of new Set([...all.notes, ...ofFile])) world.say(`note: ${note}`);
+	for (const note of new Set([...all.notes, ...ofFile])) world.printError(`note: ${note}`);
 	reportTime(grown, limit, world);
 	return status;
 }
@@ -137,25 +137,25 @@ function statusOf({ cutShort }: Plant, missed: boolean): number {
 }
 
 /** Reports that the time limit cut the plant short. */
-function reportTime({ cutShort }: Plant, { option }: TimeLimit, { say }: Surroundings): void {
+function reportTime({ cutShort }: Plant, { option }: TimeLimit, { printError }: CommandEnvironment): void {
 	if (cutShort !== "time") return;
-	say(
+	printError(
 		`grow: ${option}: the time limit was reached, and what grew so far is written; give it more seconds, or make the plant smaller`,
 	);
 }
 
 /** @throws UsageError where the string or a trace is requested for a plant or a file that has none */
-function checkTold(call: Call, model: Model, ending: string): void {
+function checkTraceable(call: Call, model: Model, ending: string): void {
 	const texted = model.details.some(({ packed }) => packed?.key === "grammar");
-	const untold = (what: string) =>
+	const unavailable = (what: string) =>
 		texted ? `of a ${model.noun}’s text there is no ${what} to tell` : `the ${model.noun} is not grown by a text`;
 	if (call.string && !(model.strings && ending === "json"))
-		throw new UsageError(model.strings ? "--string: the string stands in JSON" : `--string: ${untold("string")}`);
+		throw new UsageError(model.strings ? "--string: the string stands in JSON" : `--string: ${unavailable("string")}`);
 	if (call.trace && !(model.traces && ending === "json"))
 		throw new UsageError(
 			model.traces
 				? "--chronicle: what is told of the derivation stands in JSON"
-				: `--chronicle: ${untold("derivation")}`,
+				: `--chronicle: ${unavailable("derivation")}`,
 		);
 }
 
@@ -165,12 +165,12 @@ async function found(
 	from: Specimen,
 	aims: readonly Aim[],
 	grow: (specimen: Specimen, wanted: GrowthOptions) => Promise<Plant>,
-	{ say }: Surroundings,
+	{ printError }: CommandEnvironment,
 ): Promise<{ specimen: Specimen; missed: boolean }> {
 	const answer = await aimed(model, from, aims, (each) => grow(each, { meshes: false, measures: true }));
-	for (const each of answer.reached) say(`target: ${reachedInWords(each)}`);
+	for (const each of answer.reached) printError(`target: ${reachedInWords(each)}`);
 	const changes = changesInWords(model, from, answer.specimen);
-	if (changes) say(`target: ${changes}; ${growthsInWords(answer)}`);
+	if (changes) printError(`target: ${changes}; ${growthsInWords(answer)}`);
 	return { specimen: answer.specimen, missed: answer.reached.some(({ isReached }) => !isReached) };
 }
 
@@ -182,8 +182,8 @@ async function checkForm({ form, out }: Call, ending: string, model: Model, spec
 	if (file?.levelled && !model.levels) throw new UsageError(`--form ${form}: there are no levels of a ${model.noun}`);
 	if (form === undefined || file) return;
 	const known = out !== undefined && plantFile(ending)?.form !== undefined;
-	const say = known ? `the forms are ${FORMS.join(", ")}` : "only a .glb has forms; see --help";
-	throw new UsageError(`--form ${form}: ${say}`);
+	const hint = known ? `the forms are ${FORMS.join(", ")}` : "only a .glb has forms; see --help";
+	throw new UsageError(`--form ${form}: ${hint}`);
 }
 
 /**
@@ -206,8 +206,8 @@ async function growing(grammar: { name: string; text: string } | undefined, grow
 
 /** The line of a text below the message, and a mark below the position; empty where there is none. */
 function shown(text: string, line: number, column: number): string {
-	const said = text.split("\n")[line - 1]?.trimEnd();
-	if (!said) return "";
-	const before = Array.from(said).slice(0, column - 1);
-	return `\n  ${said}\n  ${before.map((letter) => (letter === "\t" ? "\t" : " ")).join("")}^`;
+	const quoted = text.split("\n")[line - 1]?.trimEnd();
+	if (!quoted) return "";
+	const before = Array.from(quoted).slice(0, column - 1);
+	return `\n  ${quoted}\n  ${before.map((letter) => (letter === "\t" ? "\t" : " ")).join("")}^`;
 }

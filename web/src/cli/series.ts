@@ -8,19 +8,27 @@ import { crc32 } from "../batch/crc32";
 import { independentDraws, literalDraws } from "../batch/draws";
 import { differencesFrom, formatManifest, MANIFEST, manifestOf } from "../batch/manifest";
 import { readPlantNumbers } from "../batch/plant_numbers";
-import { checkFormat, filesOf, growMember, type MadeFile, type Member, memberOf, type Series } from "../batch/series";
+import {
+	checkFormat,
+	fileNamesOf,
+	growMember,
+	type MadeFile,
+	memberOf,
+	type Series,
+	type SeriesPlant,
+} from "../batch/series";
 import { partOf, readShard, type Shard } from "../batch/shard";
-import { columnsOf, failedRow, type Line, readLines, rowOf, written } from "../batch/table";
+import { columnsOf, failedRow, readLines, rowOf, type TableRow, written } from "../batch/table";
 import { Unusable } from "../batch/unusable";
 import { checkVaried, readVary } from "../batch/vary";
 import { CoreCache } from "../core/cores";
 import { makeFile } from "../generate/files/make";
 import { growPlant } from "../generate/growth";
 import type { Call } from "./arguments";
-import { askedSpecimen } from "./asked_specimen";
+import { requestedSpecimen } from "./asked_specimen";
 import type { BatchCall } from "./batch_arguments";
 import { refuseUnused } from "./file_options";
-import type { Surroundings } from "./surroundings";
+import type { CommandEnvironment } from "./surroundings";
 import { TableLock } from "./table_lock";
 import { readTargets } from "./targets";
 import { type TimeLimit, TimeOverError } from "./time_limit";
@@ -34,7 +42,7 @@ const CONTINUE = "the same call continues the series; where no plant is added, g
 /** The most differences between two series in a message. */
 const NAMED = 3;
 
-interface Asked {
+interface SeriesRequest {
 	series: Series;
 	/** Numbers of all plants, in order. */
 	all: readonly number[];
@@ -51,13 +59,18 @@ interface Asked {
  * @returns the exit status: 0 all plants are written, 1 some could not be grown, 3 some miss their targets, 5 the time
  * limit was reached before all were written
  */
-export async function growSeries(call: Call, batch: BatchCall, limit: TimeLimit, world: Surroundings): Promise<number> {
-	const asked = await readSeries(call, batch, world);
-	await claimFolder(asked, world);
-	const lock = await TableLock.acquire(asked.table, world);
+export async function growSeries(
+	call: Call,
+	batch: BatchCall,
+	limit: TimeLimit,
+	world: CommandEnvironment,
+): Promise<number> {
+	const request = await readSeries(call, batch, world);
+	await claimFolder(request, world);
+	const lock = await TableLock.acquire(request.table, world);
 	const stopListening = world.whenTerminated(() => lock.release());
 	try {
-		return await growInto(asked, lock, limit, world);
+		return await growInto(request, lock, limit, world);
 	} finally {
 		stopListening();
 		await lock.release();
@@ -68,7 +81,7 @@ export async function growSeries(call: Call, batch: BatchCall, limit: TimeLimit,
  * Writes the manifest of the folder, or compares it with the existing one.
  * @throws UsageError where the folder holds another series, or files that this one would overwrite
  */
-async function claimFolder({ series, all, parts, folder }: Asked, world: Surroundings): Promise<void> {
+async function claimFolder({ series, all, parts, folder }: SeriesRequest, world: CommandEnvironment): Promise<void> {
 	await writing(folder, () => world.makeFolder(folder));
 	const path = join(folder, MANIFEST);
 	const manifest = manifestOf(series, all, parts);
@@ -77,7 +90,7 @@ async function claimFolder({ series, all, parts, folder }: Asked, world: Surroun
 	const read = () => world.readFile(path).catch(() => undefined);
 	let there = await read();
 	if (!there) {
-		const own = all.flatMap((number) => filesOf(series, number)).find((file) => names.has(file));
+		const own = all.flatMap((number) => fileNamesOf(series, number)).find((file) => names.has(file));
 		const taken = own ?? [...names].find((name) => /^plants(-\d+-of-\d+)?\.csv(\.part)?$/.test(name));
 		if (taken !== undefined) {
 			throw new UsageError(
@@ -95,19 +108,24 @@ async function claimFolder({ series, all, parts, folder }: Asked, world: Surroun
 	);
 }
 
-async function growInto(asked: Asked, lock: TableLock, limit: TimeLimit, world: Surroundings): Promise<number> {
-	const { series, numbers, folder, table } = asked;
-	const kept = await readTable(asked, world);
+async function growInto(
+	request: SeriesRequest,
+	lock: TableLock,
+	limit: TimeLimit,
+	world: CommandEnvironment,
+): Promise<number> {
+	const { series, numbers, folder, table } = request;
+	const rows = await readTable(request, world);
 	const journal = `${table}.part`;
 	const lines: string[] = [];
-	const say = sayer(numbers.length, world);
+	const report = progressReporter(numbers.length, world);
 	const grower = new Grower(series, limit, world);
 	let [there, grown, failed, missed] = [0, 0, 0, 0];
-	const before = [...kept.values()].map(({ text }) => text);
+	const before = [...rows.values()].map(({ text }) => text);
 	await writeTo(journal, [written(columnsOf(series)), ...before].join(""), world);
 	for (const number of numbers) {
 		const member = await memberOf(series, number);
-		const known = kept.get(number);
+		const known = rows.get(number);
 		if (known?.missed) missed++;
 		let line = known?.text;
 		if (line !== undefined) there++;
@@ -115,8 +133,8 @@ async function growInto(asked: Asked, lock: TableLock, limit: TimeLimit, world: 
 			const made = await grower.grow(member);
 			await lock.renew();
 			if (!made) {
-				world.say(
-					`grow: ${limit.option}: the time limit was reached: ${kept.size + grown} of ${numbers.length} plants are written; ${CONTINUE}`,
+				world.printError(
+					`grow: ${limit.option}: the time limit was reached: ${rows.size + grown} of ${numbers.length} plants are written; ${CONTINUE}`,
 				);
 				return TIME_OVER;
 			}
@@ -130,23 +148,26 @@ async function growInto(asked: Asked, lock: TableLock, limit: TimeLimit, world: 
 			}
 		}
 		lines.push(line);
-		say(lines.length);
+		report(lines.length);
 	}
 	await lock.renew();
 	await writeTo(table, [written(columnsOf(series)), ...lines].join(""), world);
 	await world.removeFile(journal);
-	world.say(`${numbers.length} plants: ${numbers.length - there - failed} grown, ${there} there before; ${table}`);
-	if (failed > 0) world.say(`grow: ${failed} could not be grown; the column “notes” of the table has the reasons`);
+	world.printError(
+		`${numbers.length} plants: ${numbers.length - there - failed} grown, ${there} there before; ${table}`,
+	);
+	if (failed > 0)
+		world.printError(`grow: ${failed} could not be grown; the column “notes” of the table has the reasons`);
 	if (missed > 0)
-		world.say(
+		world.printError(
 			`target: ${missed} of ${numbers.length} plants miss a target; the column “missed” of the table has the measures`,
 		);
 	return failed > 0 ? 1 : missed > 0 ? MISSED : 0;
 }
 
-async function readSeries(call: Call, batch: BatchCall, world: Surroundings): Promise<Asked> {
-	const { model, specimen: from, notes } = await askedSpecimen(call, world);
-	for (const note of notes) world.say(`note: ${note.text}`);
+async function readSeries(call: Call, batch: BatchCall, world: CommandEnvironment): Promise<SeriesRequest> {
+	const { model, specimen: from, notes } = await requestedSpecimen(call, world);
+	for (const note of notes) world.printError(`note: ${note.text}`);
 	const goals = readTargets(model, from, call.targets);
 	const all = typed("--seeds", batch.seeds, readPlantNumbers);
 	const varied = batch.vary === undefined ? [] : typed("--vary", batch.vary, (text) => readVary(model, text, from));
@@ -180,8 +201,11 @@ function tableName(shard: Shard | undefined): string {
 }
 
 /** The rows whose files are all there and complete, by the plants' numbers. */
-async function readTable({ series, numbers, folder, table }: Asked, world: Surroundings): Promise<Map<number, Line>> {
-	const known = new Map<number, Line>();
+async function readTable(
+	{ series, numbers, folder, table }: SeriesRequest,
+	world: CommandEnvironment,
+): Promise<Map<number, TableRow>> {
+	const known = new Map<number, TableRow>();
 	for (const path of [table, `${table}.part`]) {
 		const bytes = await world.readFile(path).catch(() => undefined);
 		if (!bytes) continue;
@@ -191,19 +215,19 @@ async function readTable({ series, numbers, folder, table }: Asked, world: Surro
 		}
 		for (const [number, line] of lines) known.set(number, line);
 	}
-	const kept = new Map<number, Line>();
-	if (known.size === 0) return kept;
+	const rows = new Map<number, TableRow>();
+	if (known.size === 0) return rows;
 	for (const number of numbers) {
 		const line = known.get(number);
 		if (!line) continue;
 		const { files, link } = await memberOf(series, number);
 		const isOwn = line.link === link && line.files.every(({ name }, at) => name === files[at]);
-		if (isOwn && (await areWhole(folder, line, world))) kept.set(number, line);
+		if (isOwn && (await areWhole(folder, line, world))) rows.set(number, line);
 	}
-	return kept;
+	return rows;
 }
 
-async function areWhole(folder: string, { files }: Line, world: Surroundings): Promise<boolean> {
+async function areWhole(folder: string, { files }: TableRow, world: CommandEnvironment): Promise<boolean> {
 	for (const { name, bytes, sum } of files) {
 		const data = await world.readFile(join(folder, name)).catch(() => undefined);
 		if (data?.length !== bytes || crc32(data) !== sum) return false;
@@ -217,7 +241,7 @@ class Grower {
 	readonly #limit: TimeLimit;
 	readonly #cores: CoreCache;
 
-	constructor(series: Series, limit: TimeLimit, world: Surroundings) {
+	constructor(series: Series, limit: TimeLimit, world: CommandEnvironment) {
 		this.#series = series;
 		this.#limit = limit;
 		this.#cores = new CoreCache((wasm) => world.loadCore(wasm, limit.passed));
@@ -227,7 +251,7 @@ class Grower {
 	 * @returns a plant's row of the table, its files where it could be grown, and whether it misses a target; undefined
 	 * where the time limit was reached before the plant was whole
 	 */
-	async grow(member: Member): Promise<{ line: string; files?: readonly MadeFile[]; missed: boolean } | undefined> {
+	async grow(member: SeriesPlant): Promise<{ line: string; files?: readonly MadeFile[]; missed: boolean } | undefined> {
 		const series = this.#series;
 		const limit = this.#limit;
 		const run = this.#cores.grow.bind(this.#cores);
@@ -246,7 +270,7 @@ class Grower {
 	}
 }
 
-const writeTo = (path: string, data: string | Uint8Array, world: Surroundings) =>
+const writeTo = (path: string, data: string | Uint8Array, world: CommandEnvironment) =>
 	writing(path, () => world.replaceFile(path, data));
 
 /** Adds the name of the option to errors about its text. */
@@ -259,11 +283,11 @@ function typed<Value>(option: string, text: string, read: (text: string) => Valu
 }
 
 /** A function that reports progress from time to time. */
-function sayer(total: number, world: Surroundings): (done: number) => void {
+function progressReporter(total: number, world: CommandEnvironment): (done: number) => void {
 	let last = performance.now();
 	return (done) => {
 		if (performance.now() - last < REPORT_INTERVAL) return;
 		last = performance.now();
-		world.say(`${done} of ${total} plants`);
+		world.printError(`${done} of ${total} plants`);
 	};
 }

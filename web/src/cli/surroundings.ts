@@ -1,7 +1,7 @@
 import type { Core, TimePassed } from "../core/core";
 
 /** The environment of the command: files, processes and output. Tests replace it. */
-export interface Surroundings {
+export interface CommandEnvironment {
 	readFile(path: string): Promise<Uint8Array>;
 	/** Data in pieces is written one after the other. */
 	writeFile(path: string, data: string | Uint8Array | readonly Uint8Array[]): Promise<void>;
@@ -44,5 +44,5 @@ export interface Surroundings {
 	/** Writes to standard output: only the JSON. */
 	print(text: string | Uint8Array): void;
 	/** Writes a line to standard error. */
-	say(line: string): void;
+	printError(line: string): void;
 }

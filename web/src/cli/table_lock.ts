@@ -3,7 +3,7 @@
  * renewed it for five minutes.
  */
 import { randomUUID } from "node:crypto";
-import type { Surroundings } from "./surroundings";
+import type { CommandEnvironment } from "./surroundings";
 import { UsageError } from "./usage";
 import { writing } from "./writing";
 
@@ -25,7 +25,7 @@ const RENEWAL_INTERVAL = 20_000;
 const TRIES = 3;
 
 type World = Pick<
-	Surroundings,
+	CommandEnvironment,
 	"readFile" | "createFile" | "replaceFile" | "removeFile" | "host" | "process" | "isRunning" | "now"
 >;
 

@@ -1,6 +1,6 @@
 /** Help and errors of the command. */
 
-import { formatsOf } from "../batch/series";
+import { formatKeysOf } from "../batch/series";
 
 import { FORMS, LOW_TRIANGLES, POINTS, THICKNESS } from "../formats/plant_files";
 
@@ -39,7 +39,7 @@ export function usage(model: Model, models: readonly string[]): string {
 		if (others.length > 0) return `${key}=${entries.map((_, index) => String.fromCharCode(65 + index)).join()}`;
 		return entry.kind === "choice" ? `${key}=${entry.options.join("|")}` : key;
 	});
-	const asked = targets?.measures(fromPreset(model)) ?? [];
+	const reachable = targets?.measures(fromPreset(model)) ?? [];
 	const prefix = name === DEFAULT_MODEL ? "" : `${name}/`;
 	const others = models.filter((each) => each !== name).map((each) => `${each} --help`);
 	return `Grows a plant; here: ${title.toLowerCase()}.
@@ -59,10 +59,10 @@ export function usage(model: Model, models: readonly string[]): string {
   --set KEY=VALUE  as often as needed; KEY is one of
                    ${wrapped([...keys, ...details.flatMap(({ settings = [] }) => settings)])}
 ${
-	asked.length > 0
+	reachable.length > 0
 		? `  --target M=VALUE searches for the parameters with which the measure M comes nearest to the value;
                    FROM..TO draws the value from a range; may be repeated; M is one of
-                   ${wrapped(asked)}
+                   ${wrapped(reachable)}
 `
 		: ""
 }  --grammar FILE   grammar text in place of the preset's; without a preset, the text decides which
@@ -89,7 +89,7 @@ ${
   --literal-seeds  the numbers of --seeds are the seeds themselves
   --vary KEY=…     drawn for each plant: age=60..110, or one of a few: fruit=lychee|duku
   --shard 3/16     that part of the series; auto in a Slurm array, auto/16 in a Kubernetes Job
-  --as KIND,…      ${wrapped(formatsOf({ formats }))} (default: glb)
+  --as KIND,…      ${wrapped(formatKeysOf({ formats }))} (default: glb)
   --list           all models with their presets, as JSON
   --help           ${wrapped(others.length > 0 ? ["this;", "of", "other", "models:", ...others] : ["this"])}
 

@@ -1,4 +1,4 @@
-/** Writes files that a call names, and tells errors of the call from those of the machine. */
+/** Writes files that a call names, and distinguishes errors of the call from those of the machine. */
 import { UsageError } from "./usage";
 
 /** System codes that are errors of the call: another path can be written. */

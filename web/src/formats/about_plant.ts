@@ -7,7 +7,7 @@ import type { About, PointLabels } from "./about";
 import { measuresOf } from "./measures";
 
 /** The part of a model that files with meshes need. */
-export interface Described<S extends Specimen, G extends Plant> extends ModelSchema<S> {
+export interface DescribedModel<S extends Specimen, G extends Plant> extends ModelSchema<S> {
 	/** Labels of points on its plants. */
 	readonly labels?: PointLabels;
 	/** Properties of the plant in such files, besides those of every plant. */
@@ -19,7 +19,7 @@ export interface Described<S extends Specimen, G extends Plant> extends ModelSch
  * @param link the address that restores the specimen; without it the query and fragment alone, `?v=2&…`
  */
 export async function aboutPlant<S extends Specimen, G extends Plant>(
-	model: Described<S, G>,
+	model: DescribedModel<S, G>,
 	grown: G,
 	specimen: S,
 	link?: string,

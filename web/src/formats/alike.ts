@@ -17,8 +17,8 @@ export function alike(part: Part): Part {
 	if (!children) return part;
 	const posed = children.flatMap(({ shape }) => (shape?.pose ? [shape as Posed] : []));
 	const others = children.filter(({ shape }) => !shape?.pose).map(alike);
-	const borne = children.filter(({ shape }) => shape?.pose).flatMap((child) => child.children ?? []);
-	return { ...part, children: [...classesOf(part.name, posed), ...others, ...joined(borne)] };
+	const attached = children.filter(({ shape }) => shape?.pose).flatMap((child) => child.children ?? []);
+	return { ...part, children: [...classesOf(part.name, posed), ...others, ...joined(attached)] };
 }
 
 function classesOf(group: string, shapes: readonly Posed[]): Part[] {

@@ -237,11 +237,11 @@ class PartsWriter {
 		if (known !== undefined) return known;
 		// Compact meshes reach from −1 to 1, each scaled by its own node.
 		const thickness = this.#document.compact ? 2 : (material.flesh?.thickness ?? 0);
-		const said = this.#translucent ? material : opaque(material);
-		const textures = this.#textures(said, base, base && this.#painted.get(material));
+		const written = this.#translucent ? material : opaque(material);
+		const textures = this.#textures(written, base, base && this.#painted.get(material));
 		// Some readers support pictures and vertex colours, but no factor besides: put the factor into the picture.
 		const factor: Colour = textures.colour === undefined ? (base ?? material.colour) : [1, 1, 1];
-		const index = this.#document.material(gltfMaterial(said, factor, thickness, textures));
+		const index = this.#document.material(gltfMaterial(written, factor, thickness, textures));
 		indices.set(material, index);
 		return index;
 	}

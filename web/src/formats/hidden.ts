@@ -54,15 +54,15 @@ function visible({ positions, normals, indices }: Mesh, about: readonly Body[], 
 	const front = positions.map((value, i) => value + within * normals[i]);
 	const hidden = new Uint8Array(positions.length / 3);
 	for (let v = 0; v < hidden.length; v++) hidden[v] = Number(inside(front[3 * v], front[3 * v + 1], front[3 * v + 2]));
-	const kept: number[] = [];
+	const visible: number[] = [];
 	for (let at = 0; at < indices.length; at += 3) {
 		const [a, b, c] = [indices[at], indices[at + 1], indices[at + 2]];
 		const middle = (k: number) => (front[3 * a + k] + front[3 * b + k] + front[3 * c + k]) / 3;
 		// Test the middle, too: the covering bodies need not be convex.
 		const covered = hidden[a] && hidden[b] && hidden[c] && inside(middle(0), middle(1), middle(2));
-		if (!covered) kept.push(a, b, c);
+		if (!covered) visible.push(a, b, c);
 	}
-	return Uint32Array.from(kept);
+	return Uint32Array.from(visible);
 }
 
 interface Box {
@@ -90,7 +90,7 @@ export function isClosed(mesh: Mesh): boolean {
 /** Columns of the grid across a body's box; rays run along x. */
 const COLUMNS = 12;
 /** Shares of the box by which points are shifted, so that no ray runs along an edge of a symmetrical body. */
-const ASIDE = [1.7e-6, 2.3e-6] as const;
+const RAY_SHIFT = [1.7e-6, 2.3e-6] as const;
 
 /** The inside of a closed mesh, by the winding number of its surface along a ray in the direction of x. */
 class Body {
@@ -116,7 +116,7 @@ class Body {
 	holds(x: number, y: number, z: number): boolean {
 		const { low, high } = this.box;
 		if (x <= low[0] || x >= high[0] || y <= low[1] || y >= high[1] || z <= low[2] || z >= high[2]) return false;
-		const [ry, rz] = [y + ASIDE[0] * (high[1] - low[1]), z + ASIDE[1] * (high[2] - low[2])];
+		const [ry, rz] = [y + RAY_SHIFT[0] * (high[1] - low[1]), z + RAY_SHIFT[1] * (high[2] - low[2])];
 		const corners = this.#columns[this.#column(ry, 1) * COLUMNS + this.#column(rz, 2)];
 		let turns = 0;
 		for (let at = 0; at < corners.length; at += 3) {

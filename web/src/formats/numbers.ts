@@ -26,7 +26,7 @@ export function shortFloat(value: number): number {
  * The number of decimals of that decimal, with trailing zeros; undefined where `shortFloat` must be used: with an
  * exponent, or more than nine digits before the point.
  */
-export function placesOf(value: number): number | undefined {
+export function decimalsOf(value: number): number | undefined {
 	const size = Math.abs(value);
 	if (size === 0) return 0;
 	if (!(size >= LEAST_PLAIN && size <= MOST_PLAIN)) return undefined;

@@ -11,10 +11,10 @@ const VIEWS = [
 ] as const;
 
 /** One picture per view, 1 where the plant covers the middle of a pixel. */
-export type Outline = readonly Uint8Array[];
+export type OutlineViews = readonly Uint8Array[];
 
 /** @returns a function that draws outlines at the scale and position of these pieces, so that they can be compared */
-export function outlinesBeside(pieces: readonly Piece[]): (pieces: readonly Piece[]) => Outline {
+export function outlinesBeside(pieces: readonly Piece[]): (pieces: readonly Piece[]) => OutlineViews {
 	const { low, high } = boundsOf(pieces.map(({ mesh }) => mesh.positions));
 	const pixel = Math.max(...high.map((value, axis) => value - low[axis])) / PIXELS || 1;
 	return (drawn) =>
@@ -26,7 +26,7 @@ export function outlinesBeside(pieces: readonly Piece[]): (pieces: readonly Piec
 }
 
 /** The least intersection over union of the covered pixels among the views: 1 where outlines are equal. */
-export function agreement(one: Outline, other: Outline): number {
+export function agreement(one: OutlineViews, other: OutlineViews): number {
 	const shares = one.map((covered, view) => {
 		let [both, either] = [0, 0];
 		for (const [i, value] of covered.entries()) {

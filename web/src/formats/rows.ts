@@ -7,20 +7,20 @@ import { shortFloat } from "./numbers";
 import type { TextBuffer } from "./text_buffer";
 
 /** The values of rows under one key. */
-export interface Field<Value> {
+export interface RowField<Value> {
 	/** @returns the value of row `index` */
 	at(index: number): Value;
 	/** Appends the value as JSON. */
 	write(out: TextBuffer, index: number): void;
 }
 
-type Fields<Row> = { readonly [Key in keyof Row]: Field<Row[Key]> };
+type Fields<Row> = { readonly [Key in keyof Row]: RowField<Row[Key]> };
 
 export class Rows<Row> {
 	/** @param row the values of rows: a record (`recordRows`), or a number or a list */
 	constructor(
 		readonly count: number,
-		readonly row: Field<Row>,
+		readonly row: RowField<Row>,
 	) {}
 
 	/** The value of row `index`. */
@@ -49,8 +49,8 @@ export function recordRows<Row extends object>(count: number, all: Fields<Row>):
 	return new Rows(count, records(all));
 }
 
-function records<Row extends object>(all: Fields<Row>): Field<Row> {
-	const entries = Object.entries<Field<unknown>>(all);
+function records<Row extends object>(all: Fields<Row>): RowField<Row> {
+	const entries = Object.entries<RowField<unknown>>(all);
 	const openings = entries.map(([key], place) => `${place === 0 ? "{" : ","}${JSON.stringify(key)}:`);
 	return {
 		at(index) {
@@ -69,7 +69,7 @@ function records<Row extends object>(all: Fields<Row>): Field<Row> {
 }
 
 /** Lists of whole numbers, one of `lists` per row. */
-export function lists(all: readonly ArrayLike<number>[]): Field<number[]> {
+export function lists(all: readonly ArrayLike<number>[]): RowField<number[]> {
 	return {
 		at: (index) => Array.from(all[index]),
 		write(out, index) {
@@ -84,12 +84,12 @@ export function lists(all: readonly ArrayLike<number>[]): Field<number[]> {
 }
 
 /** The values of another field at the indices of a list. */
-export function placed<Value>(field: Field<Value>, places: ArrayLike<number>): Field<Value> {
+export function gathered<Value>(field: RowField<Value>, places: ArrayLike<number>): RowField<Value> {
 	return { at: (index) => field.at(places[index]), write: (out, index) => field.write(out, places[index]) };
 }
 
 /** Whole numbers. */
-export function integers(values: ArrayLike<number>): Field<number> {
+export function integers(values: ArrayLike<number>): RowField<number> {
 	return {
 		at: (index) => values[index],
 		write: (out, index) => out.short(values[index]),
@@ -97,7 +97,7 @@ export function integers(values: ArrayLike<number>): Field<number> {
 }
 
 /** Every `stride`th float, from the one at `offset` on. */
-export function floats(values: Float32Array, stride = 1, offset = 0): Field<number> {
+export function floats(values: Float32Array, stride = 1, offset = 0): RowField<number> {
 	return {
 		at: (index) => shortFloat(values[stride * index + offset]),
 		write: (out, index) => out.short(values[stride * index + offset]),
@@ -110,7 +110,7 @@ export function vectors<Vector extends number[]>(
 	stride: number,
 	offset: number,
 	width: Vector["length"],
-): Field<Vector> {
+): RowField<Vector> {
 	return {
 		at(index) {
 			const from = stride * index + offset;
@@ -127,7 +127,7 @@ export function vectors<Vector extends number[]>(
 }
 
 /** Words, by their indices in a list. */
-export function words<Word extends string>(list: readonly Word[], places: ArrayLike<number>): Field<Word> {
+export function words<Word extends string>(list: readonly Word[], places: ArrayLike<number>): RowField<Word> {
 	const texts = list.map((word) => JSON.stringify(word));
 	return {
 		at: (index) => list[places[index]],

@@ -24,7 +24,7 @@ const NORMAL_STEPS = 512;
 const COLOUR_STEPS = 255;
 const PICTURE_STEPS = 4096;
 
-export interface Wanted {
+export interface SimplifyOptions {
 	/** The most triangles; the least important ones go first. Without it only as many go as `error` allows. */
 	triangles?: number;
 	/** The largest movement of a surface, as a share of the plant's extent; unlimited where absent. */
@@ -39,7 +39,7 @@ export interface Wanted {
 /** The pieces with fewer vertices and triangles, simplified together; empty ones are left out. */
 export async function simplified(
 	pieces: readonly Piece[],
-	{ triangles = 0, error = 1, moves = false }: Wanted,
+	{ triangles = 0, error = 1, moves = false }: SimplifyOptions,
 ): Promise<Piece[]> {
 	await MeshoptSimplifier.ready;
 	const one = concatenated(pieces.map(({ mesh }) => lean(mesh)));

@@ -10,7 +10,7 @@ import { emptyVoxels, fillInside, fillThin, thicken, withoutPinches } from "./vo
 
 /** Cells per least thickness; smoothing takes half a cell of them (surface_nets.ts). */
 const THICK = 2;
-const KEPT = THICK - 0.5;
+const SMOOTHED_THICKNESS = THICK - 0.5;
 /** The most cells, which fit the memory of phones; beyond it cells become coarser, and the least thickness larger. */
 const MOST_CELLS = 16_000_000;
 /** The size of printers' beds, metres: larger plants are written at the first of these scales that fits. */
@@ -51,7 +51,7 @@ export async function solidOf(parts: Iterable<Part>, least: number): Promise<Sol
 	const { low, high } = boundsOf(printed.map(({ positions }) => positions));
 	const pitch = pitchFor(
 		extents.map((value) => value / scale),
-		least / KEPT,
+		least / SMOOTHED_THICKNESS,
 	);
 	const voxels = emptyVoxels(low, high, pitch);
 	fillInside(voxels, printed.filter(closedOnce()));
@@ -62,7 +62,7 @@ export async function solidOf(parts: Iterable<Part>, least: number): Promise<Sol
 	withoutPinches(voxels);
 	fillHollows(voxels);
 	const surface = fewer(surfaceOf(voxels), SLACK * pitch);
-	return { ...surface, scale, thickness: KEPT * pitch, loose };
+	return { ...surface, scale, thickness: SMOOTHED_THICKNESS * pitch, loose };
 }
 
 /**

@@ -31,8 +31,8 @@ function thinned(part: Part, keep: number): Part {
 /** Evenly chosen instances: they are in order of growth, neighbours beside each other. */
 function fewer({ transforms, sky, ...rest }: Instances, keep: number): Instances {
 	const count = transforms.length / TRANSFORM;
-	const kept = Array.from({ length: Math.max(1, Math.round(keep * count)) }, (_, i) => Math.floor((i + 0.5) / keep));
-	const chosen = kept.filter((index) => index < count);
+	const evenly = Array.from({ length: Math.max(1, Math.round(keep * count)) }, (_, i) => Math.floor((i + 0.5) / keep));
+	const chosen = evenly.filter((index) => index < count);
 	const larger = 1 / Math.sqrt(keep);
 	const own = new Float32Array(TRANSFORM * chosen.length);
 	for (const [to, index] of chosen.entries()) {

@@ -1,6 +1,6 @@
 import { FileTooLargeError } from "./file_error";
 import { MOST_TEXT_BYTES } from "./limits";
-import { EXACT_POWERS, placesOf, shortFloat } from "./numbers";
+import { decimalsOf, EXACT_POWERS, shortFloat } from "./numbers";
 
 /**
  * Text written as bytes: formatting a number here takes some ten nanoseconds, a tenth of `toFixed` and joining, which
@@ -90,7 +90,7 @@ export class TextBuffer {
 
 	/** Appends a float32 as JSON, in the fewest digits that read back as the same value: those of `shortFloat`. */
 	short(value: number): void {
-		const places = placesOf(value);
+		const places = decimalsOf(value);
 		if (places === undefined) {
 			this.word(JSON.stringify(shortFloat(value)));
 			return;

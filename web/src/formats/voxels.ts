@@ -30,8 +30,16 @@ export function fillInside({ size: [nx, ny, nz], origin, pitch, cells }: Voxels,
 	for (const mesh of closed) {
 		for (let i = 0; i < mesh.indices.length; i += 3) {
 			const [a, b, c] = [mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]];
-			const [ay, by, cy] = [at(mesh, a, 1) + ASIDE[0], at(mesh, b, 1) + ASIDE[0], at(mesh, c, 1) + ASIDE[0]];
-			const [az, bz, cz] = [at(mesh, a, 2) + ASIDE[1], at(mesh, b, 2) + ASIDE[1], at(mesh, c, 2) + ASIDE[1]];
+			const [ay, by, cy] = [
+				at(mesh, a, 1) + RAY_SHIFT[0],
+				at(mesh, b, 1) + RAY_SHIFT[0],
+				at(mesh, c, 1) + RAY_SHIFT[0],
+			];
+			const [az, bz, cz] = [
+				at(mesh, a, 2) + RAY_SHIFT[1],
+				at(mesh, b, 2) + RAY_SHIFT[1],
+				at(mesh, c, 2) + RAY_SHIFT[1],
+			];
 			const [ax, bx, cx] = [at(mesh, a, 0), at(mesh, b, 0), at(mesh, c, 0)];
 			const [z1, y1] = [
 				Math.min(nz - 1, Math.floor(Math.max(az, bz, cz))),
@@ -54,7 +62,7 @@ export function fillInside({ size: [nx, ny, nz], origin, pitch, cells }: Voxels,
 }
 
 /** Shares of a cell by which meshes are shifted, so that no row runs along an edge of a symmetrical body. */
-const ASIDE = [1.7e-5, 2.3e-5] as const;
+const RAY_SHIFT = [1.7e-5, 2.3e-5] as const;
 
 function fillRow(row: Uint8Array, crossings: readonly number[]): void {
 	const order = Array.from({ length: crossings.length / 2 }, (_, i) => i).sort(
@@ -168,7 +176,7 @@ function slide(cells: Uint8Array, [nx, ny, nz]: Voxels["size"], from: number, to
  */
 export function withoutPinches({ size: [nx, ny, nz], cells }: Voxels): void {
 	const plane = nx * ny;
-	const mend = (at: number, u: number, v: number) => {
+	const fillPinch = (at: number, u: number, v: number) => {
 		const filled = cells[at];
 		if (cells[at + u] === filled || cells[at + v] === filled || cells[at + u + v] !== filled) return false;
 		cells[filled ? at + u : at] = 1;
@@ -180,9 +188,9 @@ export function withoutPinches({ size: [nx, ny, nz], cells }: Voxels): void {
 			// A cell that differs from fewer than two of its neighbours is no corner of such a square.
 			const filled = 3 * cells[i];
 			if (Math.abs(filled - cells[i + 1] - cells[i + nx] - cells[i + plane]) < 2) continue;
-			if (mend(i, 1, nx)) changed = true;
-			if (mend(i, 1, plane)) changed = true;
-			if (mend(i, nx, plane)) changed = true;
+			if (fillPinch(i, 1, nx)) changed = true;
+			if (fillPinch(i, 1, plane)) changed = true;
+			if (fillPinch(i, nx, plane)) changed = true;
 		}
 	}
 }

@@ -139,7 +139,7 @@ function growingOrder(requests: readonly MemberRequest[]): readonly number[] {
 
 /**
  * Notes of the members, each once, in the order of requests. Notes on a line of a preset's own text are left out: they
- * are for those who open the preset.
+ * are for the preset's own page.
  */
 function notesOf(members: readonly (Member | undefined)[]): Set<string> {
 	return new Set(

@@ -9,7 +9,7 @@ export interface DescribedPlant {
 	readonly grown: Plant;
 }
 
-/** Describes a plant for users who cannot see it: "Riesling bunch: 99 berries, 12 cm long", "Oak leaf, 42 cm², …". */
+/** Describes a plant for users that cannot see it: "Riesling bunch: 99 berries, 12 cm long", "Oak leaf, 42 cm², …". */
 export function plantInWords({ model, specimen, grown }: DescribedPlant): string {
 	const words = model.words(grown, specimen);
 	// The words of some models already contain the noun.

@@ -106,10 +106,10 @@ export async function parameters(model?: string): Promise<ParameterInfo[]> {
 	const { table } = await known(model);
 	return table.entries.map((entry) => {
 		const { key, label, kind, unit, help } = entry;
-		const said = { key, label, kind, unit, help };
-		if (entry.kind === "colour") return { ...said, default: entry.default };
-		if (entry.kind === "choice") return { ...said, default: entry.options[entry.default], options: entry.options };
-		return { ...said, default: entry.default, min: entry.min, max: entry.max };
+		const common = { key, label, kind, unit, help };
+		if (entry.kind === "colour") return { ...common, default: entry.default };
+		if (entry.kind === "choice") return { ...common, default: entry.options[entry.default], options: entry.options };
+		return { ...common, default: entry.default, min: entry.min, max: entry.max };
 	});
 }
 

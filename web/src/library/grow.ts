@@ -52,7 +52,7 @@ export interface Values {
  * A request for a plant: a link, whole or from its `?` on; a preset's name (`riesling`, `leaf/oak`, `tree` for a
  * model's standard preset); or values by their keys.
  */
-export type Asked = string | Values;
+export type PlantRequest = string | Values;
 
 /** Options of `grow`. */
 export interface GrowOptions {
@@ -101,7 +101,7 @@ export interface Grown {
 
 /**
  * Grows a specimen of any model.
- * @param asked - a link, a preset's name, or values by their keys
+ * @param request - a link, a preset's name, or values by their keys
  * @param options - options of growing
  * @returns the plant with its measures, fingerprint, link and notes
  * @throws SpecimenError where a preset's name or a value cannot be used; values of a link are brought into range
@@ -115,8 +115,8 @@ export interface Grown {
  * const bunch = await grow({ preset: "riesling", seed: 7, age: 80 });
  * ```
  */
-export async function grow(asked: Asked, options: GrowOptions = {}): Promise<Grown> {
-	const { model, specimen: from, notes } = await readAsked(asked);
+export async function grow(request: PlantRequest, options: GrowOptions = {}): Promise<Grown> {
+	const { model, specimen: from, notes } = await readRequest(request);
 	const { meshes = true, measures = true, targets = {}, signal } = options;
 	const found = await aim(model, from, targets, signal);
 	const plant = untimed(await growHeld(model, found.specimen, { meshes, measures }, signal));
@@ -134,8 +134,8 @@ export async function grow(asked: Asked, options: GrowOptions = {}): Promise<Gro
 }
 
 /** The request as a specimen with every parameter's value. */
-export async function readAsked(asked: Asked): Promise<Read> {
-	return typeof asked === "string" ? readSource(asked) : readValues(asked);
+export async function readRequest(request: PlantRequest): Promise<Read> {
+	return typeof request === "string" ? readSource(request) : readValues(request);
 }
 
 /** Grows a specimen that has been read. */

@@ -47,5 +47,5 @@ export {
 	toSTL,
 	toUSDZ,
 } from "./files";
-export { type Asked, type Grown, type GrowOptions, grow, type Specimen, type Values } from "./grow";
+export { type Grown, type GrowOptions, grow, type PlantRequest as Asked, type Specimen, type Values } from "./grow";
 export { formatLink, type ParsedLink, parseLink } from "./links";

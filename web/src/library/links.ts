@@ -3,7 +3,7 @@ import { encodeLink } from "../specimen/link";
 import { quote } from "../specimen/notes";
 import { writtenSpecimen } from "../specimen/written";
 import { linkIn, readLink, SpecimenError } from "./asked";
-import { type Asked, readAsked, type Specimen } from "./grow";
+import { type PlantRequest, readRequest, type Specimen } from "./grow";
 
 /** The contents of a link. */
 export interface ParsedLink {
@@ -28,11 +28,11 @@ export async function parseLink(link: string): Promise<ParsedLink> {
 
 /**
  * The link of a specimen, which opens it in the app, the element and the service.
- * @param asked - a specimen, values by their keys, a preset's name, or a link, which is written anew
+ * @param request - a specimen, values by their keys, a preset's name, or a link, which is written anew
  * @param page - the address of an app to open it in; without one, the link begins with its `?`
  * @throws SpecimenError where a preset's name or a value cannot be used
  */
-export async function formatLink(asked: Asked, page = ""): Promise<string> {
-	const { model, specimen } = await readAsked(asked);
+export async function formatLink(request: PlantRequest, page = ""): Promise<string> {
+	const { model, specimen } = await readRequest(request);
 	return `${page}${await encodeLink(model, specimen)}`;
 }

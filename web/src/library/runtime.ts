@@ -13,13 +13,13 @@ export interface Runtime {
 	grow(wasm: string, blocks: readonly Block[], signal?: AbortSignal): Promise<Answer>;
 }
 
-let laid: Runtime | undefined;
+let current: Runtime | undefined;
 
 export function setRuntime(runtime: Runtime): void {
-	laid = runtime;
+	current = runtime;
 }
 
 export function runtime(): Runtime {
-	if (!laid) throw new Error("The library was not entered by its front door; import “panicle”.");
-	return laid;
+	if (!current) throw new Error("The library was not entered by its front door; import “panicle”.");
+	return current;
 }

@@ -37,7 +37,7 @@ export async function toObject3D(grown: Grown): Promise<Group> {
 	const group = new Group();
 	group.name = `${grown.specimen.model} ${grown.specimen.preset}`;
 	group.userData = { link: grown.link, fingerprint: grown.fingerprint };
-	for (const [index, object] of new PartMeshes(parts, new Clothes()).objects.entries()) {
+	for (const [index, object] of new PartMeshes(parts, new MaterialCache()).objects.entries()) {
 		object.geometry.deleteAttribute("sky");
 		object.frustumCulled = true;
 		if (object instanceof InstancedMesh) object.instanceColor = tintsOf(shapes[index]);
@@ -77,16 +77,16 @@ function tintsOf({ mesh, material, instances }: Shape): InstancedBufferAttribute
 }
 
 /** Materials of three.js, each made once with vertex colours and once without. */
-class Clothes {
+class MaterialCache {
 	readonly #made = {
 		coloured: new Map<Material, MeshStandardMaterial>(),
 		plain: new Map<Material, MeshStandardMaterial>(),
 	};
 
 	materialOf(material: Material, coloured: boolean): MeshStandardMaterial {
-		const kept = this.#made[coloured ? "coloured" : "plain"];
-		const made = kept.get(material) ?? dressed(material, coloured);
-		kept.set(material, made);
+		const cache = this.#made[coloured ? "coloured" : "plain"];
+		const made = cache.get(material) ?? dressed(material, coloured);
+		cache.set(material, made);
 		return made;
 	}
 }

@@ -1,7 +1,7 @@
 /** A build of the app in a cache of its own, until no page needs it. */
 import { type Built, isNamedByContent } from "./built";
 
-export interface KeptAppOptions {
+export interface CachedAppOptions {
 	/** The app's folder, as a whole address that ends in a slash: several apps on one host have separate caches. */
 	readonly scope: string;
 	readonly built: Built;
@@ -15,13 +15,13 @@ const PAGE = "";
 /** These files do not depend on request headers, even where a host claims so. */
 const MATCHING = { ignoreVary: true } as const;
 
-export class KeptApp {
-	readonly #options: KeptAppOptions;
+export class CachedApp {
+	readonly #options: CachedAppOptions;
 	readonly #prefix: string;
 	readonly #name: string;
 	#filling: Promise<void> | undefined;
 
-	constructor(options: KeptAppOptions) {
+	constructor(options: CachedAppOptions) {
 		this.#options = options;
 		this.#prefix = `panicle ${options.scope} `;
 		this.#name = this.#prefix + options.built.id;
@@ -63,8 +63,8 @@ export class KeptApp {
 	 */
 	async bring(path: string): Promise<Response> {
 		const cache = await this.#open();
-		const kept = await cache.match(this.#address(path), MATCHING);
-		if (kept) return kept;
+		const cached = await cache.match(this.#address(path), MATCHING);
+		if (cached) return cached;
 		const response = await this.#fetch(path, "auto");
 		await cache.put(this.#address(path), response.clone());
 		return response;

@@ -1,7 +1,7 @@
 /** Messages between pages and the service worker. */
 
 /** From a page. */
-export type ToWorker =
+export type ToServiceWorker =
 	/** A page is open; `keep`: cache the whole app for use without a network. */
 	| { readonly type: "opened"; readonly keep: boolean }
 	/** The user has chosen to use the new version. */

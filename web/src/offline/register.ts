@@ -1,5 +1,5 @@
 /** Registers and removes the service worker, for pages. */
-import type { ToWorker } from "./messages";
+import type { ToServiceWorker } from "./messages";
 
 const SCRIPT = "service-worker.js";
 
@@ -26,7 +26,7 @@ export async function registerWorker(folder: URL): Promise<ServiceWorkerRegistra
 
 /** Reports an open page to the worker. */
 export function reportOpened({ active }: ServiceWorkerRegistration, keep: boolean): void {
-	active?.postMessage({ type: "opened", keep } satisfies ToWorker);
+	active?.postMessage({ type: "opened", keep } satisfies ToServiceWorker);
 }
 
 async function isGone(script: string): Promise<boolean> {

@@ -4,8 +4,8 @@
  */
 import type { Service } from "../service/service";
 import { type Built, isNamedByContent } from "./built";
-import { KeptApp } from "./kept_app";
-import { MOST_WAITING, refusal, type SpecimenRequest, TOO_MANY, type ToWorker } from "./messages";
+import { CachedApp } from "./kept_app";
+import { MOST_WAITING, refusal, type SpecimenRequest, TOO_MANY, type ToServiceWorker } from "./messages";
 import { grownByPage, responseOf } from "./page_growth";
 import type { MakeSpecimens } from "./specimens";
 import { wantedBy } from "./wanted";
@@ -17,7 +17,7 @@ declare const __BUILT__: Built;
 const worker = self as unknown as WorkerScope & { panicleSpecimens?: MakeSpecimens };
 const built = __BUILT__;
 const { scope } = worker.registration;
-const app = new KeptApp({ scope, built, caches, fetch: (url, init) => fetch(url, init) });
+const app = new CachedApp({ scope, built, caches, fetch: (url, init) => fetch(url, init) });
 /** The script that serves specimens, and the cores. */
 const IN_GROWTH = new Set([built.specimens, ...Object.values(built.cores)]);
 let service: Service | undefined;
@@ -27,8 +27,8 @@ worker.addEventListener("install", (event) => event.waitUntil(install()));
 worker.addEventListener("activate", (event) => event.waitUntil(Promise.all([sweep(), worker.clients.claim()])));
 
 worker.addEventListener("message", (event) => {
-	const told = event.data as ToWorker;
-	event.waitUntil(told.type === "take over" ? worker.skipWaiting() : opened(told.keep));
+	const message = event.data as ToServiceWorker;
+	event.waitUntil(message.type === "take over" ? worker.skipWaiting() : opened(message.keep));
 });
 
 worker.addEventListener("fetch", (event) => {

@@ -1,12 +1,12 @@
 /** Grows specimens for the service worker in a page, with a worker of its own. */
 import { FREE, GROWTH_NEEDED, type SpecimenAnswer, type SpecimenRequest } from "./messages";
 
-type Ask = (request: SpecimenRequest) => Promise<SpecimenAnswer>;
+type GrowRequest = (request: SpecimenRequest) => Promise<SpecimenAnswer>;
 
 /** Starts to grow specimens for the service worker. The script is fetched with the first request. */
 export function hostSpecimens(
 	workers: EventTarget = navigator.serviceWorker,
-	load: () => Promise<Ask> = loadQueue,
+	load: () => Promise<GrowRequest> = loadQueue,
 ): void {
 	workers.addEventListener("message", (event) => {
 		const { data, ports } = event as MessageEvent<unknown>;
@@ -14,7 +14,7 @@ export function hostSpecimens(
 		if (data !== GROWTH_NEEDED || !port) return;
 		port.onmessage = async ({ data: request }: MessageEvent<SpecimenRequest>) => {
 			const answer = await load().then(
-				(ask) => ask(request),
+				(grow) => grow(request),
 				(): SpecimenAnswer => ({ type: "unable" }),
 			);
 			port.postMessage(answer, answer.type === "answer" ? [answer.body.buffer] : []);
@@ -24,10 +24,10 @@ export function hostSpecimens(
 	});
 }
 
-let queue: { ask: Ask } | undefined;
+let queue: { request: GrowRequest } | undefined;
 
-async function loadQueue(): Promise<Ask> {
+async function loadQueue(): Promise<GrowRequest> {
 	const { SpecimenQueue } = await import("./specimen_queue");
 	queue ??= new SpecimenQueue();
-	return queue.ask.bind(queue);
+	return queue.request.bind(queue);
 }

@@ -33,7 +33,7 @@ export class SpecimenQueue {
 	}
 
 	/** Never rejects: where too many requests wait, or a growth takes too long, the answer is 503 with the reason. */
-	ask(request: SpecimenRequest): Promise<SpecimenAnswer> {
+	request(request: SpecimenRequest): Promise<SpecimenAnswer> {
 		return new Promise((resolve) => {
 			if (this.#waiting.length >= MOST_WAITING) {
 				resolve(refusal(TOO_MANY));

@@ -11,7 +11,7 @@ interface Fetching extends Lasting {
 	respondWith(answer: Promise<Response>): void;
 }
 
-interface Told extends Lasting {
+interface MessageReceived extends Lasting {
 	readonly data: unknown;
 }
 
@@ -25,5 +25,5 @@ export interface WorkerScope {
 	importScripts(...addresses: string[]): void;
 	addEventListener(type: "install" | "activate", listener: (event: Lasting) => void): void;
 	addEventListener(type: "fetch", listener: (event: Fetching) => void): void;
-	addEventListener(type: "message", listener: (event: Told) => void): void;
+	addEventListener(type: "message", listener: (event: MessageReceived) => void): void;
 }

@@ -25,7 +25,7 @@ import { SPECIMEN_VERSION, type Specimen } from "../specimen/specimen";
 import { Refused } from "./refused";
 
 /** A request for a specimen's file. */
-export interface Asked {
+export interface AddressedFile {
 	readonly model: Model;
 	readonly specimen: Specimen;
 	/** Notes on parts of a link that could not be used. */
@@ -54,7 +54,7 @@ export const FILE_KEYS = ["triangles", "thickness", "points", "translucent", "te
 type FileKey = (typeof FILE_KEYS)[number];
 
 /** @throws Refused where it is no address of a specimen's file */
-export async function readAddress({ pathname, search, href }: URL): Promise<Asked> {
+export async function readAddress({ pathname, search, href }: URL): Promise<AddressedFile> {
 	if (href.length > LONGEST_ADDRESS) throw new Refused(414, `the address is longer than ${LONGEST_ADDRESS} characters`);
 	const at = pathname.lastIndexOf(FOLDER);
 	if (at < 0) throw new Refused(404, `nothing is here; ${HOW}`);
@@ -81,7 +81,7 @@ export async function readAddress({ pathname, search, href }: URL): Promise<Aske
 	};
 }
 
-type Read = Pick<Asked, "model" | "specimen" | "notes">;
+type Read = Pick<AddressedFile, "model" | "specimen" | "notes">;
 
 async function readLink(query: URLSearchParams): Promise<Read> {
 	const model = await modelNamed(modelInQuery(`?${query}`));

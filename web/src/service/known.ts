@@ -1,19 +1,19 @@
 /** A cache of entity tags of the last answers, by request: an unchanged answer need not be computed to report that. */
-export class Known {
+export class TagCache {
 	readonly #tags = new Map<string, string>();
 
 	/** @param most the size of the cache; the least recently used tags are evicted */
 	constructor(readonly most: number) {}
 
-	tag(asked: string): string | undefined {
-		const tag = this.#tags.get(asked);
-		if (tag !== undefined) this.keep(asked, tag);
+	tag(key: string): string | undefined {
+		const tag = this.#tags.get(key);
+		if (tag !== undefined) this.keep(key, tag);
 		return tag;
 	}
 
-	keep(asked: string, tag: string): void {
-		this.#tags.delete(asked);
-		this.#tags.set(asked, tag);
+	keep(key: string, tag: string): void {
+		this.#tags.delete(key);
+		this.#tags.set(key, tag);
 		if (this.#tags.size > this.most) this.#tags.delete(this.#tags.keys().next().value as string);
 	}
 }

@@ -17,12 +17,12 @@ import { makeFile } from "../generate/files/make";
 import { growPlant, untimed } from "../generate/growth";
 import type { Plant } from "../plant/plant";
 import { encodeLink } from "../specimen/link";
-import { type Asked, readAddress } from "./address";
-import { Known } from "./known";
+import { type AddressedFile, readAddress } from "./address";
+import { TagCache } from "./known";
 import { Refused } from "./refused";
 
 /** The environment of the service. */
-export interface Surroundings {
+export interface ServiceEnvironment {
 	/** @param wasm the file of a model's core: `bunch.wasm` */
 	loadCore(wasm: string): Promise<Core>;
 	/** The version of the writers: files of the same plant may differ between releases. */
@@ -50,13 +50,13 @@ const OF_OBJ = "png-obj";
 const OF_MATERIAL = /-(?:colour|normal)$/;
 const encoder = new TextEncoder();
 
-export function makeService({ loadCore, release }: Surroundings): Service {
+export function makeService({ loadCore, release }: ServiceEnvironment): Service {
 	const cores = new CoreCache(loadCore);
-	const known = new Known(4096);
+	const known = new TagCache(4096);
 	const run = cores.grow.bind(cores);
 
 	async function grow(
-		{ model, specimen, notes }: Asked,
+		{ model, specimen, notes }: AddressedFile,
 		options: { meshes: boolean; measures: boolean; map: boolean },
 	): Promise<Plant> {
 		try {
@@ -74,25 +74,25 @@ export function makeService({ loadCore, release }: Surroundings): Service {
 			return new Response(null, { status: 204, headers: { ...FOR_ALL, allow: METHODS.join(", ") } });
 		if (!METHODS.includes(method))
 			throw new Refused(405, `method ${method} is not allowed`, { allow: METHODS.join(", ") });
-		const asked = await readAddress(new URL(request.url));
-		const format = await formatOf(asked);
-		const link = await encodeLink(asked.model, asked.specimen);
-		const address = JSON.stringify([link, format, asked.options, asked.measures, asked.map, release]);
+		const target = await readAddress(new URL(request.url));
+		const format = await formatOf(target);
+		const link = await encodeLink(target.model, target.specimen);
+		const address = JSON.stringify([link, format, target.options, target.measures, target.map, release]);
 		const before = known.tag(address);
 		if (before && matches(request, before)) return unchanged(before);
 		const json = format === "json";
-		const map = asked.map && json;
-		if (map && asked.model.heavy) {
+		const map = target.map && json;
+		if (map && target.model.heavy) {
 			// Check the size first, without measures and topology; the core caches the grown plant.
-			const heavy = asked.model.heavy(await grow(asked, { meshes: false, measures: false, map: false }));
+			const heavy = target.model.heavy(await grow(target, { meshes: false, measures: false, map: false }));
 			if (heavy !== undefined) throw new Refused(413, heavy);
 		}
-		const plant = await grow(asked, { meshes: !json, measures: asked.measures, map });
+		const plant = await grow(target, { meshes: !json, measures: target.measures, map });
 		const tag = `"${plant.fingerprint}-${crc32(encoder.encode(address))}"`;
 		known.keep(address, tag);
 		if (matches(request, tag)) return unchanged(tag);
-		const file = await fileOf(asked, format, plant, (other, wanted) =>
-			growPlant(asked.model, other, { measures: false, ...wanted }, run),
+		const file = await fileOf(target, format, plant, (other, wanted) =>
+			growPlant(target.model, other, { measures: false, ...wanted }, run),
 		).catch((error: unknown) => {
 			if (error instanceof EmptyPlantError) throw new Refused(422, error.message);
 			throw error instanceof FileTooLargeError ? new Refused(413, error.message) : error;
@@ -117,7 +117,7 @@ export function makeService({ loadCore, release }: Surroundings): Service {
 }
 
 /** The key of the kind of file for a suffix: `low.glb` is `glb-low`. */
-async function formatOf({ model, specimen, name, ending, neighbours }: Asked): Promise<string> {
+async function formatOf({ model, specimen, name, ending, neighbours }: AddressedFile): Promise<string> {
 	const key = ending.split(".").reverse().join("-");
 	const all = [...PLANT_FILES.map((file) => file.key), ...OTHERS, ...(model.formats ?? []).map((each) => each.key)];
 	const file = PLANT_FILES.find((each) => each.key === key);
@@ -136,7 +136,7 @@ async function formatOf({ model, specimen, name, ending, neighbours }: Asked): P
 }
 
 async function fileOf(
-	{ model, specimen, name, neighbours, options }: Asked,
+	{ model, specimen, name, neighbours, options }: AddressedFile,
 	format: string,
 	grown: Plant,
 	growing: GrowSpecimen,

@@ -1,4 +1,4 @@
-/** Tells a text that was altered by handles, gestures and sliders from a text of the user's own. */
+/** Distinguishes a text that was altered by handles, gestures and sliders from a text of the user's own. */
 
 const NUMBER = /\d+(?:\.\d+)?|\.\d+/g;
 /** Share of the original's lines that an altered text still contains. */
@@ -7,7 +7,7 @@ const SHARE = 0.5;
 /** The last result: titles are computed at every frame of a drag. */
 let last: { readonly text: string; readonly from: string; readonly isVariant: boolean } | undefined;
 
-/** Whether a text contains most lines of `from`, whatever their numbers. */
+/** Whether a text contains most lines of `from`, ignoring numbers. */
 export function isVariantOf(text: string, from: string): boolean {
 	if (last?.text === text && last.from === from) return last.isVariant;
 	const own = new Set(linesOf(text));

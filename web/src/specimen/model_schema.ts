@@ -53,7 +53,7 @@ export interface Field<S extends Specimen = Specimen> {
 /** A value too long for links. */
 export interface Unlinked<S extends Specimen = Specimen> {
 	/**
-	 * Explains in a sentence how to save the specimen's value, for users who copy the link; undefined where it has
+	 * Explains in a sentence how to save the specimen's value, for users that copy the link; undefined where it has
 	 * none, or the preset's.
 	 */
 	keep(specimen: S, preset: S): string | undefined;

@@ -1,7 +1,7 @@
 /** Makes a batch of plants from the document on the controls, as one archive; with the command line's syntax. */
 import { independentDraws } from "../../batch/draws";
 import { readPlantNumbers } from "../../batch/plant_numbers";
-import { formatsOf as formatsOfSeries, type Series } from "../../batch/series";
+import { formatKeysOf as formatsOfSeries, type Series } from "../../batch/series";
 import { type Watch, zipOf } from "../../batch/series_zip";
 import { checkVaried, readVary } from "../../batch/vary";
 import { Client } from "../../core/client";

@@ -2,7 +2,7 @@
  * Tables of a bunch for spreadsheets and data frames: berries, measures. Need no meshes. docs/export.md describes the
  * columns.
  */
-import { type Cell, writeCsv } from "../../formats/csv";
+import { type CsvValue, writeCsv } from "../../formats/csv";
 import { measureValues } from "../../formats/measures";
 import { rounded } from "../../formats/numbers";
 import { classOf } from "../../specimen/measures";
@@ -19,7 +19,7 @@ const SHARE_DECIMALS = 4;
 const MM = 1000;
 
 /** Columns: name, and value for a berry. */
-const BERRY_COLUMNS: readonly (readonly [name: string, cell: (grown: BunchPlant, index: number) => Cell])[] = [
+const BERRY_COLUMNS: readonly (readonly [name: string, cell: (grown: BunchPlant, index: number) => CsvValue])[] = [
 	["berry", (_, i) => i + 1],
 	["id", ({ berries }, i) => berries.ids[i]],
 	["x_mm", (grown, i) => millimetres(grown.berries.spheres[4 * i])],
@@ -58,7 +58,7 @@ export function berriesCsv(grown: BunchPlant, { preset, seed }: Specimen): strin
  * apply is empty.
  */
 export function measuresCsv(grown: BunchPlant, { preset, seed, look }: Specimen): string {
-	const rows = measureValues(BUNCH_TABLE, grown).map(([info, value]): Cell[] => {
+	const rows = measureValues(BUNCH_TABLE, grown).map(([info, value]): CsvValue[] => {
 		const { key, label, kind, unit, oiv = null } = info;
 		const found = classOf(info, value ?? Number.NaN);
 		const ofShare = kind === "share" ? "1" : unit;

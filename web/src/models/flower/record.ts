@@ -2,9 +2,9 @@
  * Record of a flower in the JSON document, besides that of every plant: its generalized map, so that anyone can check
  * it.
  */
-import { type Cell, writeCsv } from "../../formats/csv";
+import { type CsvValue, writeCsv } from "../../formats/csv";
 import { shortFloat } from "../../formats/numbers";
-import { integers, lists, placed, Rows, vectors } from "../../formats/rows";
+import { gathered, integers, lists, Rows, vectors } from "../../formats/rows";
 import type { FlowerPlant } from "./flower_plant";
 
 export interface FlowerRecord {
@@ -48,7 +48,7 @@ export function flowerRecord({ volumes, darts }: FlowerPlant): FlowerRecord {
 		...record,
 		alpha: new Rows(alpha.length, lists(alpha)),
 		volume: new Rows(volume.length, integers(volume)),
-		position: new Rows(vertex.length, placed(vectors<number[]>(positions, 3, 0, 3), vertex)),
+		position: new Rows(vertex.length, gathered(vectors<number[]>(positions, 3, 0, 3), vertex)),
 	};
 }
 
@@ -86,7 +86,7 @@ export function volumesTable({ volumes }: FlowerPlant): string {
 		"W",
 		"m",
 	];
-	const rows = Array.from(label, (of, i): Cell[] => [
+	const rows = Array.from(label, (of, i): CsvValue[] => [
 		i,
 		parent[i] === NONE ? null : parent[i],
 		parent[i] === NONE ? null : faceName(face[i]),

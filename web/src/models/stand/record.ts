@@ -1,5 +1,5 @@
 /** Records of a stand for the JSON document and for tables: one per plant. */
-import { type Cell, writeCsv } from "../../formats/csv";
+import { type CsvValue, writeCsv } from "../../formats/csv";
 import { shortFloat } from "../../formats/numbers";
 import type { Member } from "../model";
 import { valuesOf } from "./members";
@@ -77,7 +77,7 @@ export function placementsCsv(stand: StandPlant, { preset: plan, seed: own }: St
 		...keys,
 		"fingerprint",
 	];
-	const rows = plantsIn(stand).map((each, i): Cell[] => [
+	const rows = plantsIn(stand).map((each, i): CsvValue[] => [
 		...[plan, own, i, each.model, each.preset, each.seed, each.x, each.y, each.z, each.scale, each.turn],
 		each.bearer ?? null,
 		...keys.map((key) => (Object.hasOwn(each.values, key) ? each.values[key] : null)),
