@@ -61,7 +61,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/cli/asked_specimen.ts",
+		file: "web/src/cli/requested_specimen.ts",
 		suites: ["tests/web/cli/grammar.test.ts"],
 		faults: [
 			{

@@ -3,8 +3,8 @@ const SRC = "web/src/library";
 
 export default [
 	{
-		file: `${SRC}/asked.ts`,
-		suites: ["tests/web/library/asked.test.ts"],
+		file: `${SRC}/read_request.ts`,
+		suites: ["tests/web/library/read_request.test.ts"],
 		faults: [
 			{
 				id: "library-takes-what-cannot-be",

@@ -4,8 +4,8 @@ const E2E = "tests/e2e/offline.spec.ts";
 
 export default [
 	{
-		file: "web/src/offline/kept_app.ts",
-		suites: [`${OFFLINE}/kept_app.test.ts`],
+		file: "web/src/offline/cached_app.ts",
+		suites: [`${OFFLINE}/cached_app.test.ts`],
 		faults: [
 			{
 				id: "offline-page-kept-first",

@@ -2,7 +2,7 @@
 
 /**
  * Holds a lock by the address of a script for as long as the page lives. The service worker keeps every build that has the script
- * (offline/kept_app.ts), so that scripts which the page has not fetched yet are still available after an update.
+ * (offline/cached_app.ts), so that scripts which the page has not fetched yet are still available after an update.
  */
 export function holdScripts(script: string): void {
 	// Pages without a secure address have no locks, and sandboxed frames may not request one.

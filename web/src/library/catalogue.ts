@@ -3,7 +3,7 @@ import { PLANT_FILES } from "../formats/plant_files";
 import { isModel, modelNamed, modelNames } from "../models/index";
 import type { Model } from "../models/model";
 import { quote } from "../specimen/notes";
-import { SpecimenError } from "./asked";
+import { SpecimenError } from "./read_request";
 
 /** A model. */
 export interface ModelInfo {

@@ -14,9 +14,9 @@ import { modelNamed } from "../models/index";
 import type { Model } from "../models/model";
 import type { Part } from "../plant/part";
 import type { Specimen as Held } from "../specimen/specimen";
-import { readTyped, SpecimenError } from "./asked";
 import { formats } from "./catalogue";
 import { type Grown, growHeld, type Specimen } from "./grow";
+import { readTyped, SpecimenError } from "./read_request";
 
 /** The forms of a GLB: docs/export.md describes them. */
 export type GlbForm = "detailed" | "web" | "low" | "instanced" | "growth" | "wind" | "lod";

@@ -9,7 +9,7 @@ import { quote } from "../specimen/notes";
 import type { Specimen as Held } from "../specimen/specimen";
 import { writtenSpecimen } from "../specimen/written";
 import { reachedInWords } from "../targets/words";
-import { type Read, readSource, readValues, SpecimenError } from "./asked";
+import { type Read, readSource, readValues, SpecimenError } from "./read_request";
 import { runtime } from "./runtime";
 
 /**

@@ -19,7 +19,6 @@ export type {
 export type { Material, Picture, Textures } from "../plant/material";
 export type { Extras, Instances, Part, PartMesh, Shape } from "../plant/part";
 export type { Mesh, MeshRun, Organs, Plant, PlantMesh, Segments } from "../plant/plant";
-export { SpecimenError } from "./asked";
 export {
 	type FormatInfo,
 	formats,
@@ -49,3 +48,4 @@ export {
 } from "./files";
 export { type Grown, type GrowOptions, grow, type PlantRequest as Asked, type Specimen, type Values } from "./grow";
 export { formatLink, type ParsedLink, parseLink } from "./links";
+export { SpecimenError } from "./read_request";

@@ -2,8 +2,8 @@
 import { encodeLink } from "../specimen/link";
 import { quote } from "../specimen/notes";
 import { writtenSpecimen } from "../specimen/written";
-import { linkIn, readLink, SpecimenError } from "./asked";
 import { type PlantRequest, readRequest, type Specimen } from "./grow";
+import { linkIn, readLink, SpecimenError } from "./read_request";
 
 /** The contents of a link. */
 export interface ParsedLink {

@@ -4,7 +4,7 @@
  */
 import type { Service } from "../service/service";
 import { type Built, isNamedByContent } from "./built";
-import { CachedApp } from "./kept_app";
+import { CachedApp } from "./cached_app";
 import { MOST_WAITING, refusal, type SpecimenRequest, TOO_MANY, type ToServiceWorker } from "./messages";
 import { grownByPage, responseOf } from "./page_growth";
 import type { MakeSpecimens } from "./specimens";

@@ -18,8 +18,8 @@ import { growPlant, untimed } from "../generate/growth";
 import type { Plant } from "../plant/plant";
 import { encodeLink } from "../specimen/link";
 import { type AddressedFile, readAddress } from "./address";
-import { TagCache } from "./known";
 import { Refused } from "./refused";
+import { TagCache } from "./tag_cache";
 
 /** The environment of the service. */
 export interface ServiceEnvironment {

@@ -1,6 +1,6 @@
 import { beforeEach, describe, expect, it } from "vitest";
 import type { Built } from "../../../web/src/offline/built";
-import { CachedApp } from "../../../web/src/offline/kept_app";
+import { CachedApp } from "../../../web/src/offline/cached_app";
 import { FakeCaches } from "./fake_caches";
 
 const scope = "https://plants.example/app/";

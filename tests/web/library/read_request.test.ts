@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { linkIn, readSource, readValues, SpecimenError } from "../../../web/src/library/asked";
+import { linkIn, readSource, readValues, SpecimenError } from "../../../web/src/library/read_request";
 import { formatLink, grow, parseLink, type Values } from "./growing";
 
 const seen = async (read: Promise<{ specimen: { model: string; preset: string; seed: number } }>) => {

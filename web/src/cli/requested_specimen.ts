@@ -4,7 +4,13 @@
  */
 
 import { basename } from "node:path";
-import { type Read as Asked, linkIn, readSource as readPresetOrLink, readTyped, SpecimenError } from "../library/asked";
+import {
+	type Read as Asked,
+	linkIn,
+	readSource as readPresetOrLink,
+	readTyped,
+	SpecimenError,
+} from "../library/read_request";
 import { type ReadText, readText } from "../models/for_text";
 import { modelNamed } from "../models/index";
 import type { Model } from "../models/model";
