@@ -5,7 +5,7 @@
 
 import { basename } from "node:path";
 import {
-	type Read as Asked,
+	type Read as RequestedSpecimen,
 	linkIn,
 	readSource as readPresetOrLink,
 	readTyped,
@@ -35,7 +35,7 @@ import { reasonOf } from "./writing";
 export async function requestedSpecimen(
 	call: Call,
 	{ readFile }: Pick<CommandEnvironment, "readFile">,
-): Promise<Asked & { textName: string }> {
+): Promise<RequestedSpecimen & { textName: string }> {
 	const contents = call.grammarFile === undefined ? undefined : await readGrammar(call.grammarFile, readFile);
 	const read = contents === undefined ? undefined : await readGrammarText(contents, call.grammarFile ?? "");
 	const grammar = read?.text;
@@ -71,12 +71,12 @@ export async function requestedModel(source: string | undefined): Promise<Model>
 }
 
 /** The specimen that the call names; where it names none, the one of its text's file or its text's model. */
-async function readStart(source: string | undefined, read: ReadText | undefined): Promise<Asked> {
+async function readStart(source: string | undefined, read: ReadText | undefined): Promise<RequestedSpecimen> {
 	const model = source === undefined ? read?.model : undefined;
 	return model ? { model, specimen: read?.specimen ?? fromPreset(model), notes: [] } : readSource(source);
 }
 
-async function readSource(source: string | undefined): Promise<Asked> {
+async function readSource(source: string | undefined): Promise<RequestedSpecimen> {
 	return readPresetOrLink(source, "--list lists them").catch((error: unknown) => {
 		throw inUsage(error, ({ message }) => message);
 	});

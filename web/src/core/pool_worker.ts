@@ -23,7 +23,7 @@ export class PoolWorker {
 	#started = false;
 	#hasEnded = false;
 
-	/** Throws what `spawn` throws. */
+	/** Throws errors of `spawn`. */
 	constructor(spawn: () => Worker, events: PoolWorkerEvents) {
 		this.#events = events;
 		this.#worker = spawn();

@@ -96,7 +96,7 @@ function withoutPictures({ piece, tint }: Call["pieces"][number], { textures, co
 	};
 }
 
-/** Texture coordinates are kept for pictures only; all pieces get vertex colours where any has them. */
+/** Texture coordinates are stored for pictures only; all pieces get vertex colours where any has them. */
 function merged({ material, pieces }: Call): Piece {
 	const vertices = pieces.reduce((sum, { piece }) => sum + piece.mesh.positions.length / 3, 0);
 	const corners = pieces.reduce((sum, { piece }) => sum + piece.mesh.indices.length, 0);

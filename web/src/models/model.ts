@@ -35,7 +35,7 @@ export interface GrowthOptions {
 	string?: boolean;
 	/** Number of derivation steps, in place of the number in the document or text, for models with derivations. */
 	steps?: number;
-	/** Which step of the derivation is to be told, of models that have one to tell of (`traces`); the default is none. */
+	/** The derivation step to trace, for models with `traces`; the default is none. */
 	trace?: TraceRequest;
 	/** Whether to return the whole topology, for models that have one; the default is true, but false for a preview. */
 	map?: boolean;
@@ -59,7 +59,7 @@ export interface Targets<S extends Specimen = Specimen> {
 	 * Loads the function that lists the levers of a specimen for all measures that are targeted together; in a module
 	 * of its own.
 	 */
-	levers(): Promise<(specimen: S, asked: readonly string[]) => Levers<S>>;
+	levers(): Promise<(specimen: S, measures: readonly string[]) => Levers<S>>;
 }
 
 /** A format that `Download` and the command line's `--out` offer besides those of every plant. */

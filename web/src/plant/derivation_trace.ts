@@ -107,14 +107,14 @@ export interface DerivationTrace {
 /** Marks parts that the text did not draw: a peduncle, a second bunch. */
 export const NOT_DRAWN = 0xffffffff;
 
-/** Blocks of a request that ask for it, besides the output word `chronicle`. */
+/** Blocks of a request of a trace, besides the output word `chronicle`. */
 export function traceBlocks({ step, first, count, module }: TraceRequest): Block[] {
 	const word = (name: string, value: number | undefined): Block[] =>
 		value === undefined ? [] : [{ name: `chronicle_${name}`, data: Uint32Array.of(value) }];
 	return [...word("step", step), ...word("first", first), ...word("count", count), ...word("module", module)];
 }
 
-/** What an answer tells of its derivation; undefined where that was not asked for. */
+/** The derivation trace in a response; undefined if not requested. */
 export function readTrace(columns: Columns): DerivationTrace | undefined {
 	if (!columns.has("chronicle.counts")) return undefined;
 	const [step, first, count] = columns.uint32("chronicle.window");

@@ -1,6 +1,6 @@
 /**
  * Motion of a plant in calm wind. A point's motion depends on its position, so that touching parts stay together, in
- * whatever mesh they are; parts with a fixed point (leaves) move with it, and turn a little about it. All motion has
+ * any mesh; parts with a fixed point (leaves) move with it, and turn a little about it. All motion has
  * one period, so that a sine and a cosine of time describe it. This file has the numbers of a plant; the view's shader
  * (render/wind.ts) and files (swing.ts) move points by them.
  */

@@ -23,7 +23,7 @@ export function digitOf({ kind, decimals }: MeasureInfo): number {
 	return 10 ** -(kind === "share" ? decimals + 2 : decimals);
 }
 
-/** The text of a reached value, with one more digit where only that tells it from the target. */
+/** The text of a reached value, with one more digit where only that distinguishes it from the target. */
 export function reachedText(info: MeasureInfo, value: number, target: number): string {
 	const text = measureText(info, value);
 	const finer = { ...info, decimals: info.decimals + 1 };

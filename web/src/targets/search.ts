@@ -1,6 +1,6 @@
 /**
  * Finds a root of residuals with few evaluations: Broyden's method (1965, "A class of methods for solving nonlinear
- * simultaneous equations") within bounds. Residuals may be noisy, as growth is: steps too short to tell a slope from
+ * simultaneous equations") within bounds. Residuals may be noisy, as growth is: steps too short to separate a slope from
  * noise do not update slopes, the best point is stored, and with one unknown a change of sign gives a bracket that the
  * search never leaves (regula falsi).
  */

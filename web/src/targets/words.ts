@@ -42,7 +42,7 @@ export function changesInWords<S extends Specimen>(
 		// The same length in another unit is no change for users.
 		if (before.read === after.read) return [];
 		const [least, most] = values.map(({ exact }) => Math.max(exact, 0.01));
-		// To one percent, so that what moves together stays in the table's order.
+		// To one percent, so that parameters that move together stay in the table's order.
 		const share = Math.round(100 * Math.abs(Math.log(most / least)));
 		const { unit } = after.scale;
 		return [{ share, words: `${entry.label} ${before.read} → ${after.read}${unit ? ` ${unit}` : ""}` }];

@@ -37,22 +37,22 @@ export function* woodenParts(plant: Wooden, { wood, bark, tints }: WoodMaterials
 
 /** The attached organs of a plant, without its wood. */
 export function* attachedParts({ meshes, organs }: Plant, tints: WoodMaterials["tints"]): Generator<Part> {
-	const borne = attachedMeshes(organs);
+	const attached = attachedMeshes(organs);
 	for (const [index, mesh] of meshes.entries()) {
-		if (borne.has(index)) yield* instancesOf(organs, index, mesh, tints[mesh.material] ?? []);
+		if (attached.has(index)) yield* instancesOf(organs, index, mesh, tints[mesh.material] ?? []);
 	}
 }
 
 /** Meshes with instances. */
 function attachedMeshes({ count, mesh }: Plant["organs"]): Set<number> {
-	const borne = new Set<number>();
+	const attached = new Set<number>();
 	let last = -1;
 	for (let organ = 0; organ < count; organ++) {
 		if (mesh[organ] === last) continue;
 		last = mesh[organ];
-		borne.add(last);
+		attached.add(last);
 	}
-	return borne;
+	return attached;
 }
 
 function* instancesOf(organs: Plant["organs"], index: number, mesh: PlantMesh, tints: Tints): Generator<Part> {
