@@ -5,8 +5,8 @@
 
 import { basename } from "node:path";
 import {
-	type Read as RequestedSpecimen,
 	linkIn,
+	type Read as RequestedSpecimen,
 	readSource as readPresetOrLink,
 	readTyped,
 	SpecimenError,
