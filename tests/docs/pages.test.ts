@@ -39,7 +39,7 @@ describe.each(pages())("docs/%s.md", (page) => {
 		const links = linksOf(text);
 		expect(links.length).toBeGreaterThan(0);
 		for (const link of links) {
-			const { status, json, said: messages } = await grow([link]);
+			const { status, json, messages } = await grow([link]);
 			expect([link, status, messages, json?.notes]).toEqual([link, 0, [], []]);
 		}
 	});

@@ -28,15 +28,15 @@ const means: Parameters<typeof zipOf>[2] = {
 };
 const watching = () => {
 	const cancel = new AbortController();
-	const told: number[] = [];
-	return { cancel, told, signal: cancel.signal, progress: (done: number) => void told.push(done) };
+	const reported: number[] = [];
+	return { cancel, reported, signal: cancel.signal, progress: (done: number) => void reported.push(done) };
 };
 
 describe("a series as one archive", () => {
 	it("holds what the command line puts into a folder, byte for byte", async () => {
 		const watch = watching();
 		const archive = unzipSync(new Uint8Array(await (await zipOf(series, [1, 2], means, watch)).arrayBuffer()));
-		expect(watch.told).toEqual([1, 2]);
+		expect(watch.reported).toEqual([1, 2]);
 		const { world, written } = memoryWorld();
 		await run(["redcurrant", "--set", "count=5", "--seeds", "1-2", "--vary", "age=60..110", "--out", "."], world);
 		expect(Object.keys(archive).sort()).toEqual([...written.keys()].sort());

@@ -10,10 +10,10 @@ const few = ["--set", "particles=60"];
 
 describe("--boundary", () => {
 	it("has a tree grow in a file's mesh, as high as it was and in the mesh's proportions", async () => {
-		const { status, json, said } = await grow(["tree/oak", "--set", "height=4", ...few, "--boundary", "box.obj"], {
+		const { status, json, messages } = await grow(["tree/oak", "--set", "height=4", ...few, "--boundary", "box.obj"], {
 			"box.obj": BOX,
 		});
-		expect([status, said]).toEqual([0, []]);
+		expect([status, messages]).toEqual([0, []]);
 		expect(json.specimen.parameters).toMatchObject({ shape: "mesh", width: 2, height: 4, depth: 6 });
 		expect(json.specimen.volume.triangles).toHaveLength(36);
 		expect(json.notes.join()).not.toMatch(/mesh/);

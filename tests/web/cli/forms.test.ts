@@ -19,16 +19,24 @@ describe("files with meshes", () => {
 
 	it("are refused with an exit status of its own where the plant is empty and the file cannot be", async () => {
 		for (const file of ["x.3mf", "x.stl"]) {
-			const { status, said, written } = await grow(["growth/oak", "--set", "age=0", "--out", file]);
+			const { status, messages, written } = await grow(["growth/oak", "--set", "age=0", "--out", file]);
 			expect([status, written.size]).toEqual([4, 0]);
-			expect(said).toEqual([expect.stringMatching(/^grow: The plant is empty/)]);
+			expect(messages).toEqual([expect.stringMatching(/^grow: The plant is empty/)]);
 		}
 	});
 
 	it("for printers come with a note where they are thicker than was asked for", async () => {
-		const { status, said } = await grow(["tree/bonsai", "--set", "leaves=0", "--thickness", "0.5", "--out", "x.stl"]);
+		const { status, messages } = await grow([
+			"tree/bonsai",
+			"--set",
+			"leaves=0",
+			"--thickness",
+			"0.5",
+			"--out",
+			"x.stl",
+		]);
 		expect(status).toBe(0);
-		expect(said.join()).toMatch(/note: Nothing is thinner than [\d.]+ mm, not 0\.5 mm/);
+		expect(messages.join()).toMatch(/note: Nothing is thinner than [\d.]+ mm, not 0\.5 mm/);
 	});
 
 	it("let light through pale skins where that is asked for alone", async () => {

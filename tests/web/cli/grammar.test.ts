@@ -28,9 +28,9 @@ describe("--grammar", () => {
 		const tree = 'gs = 4\ntree -> DivFunc("sigma1"){branches}\n';
 		const { json: plain } = await grow(["--grammar", "mine.growth"], { "mine.growth": tree });
 		expect(plain.specimen).toMatchObject({ model: "growth", preset: "figure-5", grammar: tree });
-		const asked = ["growth/birch", "--seed", "5", "--set", "steps=5"];
-		const { json: birch } = await grow(asked);
-		const { written } = await grow([...asked, "--out", "birch.growth"]);
+		const requested = ["growth/birch", "--seed", "5", "--set", "steps=5"];
+		const { json: birch } = await grow(requested);
+		const { written } = await grow([...requested, "--out", "birch.growth"]);
 		const again = await grow(["--grammar", "birch.growth"], Object.fromEntries(written));
 		expect(again.json.specimen).toMatchObject({ model: "growth", preset: "birch", seed: 5 });
 		expect(again.json.fingerprint).toBe(birch.fingerprint);

@@ -39,16 +39,16 @@ describe("files of the command", () => {
 	it.runIf(existsSync("/dev/full"))("on a full disk end the command with 1", async () => {
 		const path = join(folder, "bunch.json");
 		await symlink("/dev/full", path);
-		const said: string[] = [];
+		const messages: string[] = [];
 		const world = {
 			...nodeFiles,
 			environment: {},
 			loadCore: freshCore,
 			print: () => {},
-			printError: (line: string) => said.push(line),
+			printError: (line: string) => messages.push(line),
 		};
 		expect(await run(["redcurrant", "--set", "count=5", "--out", path], world)).toBe(1);
-		expect(said).toEqual([`grow: ${path} cannot be written: the disk is full`]);
+		expect(messages).toEqual([`grow: ${path} cannot be written: the disk is full`]);
 		await rm(path);
 	});
 });

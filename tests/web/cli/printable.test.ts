@@ -15,8 +15,8 @@ it("cuts long lines", () => {
 
 it("is what the command prints of its errors", async () => {
 	const name = `\u001b[2J${"x".repeat(5000)}.glb`;
-	const { status, said } = await grow(["riesling", "--out", `nowhere/${name}`, "--set", "count=5"]);
+	const { status, messages } = await grow(["riesling", "--out", `nowhere/${name}`, "--set", "count=5"]);
 	expect(status).not.toBe(0);
-	expect(said.join()).toMatch(/\\u\{1b\}\[2Jx{900}/);
-	expect(said.join().length).toBeLessThan(1100);
+	expect(messages.join()).toMatch(/\\u\{1b\}\[2Jx{900}/);
+	expect(messages.join().length).toBeLessThan(1100);
 });

@@ -9,10 +9,10 @@ const meant = (json: { specimen: unknown }) => restore(json.specimen).specimen;
 
 describe("the JSON", () => {
 	it("is all that standard output gets, and has every field", async () => {
-		const { status, json, printed, said } = await grow(["shouldered-conical", "--set", "procedure=paper"]);
+		const { status, json, printed, messages } = await grow(["shouldered-conical", "--set", "procedure=paper"]);
 		expect(status).toBe(0);
 		expect(printed).toHaveLength(1);
-		expect(said).toEqual([]);
+		expect(messages).toEqual([]);
 		const fields = ["specimen", "plan", "counts", "berries", "internodes", "notes", "fingerprint", "timings"];
 		expect(Object.keys(json)).toEqual(expect.arrayContaining(fields));
 		expect(meant(json)).toEqual(specimenFromPreset("shouldered-conical", 1));
@@ -49,17 +49,17 @@ describe("the JSON", () => {
 	});
 
 	it("is the default preset's without a word said", async () => {
-		const { json, said } = await grow([]);
+		const { json, messages } = await grow([]);
 		expect(meant(json)).toEqual(specimenFromPreset());
-		expect([json.notes, said]).toEqual([[], []]);
+		expect([json.notes, messages]).toEqual([[], []]);
 		expect(json.counts.berries).toBeGreaterThan(100);
 	});
 });
 
 describe("many models", () => {
 	it("are listed with their titles and presets", async () => {
-		const { status, printed, said } = await grow(["--list"]);
-		expect([status, said]).toEqual([0, []]);
+		const { status, printed, messages } = await grow(["--list"]);
+		expect([status, messages]).toEqual([0, []]);
 		const all: { model: string; title: string; preview?: boolean; presets: string[] }[] = JSON.parse(printed[0]);
 		expect(all.filter(({ preview }) => preview).map(({ model }) => model)).toEqual([
 			"flower",
@@ -105,14 +105,14 @@ describe("what is asked for", () => {
 	});
 
 	it("is brought into range where a link says it, with notes after the core's", async () => {
-		const { status, json, said } = await grow(["?l=9999&plum=1"]);
+		const { status, json, messages } = await grow(["?l=9999&plum=1"]);
 		expect(status).toBe(0);
 		expect(json.specimen.parameters.l).toBe(580);
 		expect(json.notes).toEqual([
 			"l: 9999 is above the greatest value, 580; 580 is used.",
 			"plum: not known here; ignored.",
 		]);
-		expect(said).toEqual([]);
+		expect(messages).toEqual([]);
 	});
 
 	it("is the paper's procedure where an old link says it, natural where a preset is named", async () => {
@@ -205,22 +205,22 @@ describe("files", () => {
 	});
 
 	it("have the leaves that were asked for", async () => {
-		const { written, said } = await grow(["rubus", "--set", "leaves=2", "--out", "leafy.glb"]);
+		const { written, messages } = await grow(["rubus", "--set", "leaves=2", "--out", "leafy.glb"]);
 		const names = documentOf(written.get("leafy.glb") as Uint8Array).nodes.map(({ name }) => name);
 		expect(names.filter((name) => name.startsWith("Leaf"))).toEqual(["Leaf 1", "Leaf 2"]);
-		expect(said).toEqual([]);
+		expect(messages).toEqual([]);
 	});
 
 	it("are of a model's own forms, by endings that viewers know", async () => {
 		const small = ["leaf/oak", "--set", "n=60", "--out"];
-		const { written, said } = await grow([...small, "oak.baked.glb"]);
-		expect(said).toEqual([]);
+		const { written, messages } = await grow([...small, "oak.baked.glb"]);
+		expect(messages).toEqual([]);
 		const sheer = (glb: unknown) =>
 			documentOf(glb as Uint8Array).extensionsUsed?.includes("KHR_materials_volume") ?? false;
 		expect(sheer(written.get("oak.baked.glb"))).toBe(true);
 		const plain = await grow([...small, "oak-baked.glb"]);
 		expect(sheer(plain.written.get("oak-baked.glb"))).toBe(false);
-		expect((await grow([...small, "oak.glb-baked"])).said[0]).toContain(".svg or .baked.glb");
+		expect((await grow([...small, "oak.glb-baked"])).messages[0]).toContain(".svg or .baked.glb");
 	});
 
 	it("are an OBJ with the MTL that it names beside it", async () => {
@@ -255,9 +255,9 @@ describe("files", () => {
 	});
 
 	it("leave notes to standard error", async () => {
-		const { status, said } = await grow(["?l=1", "--out", "x.json"]);
+		const { status, messages } = await grow(["?l=1", "--out", "x.json"]);
 		expect(status).toBe(0);
-		expect(said).toEqual(["note: l: 1 is below the least value, 29; 29 is used."]);
+		expect(messages).toEqual(["note: l: 1 is below the least value, 29; 29 is used."]);
 	});
 });
 
@@ -281,13 +281,13 @@ it("--help says all there is, and grows nothing", async () => {
 
 it("asks for the model's own core", async () => {
 	const memory = memoryWorld();
-	const asked: string[] = [];
+	const requested: string[] = [];
 	const loadCore = (wasm: string) => {
-		asked.push(wasm);
+		requested.push(wasm);
 		return memory.world.loadCore(wasm);
 	};
 	expect(await run(["rubus"], { ...memory.world, loadCore })).toBe(0);
-	expect(asked).toEqual(["bunch.wasm"]);
+	expect(requested).toEqual(["bunch.wasm"]);
 });
 
 it("a core that is missing or breaks is another exit status", async () => {
@@ -296,5 +296,5 @@ it("a core that is missing or breaks is another exit status", async () => {
 		throw new Error("ENOENT: no such file,\nopen panicle.wasm");
 	};
 	expect(await run([], { ...memory.world, loadCore })).toBe(1);
-	expect(memory.said).toEqual(["grow: ENOENT: no such file, open panicle.wasm"]);
+	expect(memory.messages).toEqual(["grow: ENOENT: no such file, open panicle.wasm"]);
 });

@@ -15,24 +15,27 @@ async function timed(words: string[], step: number, files: Record<string, string
 	return { status, looks, ...memory, json: text === "" ? undefined : JSON.parse(text) };
 }
 
-const TOLD = /^grow: --seconds 10: the time limit was reached, and what grew so far is written; give it more seconds/;
+const REPORTED =
+	/^grow: --seconds 10: the time limit was reached, and what grew so far is written; give it more seconds/;
 
 describe("--seconds", () => {
 	it("ends a plant with what has grown so far, a note and status 5", async () => {
-		const { status, json, said } = await timed(["--grammar", "a.lsys", "--seconds", "10"], 500, { "a.lsys": ENDLESS });
+		const { status, json, messages } = await timed(["--grammar", "a.lsys", "--seconds", "10"], 500, {
+			"a.lsys": ENDLESS,
+		});
 		expect(status).toBe(5);
-		expect(said).toEqual([expect.stringMatching(TOLD)]);
+		expect(messages).toEqual([expect.stringMatching(REPORTED)]);
 		expect(json.notes[0]).toMatch(/^What grew so far is shown\. The time limit is reached; /);
 		expect(json.segments.length).toBeGreaterThan(100);
 	});
 
 	it("writes the same to a file", async () => {
 		const words = ["--grammar", "a.lsys", "--seconds", "10", "--out", "a.glb"];
-		const { status, said, written } = await timed(words, 500, { "a.lsys": ENDLESS });
+		const { status, messages, written } = await timed(words, 500, { "a.lsys": ENDLESS });
 		expect(status).toBe(5);
 		expect(written.has("a.glb")).toBe(true);
-		expect(said.filter((line) => TOLD.test(line))).toHaveLength(1);
-		expect(said.filter((line) => line.startsWith("note: What grew so far is shown. "))).toHaveLength(1);
+		expect(messages.filter((line) => REPORTED.test(line))).toHaveLength(1);
+		expect(messages.filter((line) => line.startsWith("note: What grew so far is shown. "))).toHaveLength(1);
 	});
 
 	it("looks at the clock more often the more time there is, and grows more", async () => {
@@ -48,7 +51,7 @@ describe("--seconds", () => {
 	it("changes nothing of a plant that is whole in time", async () => {
 		const words = ["grammar/shrub"];
 		const [limited, free] = [await timed([...words, "--seconds", "10"], 1), await timed(words, 1)];
-		expect([limited.status, limited.said]).toEqual([0, []]);
+		expect([limited.status, limited.messages]).toEqual([0, []]);
 		expect({ ...limited.json, timings: {} }).toEqual({ ...free.json, timings: {} });
 	});
 
@@ -59,9 +62,9 @@ describe("--seconds", () => {
 	});
 
 	it("ends a stand with the plants that are there", async () => {
-		const { status, json, said } = await timed(["stand/flowerbed", "--seconds", "10"], 100);
+		const { status, json, messages } = await timed(["stand/flowerbed", "--seconds", "10"], 100);
 		expect(status).toBe(5);
-		expect(said).toEqual([expect.stringMatching(TOLD)]);
+		expect(messages).toEqual([expect.stringMatching(REPORTED)]);
 		expect(json.notes).toContainEqual(
 			expect.stringMatching(/^What grew so far is shown\. The time limit is reached: \d+ of \d+ plants are there; /),
 		);
@@ -71,10 +74,12 @@ describe("--seconds", () => {
 		["targets", ["riesling", "--target", "bunch_length=160"]],
 		["a file that takes several growths", ["growth/oak", "--form", "lod", "--out", "a.glb"]],
 	])("writes nothing with %s that are not whole in time", async (_, words) => {
-		const { status, written, printed, said } = await timed([...words, "--seconds", "10"], 4000);
+		const { status, written, printed, messages } = await timed([...words, "--seconds", "10"], 4000);
 		expect(status).toBe(5);
 		expect([written.size, printed]).toEqual([0, []]);
-		expect(said.at(-1)).toMatch(/^grow: --seconds 10: the time limit was reached before there was anything to write; /);
+		expect(messages.at(-1)).toMatch(
+			/^grow: --seconds 10: the time limit was reached before there was anything to write; /,
+		);
 	});
 
 	it("ends a series with the plants that are written, and the same call continues it", async () => {
@@ -82,21 +87,21 @@ describe("--seconds", () => {
 		const some = await timed([...words, "--seconds", "10"], 700);
 		expect(some.status).toBe(5);
 		const [, count] =
-			/(\d+) of 9 plants are written; the same call continues the series/.exec(some.said.at(-1) ?? "") ?? [];
+			/(\d+) of 9 plants are written; the same call continues the series/.exec(some.messages.at(-1) ?? "") ?? [];
 		expect(Number(count)).toBeGreaterThan(0);
 		expect(Number(count)).toBeLessThan(9);
 		const files = [...some.written.keys()].filter((path) => path.endsWith(".json") && path !== "d/series.json");
 		expect(files).toHaveLength(Number(count));
 		const all = await timed(words, 0, {}, some.written);
 		expect(all.status).toBe(0);
-		expect(all.said.at(-1)).toContain(`9 plants: ${9 - Number(count)} grown, ${count} there before`);
+		expect(all.messages.at(-1)).toContain(`9 plants: ${9 - Number(count)} grown, ${count} there before`);
 	});
 
 	it("leaves the plant that the time limit cut short out of a series", async () => {
 		const words = ["--grammar", "a.lsys", "--seeds", "1-2", "--as", "json", "--out", "d", "--seconds", "10"];
-		const { status, written, said } = await timed(words, 500, { "a.lsys": ENDLESS });
+		const { status, written, messages } = await timed(words, 500, { "a.lsys": ENDLESS });
 		expect(status).toBe(5);
-		expect(said.at(-1)).toContain("0 of 2 plants are written");
+		expect(messages.at(-1)).toContain("0 of 2 plants are written");
 		expect([...written.keys()].sort()).toEqual(["d/plants.csv.part", "d/series.json"]);
 	});
 
@@ -109,8 +114,8 @@ describe("--seconds", () => {
 
 describe("a plant that a limit of the core cut short", () => {
 	it("is written, with a note and status 6", async () => {
-		const { status, json, said } = await timed(["--grammar", "a.lsys"], 0, { "a.lsys": ENDLESS });
-		expect([status, said]).toEqual([6, []]);
+		const { status, json, messages } = await timed(["--grammar", "a.lsys"], 0, { "a.lsys": ENDLESS });
+		expect([status, messages]).toEqual([6, []]);
 		expect(json.notes[0]).toMatch(
 			/^What grew so far is shown\. The string grows beyond|^What grew so far is shown\. The grammar takes more/,
 		);

@@ -25,7 +25,7 @@ async function series(words: string[], before: Files = {}, environment: Record<s
 		},
 	};
 	const status = await run([...SMALL, ...words], world);
-	return { status, grown, said: memory.said, files: Object.fromEntries(memory.written) };
+	return { status, grown, messages: memory.messages, files: Object.fromEntries(memory.written) };
 }
 
 /** What files hold, short enough to be compared by those who know no faster way than byte by byte. */
@@ -47,7 +47,7 @@ function rowsOf(table: unknown): Record<string, string>[] {
 
 describe("a series", () => {
 	it("is a file for each seed and a table by which each comes back", async () => {
-		const { status, files, said } = await series(["--seeds", "1-3", "--vary", "age=60..110,density=3..8"]);
+		const { status, files, messages } = await series(["--seeds", "1-3", "--vary", "age=60..110,density=3..8"]);
 		expect(status).toBe(0);
 		expect(Object.keys(files).sort()).toEqual([
 			"d/plants.csv",
@@ -56,7 +56,7 @@ describe("a series", () => {
 			"d/redcurrant-3.glb",
 			"d/series.json",
 		]);
-		expect(said).toEqual(["3 plants: 3 grown, 0 there before; d/plants.csv"]);
+		expect(messages).toEqual(["3 plants: 3 grown, 0 there before; d/plants.csv"]);
 		const rows = rowsOf(files[TABLE]);
 		expect(rows.map(({ number }) => number)).toEqual(["1", "2", "3"]);
 		for (const { file, bytes, link, fingerprint, set_age, set_density, berry_count } of rows) {
@@ -108,7 +108,7 @@ describe("a series", () => {
 		);
 		const { "d/redcurrant-2.ply": _, ...rest } = whole.files;
 		const again = await series(words, rest);
-		expect(again.said).toEqual(["2 plants: 1 grown, 1 there before; d/plants.csv"]);
+		expect(again.messages).toEqual(["2 plants: 1 grown, 1 there before; d/plants.csv"]);
 		expect(digests(again.files)).toEqual(digests(whole.files));
 	});
 
@@ -177,7 +177,7 @@ describe("a series that was broken off", () => {
 		const whole = await series(words);
 		const again = await series(words, whole.files);
 		expect([again.grown, digests(again.files)]).toEqual([[], digests(whole.files)]);
-		expect(again.said).toEqual(["4 plants: 0 grown, 4 there before; d/plants.csv"]);
+		expect(again.messages).toEqual(["4 plants: 0 grown, 4 there before; d/plants.csv"]);
 
 		const glb = whole.files["d/redcurrant-2.glb"] as Uint8Array;
 		const flipped = glb.slice();
@@ -215,14 +215,14 @@ it("what does not grow leaves a line that says why, and is tried again", async (
 	};
 	const words = [...SMALL, "--seeds", "1-2"];
 	expect(await run(words, { ...memory.world, loadCore })).toBe(1);
-	expect(memory.said.at(-1)).toBe("grow: 1 could not be grown; the column “notes” of the table has the reasons");
+	expect(memory.messages.at(-1)).toBe("grow: 1 could not be grown; the column “notes” of the table has the reasons");
 	const rows = rowsOf(memory.written.get(TABLE));
 	expect(rows.map(({ file, notes }) => [file, notes])).toEqual([
 		["", "the core broke"],
 		["redcurrant-2.glb", ""],
 	]);
 	expect(await run(words, memory.world)).toBe(0);
-	expect(memory.said.at(-1)).toBe("2 plants: 1 grown, 1 there before; d/plants.csv");
+	expect(memory.messages.at(-1)).toBe("2 plants: 1 grown, 1 there before; d/plants.csv");
 });
 
 it("a series in GLB has what each GLB says of itself", async () => {
@@ -266,8 +266,8 @@ describe("what of a series cannot be used", () => {
 		[["--seeds", "1", "--shard", "0/0"], /0 parts; there may be 1 to 10000/],
 		[["--seeds", "1", "--shard", "third"], /“third”: write PART\/PARTS, as in 3\/16/],
 		[["--seeds", "1", "--shard", "auto"], /neither SLURM_ARRAY_TASK_ID nor JOB_COMPLETION_INDEX is set/],
-	])("%j", async (words, said) => {
-		expect(await refused(words as string[])).toMatch(said);
+	])("%j", async (words, messages) => {
+		expect(await refused(words as string[])).toMatch(messages);
 	});
 
 	it("is told where the variables of an engine do not give a place", async () => {

@@ -16,9 +16,9 @@ async function series(
 	written: Written = new Map(),
 	differs: Partial<CommandEnvironment> = {},
 ) {
-	const { world, said } = memoryWorld({}, {}, written);
+	const { world, messages } = memoryWorld({}, {}, written);
 	const status = await run([...SMALL, ...words], { ...world, ...differs });
-	return { status, said, written };
+	return { status, messages, written };
 }
 
 const textOf = (written: Written, path: string) => {
@@ -34,7 +34,7 @@ describe("two that are started together into one new folder", () => {
 		const both = await Promise.all([series(["--seeds", "1-3"], written), series(["--seeds", "4-6"], written)]);
 		expect(both.map(({ status }) => status).sort()).toEqual([0, 2]);
 		const refused = both.find(({ status }) => status === 2);
-		expect(refused?.said).toEqual([
+		expect(refused?.messages).toEqual([
 			expect.stringMatching(/^grow: --out d holds another series \(--seeds: \S+ there, \S+ here\)/),
 		]);
 		const numbers = rowsIn(written).map((row) => row.split(",")[0]);
@@ -46,14 +46,14 @@ describe("two that are started together into one new folder", () => {
 		const written: Written = new Map();
 		const both = await Promise.all([series(["--seeds", "1-3"], written), series(["--seeds", "1-3"], written)]);
 		expect(both.map(({ status }) => status).sort()).toEqual([0, 2]);
-		expect(both.flatMap(({ said }) => said)).toContainEqual(
+		expect(both.flatMap(({ messages }) => messages)).toContainEqual(
 			expect.stringMatching(
 				/^grow: --out d\/plants\.csv: process \d+ on here is writing it \(last sign of life 0 s ago\); wait until it has ended$/,
 			),
 		);
 		expect(rowsIn(written)).toHaveLength(3);
 		expect(written.has(LOCK)).toBe(false);
-		expect((await series(["--seeds", "1-3"], written)).said).toEqual([
+		expect((await series(["--seeds", "1-3"], written)).messages).toEqual([
 			"3 plants: 0 grown, 3 there before; d/plants.csv",
 		]);
 	});
@@ -83,35 +83,35 @@ describe("a folder that holds another series", () => {
 	])("is left as it is, and the difference named: %j", async (others, difference) => {
 		const { written } = await series(words);
 		const before = copied(written);
-		const { status, said } = await series(others, written);
+		const { status, messages } = await series(others, written);
 		expect(status).toBe(2);
-		expect(said).toEqual([`grow: --out d holds another series (${difference}); choose another folder`]);
+		expect(messages).toEqual([`grow: --out d holds another series (${difference}); choose another folder`]);
 		expect(written).toEqual(before);
 	});
 
 	it("is known by its preset, its program and its text as well", async () => {
 		const { written } = await series(words);
 		const texts = { "one.lsys": "axiom: F(10)[+F(5)]\n", "other.lsys": "axiom: F(10)[-F(5)]\n" };
-		const { world, said } = memoryWorld(texts, {}, written);
+		const { world, messages } = memoryWorld(texts, {}, written);
 		expect(await run(["leaf/oak", "--seeds", "1-3", "--out", "d", "--as", "json"], world)).toBe(2);
-		expect(said[0]).toContain("preset: bunch/redcurrant there, leaf/oak here");
+		expect(messages[0]).toContain("preset: bunch/redcurrant there, leaf/oak here");
 		const grow = (text: string) => run(["--grammar", text, "--seeds", "1", "--as", "json", "--out", "e"], world);
 		expect([await grow("one.lsys"), await grow("other.lsys")]).toEqual([0, 2]);
-		expect(said.at(-1)).toMatch(
+		expect(messages.at(-1)).toMatch(
 			/^grow: --out e holds another series \(text \w+: another text there, another text here\)/,
 		);
 
 		const older = JSON.parse(textOf(written, "d/series.json"));
 		written.set("d/series.json", JSON.stringify({ ...older, program: "Panicle 0.0.1" }));
-		expect((await series(words, written)).said[0]).toMatch(/program: Panicle 0\.0\.1 there, Panicle \d\S* here/);
+		expect((await series(words, written)).messages[0]).toMatch(/program: Panicle 0\.0\.1 there, Panicle \d\S* here/);
 		written.set("d/series.json", "{");
-		expect((await series(words, written)).said[0]).toContain("series.json there cannot be read");
+		expect((await series(words, written)).messages[0]).toContain("series.json there cannot be read");
 	});
 
 	it("takes the same series in other words", async () => {
 		const { written } = await series(["--seeds", "1-3"]);
-		const { status, said } = await series(["--seeds", "1,2,3"], written);
-		expect([status, said]).toEqual([0, ["3 plants: 0 grown, 3 there before; d/plants.csv"]]);
+		const { status, messages } = await series(["--seeds", "1,2,3"], written);
+		expect([status, messages]).toEqual([0, ["3 plants: 0 grown, 3 there before; d/plants.csv"]]);
 	});
 });
 
@@ -120,9 +120,9 @@ describe("a folder without a manifest", () => {
 		"that has %s is left as it is",
 		async (name) => {
 			const written: Written = new Map([[`d/${name}`, "mine"]]);
-			const { status, said } = await series(["--seeds", "1-3"], written);
+			const { status, messages } = await series(["--seeds", "1-3"], written);
 			expect([status, [...written]]).toEqual([2, [[`d/${name}`, "mine"]]]);
-			expect(said).toEqual([
+			expect(messages).toEqual([
 				`grow: --out d: ${name} exists, but no series.json that describes its series; choose another folder`,
 			]);
 		},
@@ -162,9 +162,9 @@ describe("the lock of a table", () => {
 		["of another machine that was heard of a minute ago", { ...owner, host: "there", at: 940_000 }],
 	])("%s holds others up", async (_, lock) => {
 		const written: Written = new Map([[LOCK, JSON.stringify(lock)]]);
-		const { status, said } = await series(words, written);
+		const { status, messages } = await series(words, written);
 		expect(status).toBe(2);
-		expect(said[0]).toMatch(
+		expect(messages[0]).toMatch(
 			/process 7 on t?here is writing it \(last sign of life \d+ s ago\); wait until it has ended$/,
 		);
 		expect(JSON.parse(textOf(written, LOCK))).toEqual(lock);
@@ -187,14 +187,14 @@ describe("the lock of a table", () => {
 
 	it("that another process has taken ends this one before it writes", async () => {
 		const written: Written = new Map();
-		const { world, said } = memoryWorld({}, {}, written);
+		const { world, messages } = memoryWorld({}, {}, written);
 		const theirs = JSON.stringify(owner);
 		const loadCore: CommandEnvironment["loadCore"] = (wasm) => {
 			written.set(LOCK, theirs);
 			return world.loadCore(wasm);
 		};
 		expect(await run([...SMALL, ...words], { ...world, loadCore })).toBe(1);
-		expect(said).toEqual(["grow: d/plants.csv.lock was taken by another process; this one stops"]);
+		expect(messages).toEqual(["grow: d/plants.csv.lock was taken by another process; this one stops"]);
 		expect([...written.keys()].filter((path) => path.includes("redcurrant"))).toEqual([]);
 		expect(written.get(LOCK)).toBe(theirs);
 	});
@@ -230,17 +230,17 @@ describe("what cannot be written", () => {
 
 	it("since the disk is full ends with 1, and the series goes on where it was", async () => {
 		const written: Written = new Map();
-		const { status, said } = await series(["--seeds", "1-4"], written, failing("ENOSPC", /redcurrant-3/, written));
-		expect([status, said]).toEqual([1, ["grow: d/redcurrant-3.json cannot be written: the disk is full"]]);
+		const { status, messages } = await series(["--seeds", "1-4"], written, failing("ENOSPC", /redcurrant-3/, written));
+		expect([status, messages]).toEqual([1, ["grow: d/redcurrant-3.json cannot be written: the disk is full"]]);
 		expect(written.has(LOCK)).toBe(false);
-		expect((await series(["--seeds", "1-4"], written)).said).toEqual([
+		expect((await series(["--seeds", "1-4"], written)).messages).toEqual([
 			"4 plants: 2 grown, 2 there before; d/plants.csv",
 		]);
 	});
 
 	it("since the call names what is not allowed ends with 2", async () => {
 		const written: Written = new Map();
-		const { status, said } = await series(["--seeds", "1-2"], written, failing("EACCES", /\.part$/, written));
-		expect([status, said]).toEqual([2, ["grow: --out d/plants.csv.part: not allowed"]]);
+		const { status, messages } = await series(["--seeds", "1-2"], written, failing("EACCES", /\.part$/, written));
+		expect([status, messages]).toEqual([2, ["grow: --out d/plants.csv.part: not allowed"]]);
 	});
 });

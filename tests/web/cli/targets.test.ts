@@ -6,12 +6,12 @@ const target = (...texts: string[]) => texts.flatMap((text) => ["--target", text
 
 describe("a target", () => {
 	it("is met by other parameters, which the file holds, and said how near", async () => {
-		const { status, json, said } = await grow(["riesling", ...target("bunch_length=160")]);
+		const { status, json, messages } = await grow(["riesling", ...target("bunch_length=160")]);
 		expect(status).toBe(0);
 		expect(json.measures.bunch_length).toBeGreaterThan(157);
 		expect(json.measures.bunch_length).toBeLessThan(163);
-		expect(said).toEqual([
-			expect.stringMatching(/^target: Bunch length: 160 mm (reached|asked, 1\d\d(\.\d)? mm reached)$/),
+		expect(messages).toEqual([
+			expect.stringMatching(/^target: Bunch length: 160 mm (reached|requested, 1\d\d(\.\d)? mm reached)$/),
 			expect.stringMatching(/^target: Length 115\.1 → [\d.]+ mm, .* and \d more; in \d+ growths?$/),
 		]);
 		const { specimen } = restore(json.specimen);
@@ -23,8 +23,8 @@ describe("a target", () => {
 		const words = ["riesling", ...target("bunch_length=120..180")];
 		const lengths = [];
 		for (const seed of ["1", "2", "3", "4"]) {
-			const { status, json, said } = await grow([...words, "--seed", seed]);
-			expect([status, said[0]]).toEqual([0, expect.stringMatching(/^target: Bunch length: [\d.]+ mm reached/)]);
+			const { status, json, messages } = await grow([...words, "--seed", seed]);
+			expect([status, messages[0]]).toEqual([0, expect.stringMatching(/^target: Bunch length: [\d.]+ mm reached/)]);
 			lengths.push(json.measures.bunch_length);
 		}
 		for (const length of lengths) expect(length > 119.5 && length < 180.5).toBe(true);
@@ -33,18 +33,18 @@ describe("a target", () => {
 
 	it("stands beside others, and beside what is set", async () => {
 		const words = ["merlot", "--set", "age=90", ...target("bunch_length=200", "berry_width=16")];
-		const { json, said } = await grow(words);
+		const { json, messages } = await grow(words);
 		expect(json.specimen.parameters.age).toBe(90);
 		expect(Math.abs(json.measures.bunch_length - 200)).toBeLessThan(5);
 		expect(Math.abs(json.measures.berry_width - 16)).toBeLessThan(0.4);
-		expect(said).toHaveLength(3);
+		expect(messages).toHaveLength(3);
 	});
 
 	it("out of reach gives the nearest", async () => {
-		const { status, json, said } = await grow(["riesling", ...target("pedicel_length=500")]);
+		const { status, json, messages } = await grow(["riesling", ...target("pedicel_length=500")]);
 		expect(status).toBe(3);
 		expect(json.specimen.parameters.pedicel).toBe(60);
-		expect(said[0]).toMatch(/500\.0 mm asked, [\d.]+ mm reached; what moves it goes no further$/);
+		expect(messages[0]).toMatch(/500\.0 mm requested, [\d.]+ mm reached; what moves it goes no further$/);
 	});
 
 	it("that cannot be used is refused", async () => {
@@ -130,23 +130,23 @@ describe("a series with a target", () => {
 			"d",
 			...target("pedicel_length=500"),
 		];
-		const { status, said, written } = await grow(missing);
+		const { status, messages, written } = await grow(missing);
 		expect(status).toBe(3);
-		expect(said).toEqual([
+		expect(messages).toEqual([
 			"2 plants: 2 grown, 0 there before; d/plants.csv",
 			"target: 2 of 2 plants miss a target; the column “missed” of the table has the measures",
 		]);
 		const rows = cells(written.get("d/plants.csv"));
 		expect(rows.map(({ missed }) => missed)).toEqual(["pedicel_length", "pedicel_length"]);
-		expect(rows[0].notes).toMatch(/500\.0 mm asked/);
+		expect(rows[0].notes).toMatch(/500\.0 mm requested/);
 		const again = await grow(missing, Object.fromEntries(written));
-		expect([again.status, again.said[0]]).toEqual([3, "2 plants: 0 grown, 2 there before; d/plants.csv"]);
+		expect([again.status, again.messages[0]]).toEqual([3, "2 plants: 0 grown, 2 there before; d/plants.csv"]);
 	});
 
 	it("is not grown again where it is there, and refused where it is of another target", async () => {
 		const { written } = await grow(words);
 		const there = Object.fromEntries(written);
-		expect((await grow(words, there)).said).toEqual(["2 plants: 0 grown, 2 there before; d/plants.csv"]);
+		expect((await grow(words, there)).messages).toEqual(["2 plants: 0 grown, 2 there before; d/plants.csv"]);
 		const other = [...words.slice(0, -1), "berry_width=8"];
 		expect(await complaint(other, there)).toMatch(/\(--target berry_width: 10 there, 8 here\)/);
 	});

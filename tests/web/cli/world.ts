@@ -18,7 +18,7 @@ export function memoryWorld(
 	written = new Map<string, string | Uint8Array>(),
 ) {
 	const printed: string[] = [];
-	const said: string[] = [];
+	const messages: string[] = [];
 	const missing = (path: string) => Object.assign(new Error(`ENOENT: ${path}`), { code: "ENOENT" });
 	const world: CommandEnvironment = {
 		readFile: async (path) => {
@@ -58,9 +58,9 @@ export function memoryWorld(
 			if (typeof text === "string") printed.push(text);
 			else printed.push(`${printed.pop() ?? ""}${new TextDecoder().decode(text)}`);
 		},
-		printError: (line) => said.push(line),
+		printError: (line) => messages.push(line),
 	};
-	return { world, written, printed, said };
+	return { world, written, printed, messages };
 }
 
 /** Runs the command in such surroundings. */
@@ -73,14 +73,14 @@ export async function grow(words: string[], ...world: Parameters<typeof memoryWo
 
 /** The one line that a call which cannot be used leaves on standard error. */
 export async function complaint(words: string[], ...world: Parameters<typeof memoryWorld>): Promise<string> {
-	const { status, said, printed, written } = await grow(words, ...world);
+	const { status, messages, printed, written } = await grow(words, ...world);
 	expect(status).toBe(2);
 	expect(printed).toEqual([]);
 	expect(written.size).toBe(0);
-	expect(said).toHaveLength(1);
+	expect(messages).toHaveLength(1);
 	// Below it stands at most a line of a text, and the place in it.
-	expect(said[0]).toMatch(/^grow: [^\n]{1,240}(\n {2}[^\n]+\n\s*\^)?$/);
-	return said[0].slice("grow: ".length);
+	expect(messages[0]).toMatch(/^grow: [^\n]{1,240}(\n {2}[^\n]+\n\s*\^)?$/);
+	return messages[0].slice("grow: ".length);
 }
 
 const isPieces = (data: string | Uint8Array | readonly Uint8Array[]): data is readonly Uint8Array[] =>

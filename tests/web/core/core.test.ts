@@ -126,8 +126,11 @@ describe("the border", () => {
 		expect(WebAssembly.Module.exports(particles).map(({ name }) => name)).not.toContain("panicle_compile");
 		const fresh = await Core.instantiate(particles);
 		const blocks = leafModel.encode(fromPreset(leafModel), { meshes: false });
-		const told = refusal(() => fresh.grow([...blocks, { name: "grammar", data: "axiom: F(1)" }]));
-		expect([told.reason, told.message]).toEqual(["bad request", "The model grows from no grammar; leave it out."]);
+		const reported = refusal(() => fresh.grow([...blocks, { name: "grammar", data: "axiom: F(1)" }]));
+		expect([reported.reason, reported.message]).toEqual([
+			"bad request",
+			"The model grows from no grammar; leave it out.",
+		]);
 		expect(leafModel.read(fresh.grow(blocks)).segments.count).toBeGreaterThan(0);
 	});
 

@@ -121,12 +121,12 @@ describe("a pool of seats", () => {
 		start({ workers: 2 });
 		const [one, other] = [new Client({ pool }), new Client({ pool })];
 		const ended = expect(one.grow(withSeed(1))).rejects.toBeInstanceOf(Superseded);
-		const kept = other.grow(withSeed(2));
+		const stored = other.grow(withSeed(2));
 		await settled();
 		one.close();
 		await ended;
 		FakeWorker.all[1].finish();
-		expect(seedOf(await kept)).toBe(2);
+		expect(seedOf(await stored)).toBe(2);
 		expect(FakeWorker.all.map(({ terminated }) => terminated)).toEqual([true, false]);
 	});
 

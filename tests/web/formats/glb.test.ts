@@ -174,7 +174,9 @@ describe("the GLB of any parts", () => {
 	it("says the brightest by a picture of one pixel, too, for readers that know no factor beside colours of vertices", async () => {
 		const glb = exportGlb(fruits(), ABOUT);
 		const { materials = [], images } = documentOf(glb);
-		expect(materials.map(({ pbrMetallicRoughness: told }) => [told.baseColorFactor, told.baseColorTexture])).toEqual([
+		expect(
+			materials.map(({ pbrMetallicRoughness: reported }) => [reported.baseColorFactor, reported.baseColorTexture]),
+		).toEqual([
 			[[1, 1, 1, 1], { index: 0 }],
 			[[...HAIR.colour, 1], undefined],
 		]);

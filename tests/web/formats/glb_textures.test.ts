@@ -107,17 +107,17 @@ describe("textures", () => {
 describe("light through sheets", () => {
 	const NAME = "KHR_materials_diffuse_transmission";
 	const LEAF: Material = { ...HAIR, sheet: { through: [0.4, 0.8, 0.2], reverse: [1, 1, 1] } };
-	const told = (material: Material, options: GlbOptions = {}) => {
+	const reported = (material: Material, options: GlbOptions = {}) => {
 		const file = exportGlb([{ name: "Leaf", shape: { mesh: tetrahedron([0, 0, 0], 1), material } }], ABOUT, options);
 		const { materials = [], extensionsUsed, extensionsRequired = [] } = documentOf(file);
-		const said = (materials[0].extensions ?? {}) as Record<string, Record<string, number & number[]> | undefined>;
-		return { file, told: said[NAME], extensionsUsed, extensionsRequired };
+		const messages = (materials[0].extensions ?? {}) as Record<string, Record<string, number & number[]> | undefined>;
+		return { file, reported: messages[NAME], extensionsUsed, extensionsRequired };
 	};
 
 	it.each(FORMS)(
 		"is to the light that they throw back as in view, and no more than falls on them (%o)",
 		async (form) => {
-			const { told: found, extensionsUsed, extensionsRequired } = told(LEAF, form);
+			const { reported: found, extensionsUsed, extensionsRequired } = reported(LEAF, form);
 			expect(extensionsUsed).toContain(NAME);
 			expect(extensionsRequired).not.toContain(NAME);
 			const { diffuseTransmissionFactor: factor, diffuseTransmissionColorFactor: colour } = found as Record<
@@ -136,7 +136,7 @@ describe("light through sheets", () => {
 
 	it("has the colours of the sheet's own picture, where there is one", async () => {
 		const picture = { width: 2, height: 2, pixels: Uint8Array.from({ length: 12 }, (_, i) => 20 * i) };
-		const { file, told: found } = told({ ...LEAF, textures: { normal: picture, colour: picture } });
+		const { file, reported: found } = reported({ ...LEAF, textures: { normal: picture, colour: picture } });
 		const { pbrMetallicRoughness } = documentOf(file).materials?.[0] ?? {};
 		expect(found?.diffuseTransmissionColorTexture).toEqual(pbrMetallicRoughness?.baseColorTexture);
 		const { diffuseTransmissionFactor: factor, diffuseTransmissionColorFactor: colour } = found as Record<
@@ -151,12 +151,12 @@ describe("light through sheets", () => {
 	});
 
 	it("is not told of what lets none through, nor a second time of flesh", () => {
-		expect(told(HAIR).told).toBeUndefined();
-		expect(told({ ...LEAF, sheet: { through: [0, 0, 0], reverse: [1, 1, 1] } }).told).toBeUndefined();
+		expect(reported(HAIR).reported).toBeUndefined();
+		expect(reported({ ...LEAF, sheet: { through: [0, 0, 0], reverse: [1, 1, 1] } }).reported).toBeUndefined();
 		const flesh = { factor: 0.2, thickness: 0.001, colour: [0.5, 0.6, 0.2], distance: 0.001 } as const;
 		expect(
-			told({ ...LEAF, flesh: { ...flesh, colour: [...flesh.colour] } }, { translucent: true }).told,
+			reported({ ...LEAF, flesh: { ...flesh, colour: [...flesh.colour] } }, { translucent: true }).reported,
 		).toBeUndefined();
-		expect(told({ ...LEAF, flesh: { ...flesh, colour: [...flesh.colour] } }).told).toBeDefined();
+		expect(reported({ ...LEAF, flesh: { ...flesh, colour: [...flesh.colour] } }).reported).toBeDefined();
 	});
 });

@@ -64,7 +64,8 @@ export function basesOf(glb: Uint8Array): Record<string, number[]> {
 export function unpictured(glb: Uint8Array): Uint8Array {
 	const { textures: _, images: __, samplers: ___, ...document } = documentOf(glb);
 	const bases = basesOf(glb);
-	for (const { name, pbrMetallicRoughness: told } of document.materials ?? []) told.baseColorFactor = bases[name];
+	for (const { name, pbrMetallicRoughness: reported } of document.materials ?? [])
+		reported.baseColorFactor = bases[name];
 	const bare = JSON.stringify(document, (key, value) => (/Texture$/.test(key) ? undefined : value));
 	const file = glb.slice();
 	const length = new DataView(file.buffer).getUint32(12, true);

@@ -18,16 +18,16 @@ const crown = (each?: (i: number) => { name: string }): Part => ({
 
 it("keeps as much area of a crown in fewer leaves, from all over it, each in its own shade", () => {
 	const [{ shape }] = sparse([crown()], 1000);
-	const { transforms: kept, sky: shades } = shape?.instances ?? { transforms: new Float32Array(0) };
-	const count = kept.length / TRANSFORM;
+	const { transforms: stored, sky: shades } = shape?.instances ?? { transforms: new Float32Array(0) };
+	const count = stored.length / TRANSFORM;
 	expect(count).toBe(150);
 	let area = 0;
 	for (let i = 0; i < count; i++) {
-		area += kept[TRANSFORM * i + 7] ** 2;
-		expect(shades?.[i]).toBe(kept[TRANSFORM * i] % 256);
+		area += stored[TRANSFORM * i + 7] ** 2;
+		expect(shades?.[i]).toBe(stored[TRANSFORM * i] % 256);
 	}
 	expect(area).toBeCloseTo(4 * COUNT, 0);
-	const places = Array.from({ length: count }, (_, i) => kept[TRANSFORM * i]);
+	const places = Array.from({ length: count }, (_, i) => stored[TRANSFORM * i]);
 	expect(Math.max(...places.slice(1).map((x, i) => x - places[i]))).toBeLessThan(8);
 	expect([places[0] < 7, (places.at(-1) ?? 0) > COUNT - 8]).toEqual([true, true]);
 });

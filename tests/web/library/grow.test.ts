@@ -57,9 +57,9 @@ describe("a grown specimen", () => {
 		expect(got.bunch_length).toBeCloseTo(160, -1);
 		expect(notes).toEqual([]);
 		const far = await grow(SMALL, { meshes: false, targets: { bunch_weight: 1e6 } });
-		expect(far.notes.join()).toMatch(/1000000 g asked, /);
+		expect(far.notes.join()).toMatch(/1000000 g requested, /);
 		await expect(grow(SMALL, { targets: { beauty: 1 } })).rejects.toThrow(
-			/^beauty: no measure of this bunch that can be asked for; there are bunch_length, /,
+			/^beauty: no measure of this bunch that can be requested for; there are bunch_length, /,
 		);
 		await expect(grow(SMALL, { targets: { bunch_length: -1 } })).rejects.toThrow(
 			"bunch_length: -1 is no number from 0 on",
@@ -77,10 +77,10 @@ describe("a grown specimen", () => {
 describe("files", () => {
 	it("are of every kind that is listed, those of other models too", async () => {
 		const common = (await formats()).map(({ key }) => key);
-		for (const asked of [SMALL, { model: "leaf", n: 40 }, { model: "root", n: 40 }]) {
-			const grown = await grow(asked);
+		for (const requested of [SMALL, { model: "leaf", n: 40 }, { model: "root", n: 40 }]) {
+			const grown = await grow(requested);
 			for (const { key, type } of await formats(grown.specimen.model)) {
-				if (["glb-growth", "glb-lod"].includes(key) || (asked !== SMALL && common.includes(key))) continue;
+				if (["glb-growth", "glb-lod"].includes(key) || (requested !== SMALL && common.includes(key))) continue;
 				const file = await toFile(grown, key, { points: 100, triangles: 500, thickness: 4 });
 				expect([key, file.type, file.size > 100]).toEqual([key, type, true]);
 			}

@@ -19,10 +19,10 @@ const second: Record<string, string> = {
 
 let caches: FakeCaches;
 let host: Record<string, string>;
-let asked: { path: string; init: RequestInit }[];
+let requested: { path: string; init: RequestInit }[];
 beforeEach(() => {
 	caches = new FakeCaches();
-	asked = [];
+	requested = [];
 });
 
 /** A build; its host has these files, and answers only with what has the integrity asked for, as browsers see to. */
@@ -30,7 +30,7 @@ function app(id: string, files: Record<string, string>, at = scope): CachedApp {
 	const built: Built = { release: "1", id, files, cores: {}, specimens: "assets/specimens.js" };
 	const fetch = async (url: string, init: RequestInit) => {
 		const path = url.slice(at.length);
-		asked.push({ path, init });
+		requested.push({ path, init });
 		const text = host[path];
 		if (text !== undefined && text !== init.integrity) throw new TypeError("integrity");
 		return new Response(text ?? "", { status: text === undefined ? 404 : 200 });
@@ -40,28 +40,28 @@ function app(id: string, files: Record<string, string>, at = scope): CachedApp {
 
 async function filled(id: string, files: Record<string, string>, at = scope): Promise<CachedApp> {
 	host = files;
-	const kept = app(id, files, at);
-	await kept.fill();
-	return kept;
+	const stored = app(id, files, at);
+	await stored.fill();
+	return stored;
 }
 
 const text = async (answer: Promise<Response | undefined>) => (await answer)?.text();
 
 describe("a kept app", () => {
 	it("has every file, the page last", async () => {
-		const kept = await filled("1", first);
-		expect(await kept.isWhole()).toBe(true);
-		expect(asked.at(-1)?.path).toBe("");
+		const stored = await filled("1", first);
+		expect(await stored.isWhole()).toBe(true);
+		expect(requested.at(-1)?.path).toBe("");
 		expect(await caches.texts(`panicle ${scope} 1`)).toEqual(
 			Object.fromEntries(Object.entries(first).map(([path, file]) => [scope + path, file])),
 		);
-		expect(await text(kept.find("assets/a-1.js"))).toBe("a 1");
-		expect(await kept.find("specimens.glb")).toBeUndefined();
+		expect(await text(stored.find("assets/a-1.js"))).toBe("a 1");
+		expect(await stored.find("specimens.glb")).toBeUndefined();
 	});
 
 	it("asks anew for what may have changed under its name, and only for that", async () => {
 		await filled("1", first);
-		const how = Object.fromEntries(asked.map(({ path, init }) => [path, init.cache]));
+		const how = Object.fromEntries(requested.map(({ path, init }) => [path, init.cache]));
 		expect(how).toEqual({
 			"": "no-cache",
 			"icons/one.svg": "no-cache",
@@ -73,37 +73,37 @@ describe("a kept app", () => {
 	it.each(["assets/a-1.js", "icons/one.svg", ""])("is not whole without “%s”, and is when that comes", async (path) => {
 		const { [path]: _, ...rest } = first;
 		host = rest;
-		const kept = app("1", first);
-		await expect(kept.fill()).rejects.toThrow("404");
-		expect(await kept.isWhole()).toBe(false);
-		asked = [];
+		const stored = app("1", first);
+		await expect(stored.fill()).rejects.toThrow("404");
+		expect(await stored.isWhole()).toBe(false);
+		requested = [];
 		await filled("1", first);
-		expect(asked.map((each) => each.path)).toContain(path);
-		expect(await kept.isWhole()).toBe(true);
+		expect(requested.map((each) => each.path)).toContain(path);
+		expect(await stored.isWhole()).toBe(true);
 	});
 
 	it("takes nothing of another build for its own", async () => {
 		host = second;
-		const kept = app("1", first);
-		await expect(kept.fill()).rejects.toThrow();
-		expect(await kept.isWhole()).toBe(false);
+		const stored = app("1", first);
+		await expect(stored.fill()).rejects.toThrow();
+		expect(await stored.isWhole()).toBe(false);
 	});
 
 	it("fetches once, however many pages ask at once, and nothing that is there", async () => {
 		host = first;
-		const kept = app("1", first);
-		await Promise.all([kept.fill(), kept.fill()]);
-		await kept.fill();
-		expect(asked).toHaveLength(4);
+		const stored = app("1", first);
+		await Promise.all([stored.fill(), stored.fill()]);
+		await stored.fill();
+		expect(requested).toHaveLength(4);
 	});
 
 	it("brings a file alone, and keeps it", async () => {
 		host = first;
-		const kept = app("1", first);
-		expect(await text(kept.bring("assets/a-1.js"))).toBe("a 1");
-		expect(await text(kept.bring("assets/a-1.js"))).toBe("a 1");
-		expect(asked).toHaveLength(1);
-		expect(await kept.isWhole()).toBe(false);
+		const stored = app("1", first);
+		expect(await text(stored.bring("assets/a-1.js"))).toBe("a 1");
+		expect(await text(stored.bring("assets/a-1.js"))).toBe("a 1");
+		expect(requested).toHaveLength(1);
+		expect(await stored.isWhole()).toBe(false);
 	});
 
 	it("can be opened where the host sent its page on from another address", async () => {
@@ -111,9 +111,9 @@ describe("a kept app", () => {
 		Object.defineProperty(answer, "redirected", { value: true });
 		const built = { release: "1", id: "1", files: { "": "page 1" }, cores: {}, specimens: "" };
 		const options = { scope, built, caches: caches as unknown as CacheStorage, fetch: async () => answer };
-		const kept = new CachedApp(options);
-		await kept.fill();
-		expect(await text(kept.find(""))).toBe("page 1");
+		const stored = new CachedApp(options);
+		await stored.fill();
+		expect(await text(stored.find(""))).toBe("page 1");
 		expect(caches.stored.get(`panicle ${scope} 1`)?.get(scope)?.redirected).toBe(false);
 	});
 });
@@ -121,9 +121,9 @@ describe("a kept app", () => {
 describe("two builds", () => {
 	it("stand side by side: a page of the old one finds what only that has", async () => {
 		await filled("1", first);
-		asked = [];
+		requested = [];
 		const next = await filled("2", second);
-		expect(asked.map(({ path }) => path).sort()).toEqual(["", "assets/a-2.js", "icons/one.svg"]);
+		expect(requested.map(({ path }) => path).sort()).toEqual(["", "assets/a-2.js", "icons/one.svg"]);
 		expect(await next.isOtherWhole()).toBe(true);
 		expect(await text(next.find("assets/a-1.js"))).toBe("a 1");
 		expect(await text(next.find(""))).toBe("page 2");
@@ -142,9 +142,9 @@ describe("two builds", () => {
 	it("in two folders of a host leave each other alone, and what is the host’s own", async () => {
 		await filled("1", first, `${scope}old/`);
 		await caches.open("the host’s own");
-		const kept = await filled("2", second);
-		expect(await kept.isOtherWhole()).toBe(false);
-		await kept.sweep([]);
+		const stored = await filled("2", second);
+		expect(await stored.isOtherWhole()).toBe(false);
+		await stored.sweep([]);
 		expect([...caches.stored.keys()]).toHaveLength(3);
 	});
 });

@@ -20,7 +20,7 @@ const answer = (status: number, text: string): SpecimenAnswer => ({
 });
 
 /** A page that grows specimens, as the service worker sees it. */
-function page(ask: (request: SpecimenRequest) => Promise<SpecimenAnswer>, load = async () => ask): PageClient {
+function page(request: (request: SpecimenRequest) => Promise<SpecimenAnswer>, load = async () => request): PageClient {
 	const workers = new EventTarget();
 	hostSpecimens(workers, load);
 	return {
@@ -31,12 +31,12 @@ const deaf: PageClient = { postMessage: () => {} };
 
 describe("a specimen that a page grows", () => {
 	it("is grown by one page that says it can, as it was requested, however many pages are open", async () => {
-		const asks = [1, 2, 3].map(() => vi.fn(async () => answer(200, "duku")));
-		const response = await grownByPage([deaf, ...asks.map((ask) => page(ask))], request);
+		const requests = [1, 2, 3].map(() => vi.fn(async () => answer(200, "duku")));
+		const response = await grownByPage([deaf, ...requests.map((request) => page(request))], request);
 		expect([response?.status, response?.headers.get("etag"), await response?.text()]).toEqual([200, "duku", "duku"]);
-		const asked = asks.filter((ask) => ask.mock.calls.length > 0);
-		expect(asked).toHaveLength(1);
-		expect(asked[0]).toHaveBeenCalledExactlyOnceWith(request);
+		const requested = requests.filter((request) => request.mock.calls.length > 0);
+		expect(requested).toHaveLength(1);
+		expect(requested[0]).toHaveBeenCalledExactlyOnceWith(request);
 	});
 
 	it("has no body where HTTP has none", async () => {

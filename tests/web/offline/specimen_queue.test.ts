@@ -3,7 +3,7 @@ import { MOST_WAITING, type SpecimenAnswer, type SpecimenRequest } from "../../.
 import { SpecimenQueue } from "../../../web/src/offline/specimen_queue";
 
 const script = "https://plants.example/app/assets/specimens-1.js";
-const asked = (url: string, of = script): SpecimenRequest => ({
+const requested = (url: string, of = script): SpecimenRequest => ({
 	url,
 	method: "GET",
 	headers: {},
@@ -51,7 +51,7 @@ afterEach(() => vi.useRealTimers());
 
 describe("specimens that a page grows", () => {
 	it("come one after the other from one worker, which ends when nothing is requested", async () => {
-		const answers = ["a", "b"].map((url) => queue.request(asked(url)));
+		const answers = ["a", "b"].map((url) => queue.request(requested(url)));
 		expect(threads.map(({ heard }) => heard)).toEqual([["a"]]);
 		threads[0].finish();
 		threads[0].finish();
@@ -59,13 +59,13 @@ describe("specimens that a page grows", () => {
 		expect(threads).toHaveLength(1);
 		vi.advanceTimersByTime(60_000);
 		expect(threads[0].terminate).toHaveBeenCalledOnce();
-		void queue.request(asked("c"));
+		void queue.request(requested("c"));
 		expect(threads[1].heard).toEqual(["c"]);
 	});
 
 	it("are ended with their worker after 30 s, and the next begins in another", async () => {
-		const late = queue.request(asked("huge"));
-		const next = queue.request(asked("small"));
+		const late = queue.request(requested("huge"));
+		const next = queue.request(requested("small"));
 		vi.advanceTimersByTime(29_999);
 		expect(threads[0].terminate).not.toHaveBeenCalled();
 		vi.advanceTimersByTime(1);
@@ -78,8 +78,8 @@ describe("specimens that a page grows", () => {
 	});
 
 	it("ignores what a worker that has been ended still sends", async () => {
-		const late = queue.request(asked("huge"));
-		const next = queue.request(asked("small"));
+		const late = queue.request(requested("huge"));
+		const next = queue.request(requested("small"));
 		vi.advanceTimersByTime(30_000);
 		threads[0].finish();
 		threads[0].onerror?.call(threads[0] as never, new Event("error") as ErrorEvent);
@@ -89,7 +89,7 @@ describe("specimens that a page grows", () => {
 	});
 
 	it("are refused where too many wait", async () => {
-		const answers = Array.from({ length: MOST_WAITING + 3 }, (_, i) => queue.request(asked(`${i}`)));
+		const answers = Array.from({ length: MOST_WAITING + 3 }, (_, i) => queue.request(requested(`${i}`)));
 		const refused = await Promise.all(answers.slice(-2));
 		expect(refused.map((each) => each.type === "answer" && each.status)).toEqual([503, 503]);
 		for (let i = 0; i <= MOST_WAITING; i++) threads[0].finish();
@@ -99,7 +99,7 @@ describe("specimens that a page grows", () => {
 	});
 
 	it("are left to others where the worker cannot be started, or breaks", async () => {
-		const broken = queue.request(asked("a"));
+		const broken = queue.request(requested("a"));
 		threads[0].onerror?.call(threads[0] as never, new Event("error") as ErrorEvent);
 		expect(await broken).toEqual({ type: "unable" });
 		const without = new SpecimenQueue({
@@ -107,14 +107,14 @@ describe("specimens that a page grows", () => {
 				throw new DOMException("no workers", "SecurityError");
 			},
 		});
-		expect(await without.request(asked("a"))).toEqual({ type: "unable" });
+		expect(await without.request(requested("a"))).toEqual({ type: "unable" });
 	});
 
 	it("are grown by the script of their own version of the app", async () => {
-		const first = queue.request(asked("a"));
+		const first = queue.request(requested("a"));
 		threads[0].finish();
 		await first;
-		void queue.request(asked("b", `${script}2`));
+		void queue.request(requested("b", `${script}2`));
 		expect(threads.map((thread) => [thread.script, thread.heard])).toEqual([
 			[script, ["a"]],
 			[`${script}2`, ["b"]],

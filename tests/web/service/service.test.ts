@@ -16,11 +16,11 @@ const loadCore = vi.fn(freshCore);
 const service = makeService({ loadCore, release: "1" });
 afterEach(() => void loadCore.mockClear());
 
-const ask = (address: string, init?: RequestInit) => service(new Request(`http://plants.example/${address}`, init));
+const request = (address: string, init?: RequestInit) => service(new Request(`http://plants.example/${address}`, init));
 const small = "specimens/redcurrant.json?count=5";
 
 async function refused(address: string, init?: RequestInit): Promise<string> {
-	const answer = await ask(address, init);
+	const answer = await request(address, init);
 	const text = await answer.text();
 	expect(answer.headers.get("content-type")).toBe("text/plain; charset=utf-8");
 	expect(answer.headers.get("access-control-allow-origin")).toBe("*");
@@ -30,14 +30,14 @@ async function refused(address: string, init?: RequestInit): Promise<string> {
 
 describe("the address of a specimen’s file", () => {
 	it("names a preset, and in the query what is otherwise", async () => {
-		const answer = await ask("specimens/redcurrant.json?seed=7&count=5");
+		const answer = await request("specimens/redcurrant.json?seed=7&count=5");
 		expect(answer.status).toBe(200);
 		const { json } = await grow(["redcurrant", "--seed", "7", "--set", "count=5"]);
 		expect(await answer.json()).toEqual({ ...json, timings: { grow: 0 } });
 	});
 
 	it("names another model’s preset, or a model alone", async () => {
-		const of = async (address: string) => (await (await ask(address)).json()).specimen;
+		const of = async (address: string) => (await (await request(address)).json()).specimen;
 		expect(await of("specimens/root/carrot.json?n=200")).toMatchObject({ model: "root", preset: "carrot" });
 		const { presets } = await modelNamed("root");
 		expect(await of("specimens/root.json?n=200")).toMatchObject({ model: "root", preset: presets.standard });
@@ -48,7 +48,7 @@ describe("the address of a specimen’s file", () => {
 			[
 				"a/b/specimens/mine.json?v=2&preset=redcurrant&count=5&seed=9",
 				"specimens/v=2&preset=redcurrant&count=5/mine.json?seed=9",
-			].map(async (address) => (await ask(address)).json()),
+			].map(async (address) => (await request(address)).json()),
 		);
 		expect(one.specimen).toMatchObject({ preset: "redcurrant", seed: 9, parameters: { count: 5 } });
 		expect(other).toEqual(one);
@@ -56,12 +56,12 @@ describe("the address of a specimen’s file", () => {
 
 	it("takes the text of a link’s fragment in the query", async () => {
 		const text = "axiom: F(0.1)\n";
-		const answer = await ask(`specimens/own.json?v=2&g=${await compressText(text)}`);
+		const answer = await request(`specimens/own.json?v=2&g=${await compressText(text)}`);
 		expect(await answer.json()).toMatchObject({ specimen: { grammar: text } });
 	});
 
 	it("brings a link into range with a note, and refuses what was typed", async () => {
-		const { notes } = await (await ask("specimens/x.json?v=2&preset=redcurrant&count=5&age=900")).json();
+		const { notes } = await (await request("specimens/x.json?v=2&preset=redcurrant&count=5&age=900")).json();
 		expect(notes).toContainEqual(expect.stringMatching(/^age: 900 is above/));
 		expect(await refused("specimens/redcurrant.json?age=900")).toMatch(/^400 age: 900 is above/);
 		expect(await refused("specimens/redcurrant.json?colour=red")).toMatch(/^400 colour: no parameter of the bunch/);
@@ -89,7 +89,7 @@ describe("the address of a specimen’s file", () => {
 
 describe("the files", () => {
 	it("are those that the command writes", async () => {
-		const answer = await ask("specimens/redcurrant.low.glb?count=5&file-triangles=900");
+		const answer = await request("specimens/redcurrant.low.glb?count=5&file-triangles=900");
 		const bytes = new Uint8Array(await answer.arrayBuffer());
 		expect(answer.headers.get("content-type")).toBe("model/gltf-binary");
 		expect(answer.headers.get("content-length")).toBe(`${bytes.length}`);
@@ -103,7 +103,7 @@ describe("the files", () => {
 	it("are an OBJ, its materials beside it, and both in an archive", async () => {
 		const folder = "specimens/v=2&preset=redcurrant&count=5";
 		const [obj, mtl, zip] = await Promise.all(
-			["obj", "mtl", "obj.zip"].map(async (ending) => (await ask(`${folder}/bunch.${ending}`)).arrayBuffer()),
+			["obj", "mtl", "obj.zip"].map(async (ending) => (await request(`${folder}/bunch.${ending}`)).arrayBuffer()),
 		);
 		const entries = unzipSync(new Uint8Array(zip));
 		expect(strFromU8(new Uint8Array(obj))).toContain("mtllib bunch.mtl");
@@ -113,27 +113,27 @@ describe("the files", () => {
 
 	it("are the pictures that the materials name, where the link is a folder; elsewhere those have colours alone", async () => {
 		const folder = "specimens/v=2&model=flower&preset=petal";
-		const mtl = await (await ask(`${folder}/a.mtl`)).text();
+		const mtl = await (await request(`${folder}/a.mtl`)).text();
 		const named = [...mtl.matchAll(/^map_Kd (.*)$/gm)].map(([, name]) => name);
 		expect(named.length).toBeGreaterThan(2);
-		const entries = unzipSync(new Uint8Array(await (await ask(`${folder}/a.obj.zip`)).arrayBuffer()));
+		const entries = unzipSync(new Uint8Array(await (await request(`${folder}/a.obj.zip`)).arrayBuffer()));
 		for (const name of named) {
-			const answer = await ask(`${folder}/${name}`);
+			const answer = await request(`${folder}/${name}`);
 			expect(answer.headers.get("content-type")).toBe("image/png");
 			expect(new Uint8Array(await answer.arrayBuffer())).toEqual(entries[name]);
 		}
 		expect(await refused(`${folder}/a-Bark-colour.png`)).toBe("404 no material has the picture “a-Bark-colour.png”");
 		expect(await refused(`${folder}/a.png`)).toContain("501 pictures are drawn by graphics cards");
-		const bare = await (await ask("specimens/flower/petal.mtl")).text();
+		const bare = await (await request("specimens/flower/petal.mtl")).text();
 		expect(bare).not.toContain("map_Kd");
 		expect(bare).not.toContain("Kd 1 1 1");
 	});
 
 	it("are a model’s own too, and USDZ", async () => {
-		const csv = await ask("specimens/redcurrant.csv?count=5");
+		const csv = await request("specimens/redcurrant.csv?count=5");
 		expect(csv.headers.get("content-type")).toContain("text/csv");
 		expect((await csv.text()).split("\n").length).toBeGreaterThan(5);
-		const usdz = await ask("specimens/redcurrant.usdz?count=5");
+		const usdz = await request("specimens/redcurrant.usdz?count=5");
 		expect(
 			Buffer.from(await usdz.arrayBuffer())
 				.subarray(0, 2)
@@ -142,7 +142,7 @@ describe("the files", () => {
 	});
 
 	it("show the plant growing, where it has ages", async () => {
-		const answer = await ask("specimens/redcurrant.growth.glb?count=5");
+		const answer = await request("specimens/redcurrant.growth.glb?count=5");
 		const bytes = new Uint8Array(await answer.arrayBuffer());
 		const { info } = await validateBytes(bytes);
 		expect([answer.status, (info as unknown as { animationCount: number }).animationCount]).toEqual([200, 1]);
@@ -152,7 +152,7 @@ describe("the files", () => {
 	});
 
 	it("leave measures out where they are not wanted", async () => {
-		const [all, none] = [await (await ask(small)).json(), await (await ask(`${small}&file-measures=0`)).json()];
+		const [all, none] = [await (await request(small)).json(), await (await request(`${small}&file-measures=0`)).json()];
 		expect(Object.keys(all.measures).length).toBeGreaterThan(10);
 		expect(none.measures).toEqual({});
 		expect(none.fingerprint).toBe(all.fingerprint);
@@ -161,7 +161,7 @@ describe("the files", () => {
 
 describe("what HTTP asks", () => {
 	it("has a tag for what does not change, and says so without growing it again", async () => {
-		const answer = await ask(small);
+		const answer = await request(small);
 		const tag = answer.headers.get("etag") as string;
 		const { fingerprint } = await answer.json();
 		expect(tag).toMatch(new RegExp(`^"${fingerprint}-[0-9a-f]{8}"$`));
@@ -179,16 +179,16 @@ describe("what HTTP asks", () => {
 			"specimens/redcurrant.obj?count=5",
 			"specimens/redcurrant.json?count=6",
 		];
-		for (const other of others) expect((await ask(other)).headers.get("etag")).not.toBe(tag);
+		for (const other of others) expect((await request(other)).headers.get("etag")).not.toBe(tag);
 		const newer = await makeService({ loadCore, release: "2" })(new Request(`http://plants.example/${small}`));
 		expect(newer.headers.get("etag")).not.toBe(tag);
 	});
 
 	it("answers HEAD without the file, OPTIONS with what there is, and no other method", async () => {
-		const head = await ask(small, { method: "HEAD" });
+		const head = await request(small, { method: "HEAD" });
 		expect([head.status, await head.text()]).toEqual([200, ""]);
 		expect(Number(head.headers.get("content-length"))).toBeGreaterThan(1000);
-		const options = await ask(small, { method: "OPTIONS" });
+		const options = await request(small, { method: "OPTIONS" });
 		expect([options.status, options.headers.get("allow")]).toEqual([204, "GET, HEAD, OPTIONS"]);
 		expect(await refused(small, { method: "POST", body: "x" })).toBe("405 method POST is not allowed");
 	});
@@ -227,6 +227,6 @@ describe("tags that are known", () => {
 
 it("the standard preset needs no words", async () => {
 	const bunch = await modelNamed();
-	const { specimen } = await (await ask("specimens/x.json?v=2&file-measures=0")).json();
+	const { specimen } = await (await request("specimens/x.json?v=2&file-measures=0")).json();
 	expect(specimen.preset).toBe(fromPreset(bunch).preset);
 });

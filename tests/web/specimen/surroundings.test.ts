@@ -9,7 +9,7 @@ import { writtenSpecimen } from "../../../web/src/specimen/written";
 const ABOUT = [39, 0, 12, 90, 0, 0, 0, 5, 2.25, 99, 0.01, 3, 4, 5, 6, 7.5];
 const among = { ...fromPreset(model, "oak"), surroundings: ABOUT };
 const read = (about: unknown) => restore(model, { v: 2, model: "growth", preset: "oak", about });
-const said = (about: unknown) => read(about).notes.map(({ text }) => text);
+const messages = (about: unknown) => read(about).notes.map(({ text }) => text);
 
 describe("what stands about a plant", () => {
 	it("is in its link, and comes back by it and by files", () => {
@@ -22,7 +22,7 @@ describe("what stands about a plant", () => {
 
 	it("is brought into range and to what links can say, and told so", () => {
 		expect(read([...ABOUT.slice(0, 15), 7.512]).specimen.surroundings?.[15]).toBe(7.51);
-		expect(said([...ABOUT.slice(0, 15), 7.512])).toEqual([]);
+		expect(messages([...ABOUT.slice(0, 15), 7.512])).toEqual([]);
 		const { specimen, notes } = read([91, ...ABOUT.slice(1, 8), 0, ...ABOUT.slice(9, 15), 1e9]);
 		expect(specimen.surroundings).toEqual([90, ...ABOUT.slice(1, 8), 0.01, ...ABOUT.slice(9, 15), 99]);
 		expect(notes).toHaveLength(1);
@@ -31,7 +31,7 @@ describe("what stands about a plant", () => {
 	it("is nothing where it is not sixteen numbers, or empty", () => {
 		for (const wrong of ["1,2", "a".repeat(16), ABOUT.slice(1), 7]) {
 			expect(read(wrong).specimen.surroundings).toBeUndefined();
-			expect(said(wrong)[0]).toMatch(/is not 16 numbers.*it stands alone/);
+			expect(messages(wrong)[0]).toMatch(/is not 16 numbers.*it stands alone/);
 		}
 		expect(restore(model, { about: "" }, among)).toEqual({ specimen: fromPreset(model, "oak"), notes: [] });
 	});

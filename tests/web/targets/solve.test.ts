@@ -26,7 +26,7 @@ const levers = {
 };
 
 const from = specimenFromPreset("long-conical");
-const asked = (aims: Record<string, number>, means: Partial<SolverCallbacks<BunchSpecimen>> = {}) =>
+const requested = (aims: Record<string, number>, means: Partial<SolverCallbacks<BunchSpecimen>> = {}) =>
 	solve(
 		{ table: BUNCH.table, from, levers, aims: Object.entries(aims).map(([key, value]) => ({ measure: key, value })) },
 		{ measure, ...means },
@@ -34,7 +34,7 @@ const asked = (aims: Record<string, number>, means: Partial<SolverCallbacks<Bunc
 
 describe("solve", () => {
 	it("finds the parameter of a measure, and moves what goes with it in proportion", async () => {
-		const { specimen, reached, growths } = await asked({ bunch_length: 160 });
+		const { specimen, reached, growths } = await requested({ bunch_length: 160 });
 		expect(reached).toMatchObject([{ measure: "bunch_length", isReached: true, isAtLimit: false }]);
 		expect(specimen.parameters.l).toBeGreaterThan(373);
 		expect(specimen.parameters.l).toBeLessThan(377);
@@ -43,13 +43,13 @@ describe("solve", () => {
 	});
 
 	it("finds several at once, though one depends on the other's parameter", async () => {
-		const { reached, growths } = await asked({ bunch_length: 160, bunch_weight: 400 });
+		const { reached, growths } = await requested({ bunch_length: 160, bunch_weight: 400 });
 		expect(reached.map(({ isReached }) => isReached)).toEqual([true, true]);
 		expect(growths).toBeLessThanOrEqual(8);
 	});
 
 	it("sets a parameter that is not set to what is asked", async () => {
-		const { specimen, growths } = await asked({ berry_count: 120 });
+		const { specimen, growths } = await requested({ berry_count: 120 });
 		expect(from.parameters.count).toBe(0);
 		expect(specimen.parameters.count).toBe(120);
 		expect(growths).toBe(2);
@@ -71,7 +71,7 @@ describe("solve", () => {
 	});
 
 	it("stays within the table's limits, and says that they are in the way", async () => {
-		const { specimen, reached } = await asked({ bunch_length: 500 });
+		const { specimen, reached } = await requested({ bunch_length: 500 });
 		expect(specimen.parameters.l).toBe(580);
 		expect(reached).toMatchObject([{ isReached: false, isAtLimit: true }]);
 		expect(reachedInWords(reached[0])).toBe(
@@ -89,7 +89,7 @@ describe("solve", () => {
 	});
 
 	it("takes one growth for what is there already, and none but that changes", async () => {
-		const { specimen, growths } = await asked({ bunch_length: 0.4 * from.parameters.l + 10 });
+		const { specimen, growths } = await requested({ bunch_length: 0.4 * from.parameters.l + 10 });
 		expect(growths).toBe(1);
 		expect(specimen).toBe(from);
 	});
@@ -103,14 +103,14 @@ describe("solve", () => {
 			values[place("bunch_weight")] *= 1 + 0.5 * Math.cos(calls * 7.7);
 			return values;
 		};
-		const { growths } = await asked({ bunch_length: 160, bunch_weight: 300 }, { measure: wild, progress });
+		const { growths } = await requested({ bunch_length: 160, bunch_weight: 300 }, { measure: wild, progress });
 		expect(calls).toBe(growths);
 		expect(growths).toBeLessThanOrEqual(MOST_GROWTHS);
 		expect(progress.mock.calls.map(([count]) => count)).toEqual(Array.from({ length: growths }, (_, i) => i + 1));
 	});
 
 	it("leaves a plant alone that has no such measure", async () => {
-		const { specimen, reached } = await asked({ spill: 0.1 });
+		const { specimen, reached } = await requested({ spill: 0.1 });
 		expect(specimen).toBe(from);
 		expect(reachedInWords(reached[0])).toBe("Spill: this has none");
 	});
@@ -122,7 +122,7 @@ describe("solve", () => {
 		]) {
 			const twoGrams: typeof measure = async (each) =>
 				(await measure(each)).fill(2, place("berry_weight"), place("berry_weight") + 1);
-			const { specimen, reached, growths } = await asked({ [lost]: 3, bunch_length: 160 }, { measure: twoGrams });
+			const { specimen, reached, growths } = await requested({ [lost]: 3, bunch_length: 160 }, { measure: twoGrams });
 			expect(reached.map(({ isReached }) => isReached)).toEqual([false, true]);
 			expect(specimen.parameters.l).toBeCloseTo(375, -1);
 			expect(growths).toBeLessThanOrEqual(4);
@@ -132,12 +132,12 @@ describe("solve", () => {
 
 	it("lets what the growth throws through", async () => {
 		const failing = () => Promise.reject(new Error("no room"));
-		await expect(asked({ bunch_length: 160 }, { measure: failing })).rejects.toThrow("no room");
+		await expect(requested({ bunch_length: 160 }, { measure: failing })).rejects.toThrow("no room");
 	});
 });
 
 it("says what changed in the lengths that people read", async () => {
-	const { specimen } = await asked({ bunch_length: 160 });
+	const { specimen } = await requested({ bunch_length: 160 });
 	expect(changesInWords(BUNCH, from, specimen)).toMatch(
 		/^Length 220\.7 → 16[12](\.\d)? mm, Right drop [\d.]+ → [\d.]+ mm$/,
 	);

@@ -15,10 +15,10 @@ const flowerOf = (preset: string) => fromPreset(flower, preset);
 describe("a plant at the ages of its life", () => {
 	it("runs from the flower to the ripe bunch in even steps, whatever age it has itself", async () => {
 		const core = await freshCore();
-		const asked: number[] = [];
+		const requested: number[] = [];
 		const specimen = specimenFromPreset("riesling");
 		const aged = agedOf(bunchModel, specimen, async (younger) => {
-			asked.push(younger.parameters.age);
+			requested.push(younger.parameters.age);
 			return growBunch(core, younger as typeof specimen);
 		});
 		if (!aged) throw new Error("no ages");
@@ -30,7 +30,7 @@ describe("a plant at the ages of its life", () => {
 			return g / red;
 		};
 		expect(await green(25)).toBeGreaterThan(1.1 * (await green(100)));
-		expect(asked).toEqual([25, 100]);
+		expect(requested).toEqual([25, 100]);
 	});
 
 	it("is a flower from the bud to where it is open, and none whose text says nothing of age", async () => {

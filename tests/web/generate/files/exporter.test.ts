@@ -26,7 +26,7 @@ class Standin {
 	terminate = vi.fn();
 }
 
-function asking(options: { signal?: AbortSignal } = {}) {
+function requesting(options: { signal?: AbortSignal } = {}) {
 	const worker = new Standin();
 	const file = exportFile(model, request, { ...options, spawn: () => worker as unknown as Worker });
 	return { worker, file };
@@ -34,7 +34,7 @@ function asking(options: { signal?: AbortSignal } = {}) {
 
 describe("making a file", () => {
 	it("asks a worker, hands over what it made and ends it", async () => {
-		const { worker, file } = asking();
+		const { worker, file } = requesting();
 		expect(worker.postMessage).toHaveBeenCalledExactlyOnceWith(request);
 		const made = new Blob(["made"]);
 		worker.onmessage?.({ data: { type: "made", file: made } });
@@ -43,14 +43,14 @@ describe("making a file", () => {
 	});
 
 	it("makes here what is of a model that the worker does not know", async () => {
-		const { worker, file } = asking();
+		const { worker, file } = requesting();
 		worker.onmessage?.({ data: { type: "unknown" } });
 		expect(await (await file).text()).toBe("here");
 	});
 
 	it("ends with the worker when it is cancelled", async () => {
 		const cancel = new AbortController();
-		const { worker, file } = asking({ signal: cancel.signal });
+		const { worker, file } = requesting({ signal: cancel.signal });
 		cancel.abort(new Error("enough"));
 		await expect(file).rejects.toThrow("enough");
 		expect(worker.terminate).toHaveBeenCalledOnce();
@@ -69,18 +69,18 @@ describe("making a file", () => {
 	});
 
 	it("tells what cannot be made from what did not come", async () => {
-		const failing = asking();
+		const failing = requesting();
 		failing.worker.onmessage?.({ data: { type: "failed", message: "too large" } });
 		await expect(failing.file).rejects.toThrow("too large");
-		const unfetched = asking();
+		const unfetched = requesting();
 		unfetched.worker.onmessage?.({ data: { type: "unfetched" } });
 		await expect(unfetched.file).rejects.toBeInstanceOf(NotFetched);
-		const missing = asking();
+		const missing = requesting();
 		const preventDefault = vi.fn();
 		missing.worker.onerror?.({ preventDefault });
 		await expect(missing.file).rejects.toBeInstanceOf(NotFetched);
 		expect(preventDefault).toHaveBeenCalledOnce();
-		const broken = asking();
+		const broken = requesting();
 		broken.worker.onerror?.({ message: "out of memory", preventDefault });
 		await expect(broken.file).rejects.toThrow("out of memory");
 	});

@@ -21,21 +21,24 @@ const link = "https://example.org/?v=2&preset=duku&seed=3";
 /** A request as a worker has it: the page's, cloned. */
 async function request(format: string) {
 	const bunch = growBunch(await freshCore(), specimen);
-	return { bunch, asked: structuredClone({ model: "bunch", format, grown: bunch, specimen, link, name: "duku-3" }) };
+	return {
+		bunch,
+		requested: structuredClone({ model: "bunch", format, grown: bunch, specimen, link, name: "duku-3" }),
+	};
 }
 
-async function made(asked: FileRequest) {
-	const file = await makeFile(bunchModel, asked);
+async function made(requested: FileRequest) {
+	const file = await makeFile(bunchModel, requested);
 	return { bytes: new Uint8Array(await file.arrayBuffer()), type: file.type };
 }
 
 describe("a file made of a clone", () => {
 	it.each(["glb", "glb-instanced"])("is the very %s of the plant", async (format) => {
-		const { bunch, asked } = await request(format);
+		const { bunch, requested } = await request(format);
 		const about = await aboutPlant(bunchModel, bunch, specimen, link);
 		const parts = [...bunchModel.parts(bunch, specimen)];
 		const expected = exportGlb(format === "glb" ? parts : parts.map(alike), about, { instancing: format !== "glb" });
-		const { bytes, type } = await made(asked);
+		const { bytes, type } = await made(requested);
 		expect(type).toBe("model/gltf-binary");
 		expect(Buffer.from(bytes).equals(expected)).toBe(true);
 	});
@@ -53,10 +56,10 @@ describe("a file made of a clone", () => {
 	});
 
 	it("is its OBJ and MTL in an archive", async () => {
-		const { bunch, asked } = await request("obj");
+		const { bunch, requested } = await request("obj");
 		const about = await aboutPlant(bunchModel, bunch, specimen, link);
 		const { obj, mtl } = exportObj(bunchModel.parts(bunch, specimen), about, "duku-3");
-		const { bytes, type } = await made(asked);
+		const { bytes, type } = await made(requested);
 		const files = unzipSync(bytes);
 		expect(type).toBe("application/zip");
 		const pictures = ["Stem", "Skin"].map((material) => `duku-3-${material}-colour.png`);
@@ -66,31 +69,31 @@ describe("a file made of a clone", () => {
 	});
 
 	it("is its JSON, laid out in lines", async () => {
-		const { bunch, asked } = await request("json");
-		const { bytes } = await made(asked);
+		const { bunch, requested } = await request("json");
+		const { bytes } = await made(requested);
 		expect(strFromU8(bytes)).toBe(`${JSON.stringify(exportJson(bunchModel, bunch, specimen), null, "\t")}\n`);
 	});
 
 	it("is what the model alone makes", async () => {
-		const { bunch, asked } = await request("csv");
-		const { bytes, type } = await made(asked);
+		const { bunch, requested } = await request("csv");
+		const { bytes, type } = await made(requested);
 		expect([type, strFromU8(bytes)]).toEqual(["text/csv", berriesCsv(bunch, specimen)]);
 	});
 });
 
 describe("the worker's answer", () => {
 	it("is the file", async () => {
-		const { asked } = await request("json");
-		const answer = await answerTo(asked);
+		const { requested } = await request("json");
+		const answer = await answerTo(requested);
 		if (answer.type !== "made") throw new Error(answer.type);
-		expect(await answer.file.text()).toBe(await (await makeFile(bunchModel, asked)).text());
+		expect(await answer.file.text()).toBe(await (await makeFile(bunchModel, requested)).text());
 	});
 
 	it("tells a model that it does not know, and what went wrong", async () => {
-		const { asked } = await request("fbx");
-		expect(await answerTo({ ...asked, model: "toy" })).toEqual({ type: "unknown" });
-		expect(await answerTo(asked)).toEqual({ type: "failed", message: "There is no file “fbx” of a bunch." });
+		const { requested } = await request("fbx");
+		expect(await answerTo({ ...requested, model: "toy" })).toEqual({ type: "unknown" });
+		expect(await answerTo(requested)).toEqual({ type: "failed", message: "There is no file “fbx” of a bunch." });
 		const broken = { ...bunchModel, parts: () => undefined } as unknown as Model;
-		await expect(makeFile(broken, { ...asked, format: "glb" })).rejects.toThrow();
+		await expect(makeFile(broken, { ...requested, format: "glb" })).rejects.toThrow();
 	});
 });
