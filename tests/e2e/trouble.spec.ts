@@ -11,7 +11,7 @@ test("without the core the page says so, and grows when it comes after all", asy
 	await page.route("**/*.wasm", (route) => route.abort());
 	await page.goto("./");
 	await expect(alert(page)).toContainText("The core could not be fetched");
-	// What comes later with the page asks for the plant again, and would find the core.
+	// Scripts that arrive later request the plant again, and would find the core.
 	await page.waitForLoadState("networkidle");
 	await page.unroute("**/*.wasm");
 	await page.getByRole("button", { name: "Try again" }).click();

@@ -19,7 +19,7 @@ export function sizeLimit(row) {
 }
 
 /**
- * @returns {{ table: string, advice: string }} advice: what to do about rows that are too large; empty where none is
+ * @returns {{ table: string, advice: string }} advice: how to handle rows that are too large; empty where there are none
  * @throws Error where the app or a core is not built
  */
 export function checkSizes() {

@@ -54,7 +54,7 @@ export function statedSince(changelog, version) {
 }
 
 /**
- * The size that a row may have: 2 % over the last release, or over what the changelog states since. Undefined where the row is a new one.
+ * The size that a row may have: 2 % over the last release, or over the size that the changelog states since. Undefined for a new row.
  * @param {Recorded} last
  * @param {Record<string, number>} stated
  */

@@ -1,6 +1,6 @@
 /**
- * Measures what users download: of the built app (dist/), the cores, the package and the leaves that are drawn on plants. Rows that only a browser
- * can measure, such as the first load, are measured by the end-to-end tests (expect_size.ts), and read from what they have left.
+ * Measures the downloads of users: the built app (dist/), the cores, the package and the leaves that are drawn on plants. Rows that only a browser
+ * can measure, such as the first load, are measured by the end-to-end tests (expect_size.ts), and read from the files that these write.
  */
 import { createHash } from "node:crypto";
 import { existsSync, readdirSync, readFileSync, statSync } from "node:fs";

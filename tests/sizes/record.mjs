@@ -20,7 +20,7 @@ async function measureInBrowser() {
 }
 
 /**
- * Measures what is built and writes last_release.json.
+ * Measures the build and writes last_release.json.
  * @param {string} version
  * @param {string} date as in the changelog: 2026-01-31
  * @returns {Promise<string[]>} a line for each row that rose by more than 2 %, for the changelog

@@ -1,4 +1,4 @@
-/** The bunch's document as tests want it: what specimen/ does for any model, bound to this one. */
+/** Reading and writing documents of the bunch: the functions of specimen/, bound to this model. */
 
 import { aboutPlant } from "../../web/src/formats/about_plant";
 import * as json from "../../web/src/formats/json";

@@ -1,4 +1,4 @@
-/** A model of a few lines, for tests of what knows no model: a pole of some height, with a flag that may bear a motto. */
+/** A model of a few lines, for tests of code that knows no model: a pole of some height, with a flag that may have a motto. */
 import type { Model } from "../../web/src/models/model";
 import { EMPTY_PLANT, type Plant } from "../../web/src/plant/plant";
 import type { MeasureInfo } from "../../web/src/specimen/measures";
@@ -8,7 +8,7 @@ import type { Specimen } from "../../web/src/specimen/specimen";
 import { type ParameterEntry, Table } from "../../web/src/specimen/table";
 
 export interface ToySpecimen extends Specimen {
-	/** What is written on the flag. */
+	/** The text on the flag. */
 	motto: string;
 }
 

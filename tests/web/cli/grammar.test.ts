@@ -63,12 +63,12 @@ describe("--grammar", () => {
 		expect(await complaint(["--grammar", "b.xml"], files)).toBe(
 			"--grammar b.xml: Line 2, column 1: A rule has a <predecessor>.",
 		);
-		// What the core says is of the text, which has other lines than the file.
+		// The core's messages count the lines of the text, which differ from those of the file.
 		const wrong = { "a.xml": files["a.xml"].replace("{E}", "{C9}") };
 		expect(await complaint(["--grammar", "a.xml"], wrong)).toMatch(
 			/^a\.xml, as text:3:\d+: .*\n {2}A -> A\[A\]_\{C9\}\n/,
 		);
-		// It says what a text says at some ten times the length.
+		// The same grammar in about ten times the length.
 		const long = { "a.xml": files["a.xml"].concat(" ".repeat(300_000)) };
 		expect((await grow(["--grammar", "a.xml"], long)).json.fingerprint).toBe(json.fingerprint);
 		expect(await complaint(["--grammar", "a.xml"], { "a.xml": files["a.xml"].concat(" ".repeat(8_400_000)) })).toBe(

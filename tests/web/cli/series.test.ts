@@ -11,7 +11,7 @@ const TABLE = "d/plants.csv";
 
 type Files = Record<string, string | Uint8Array>;
 
-/** The series with what stands in the folder; all that stands there afterwards. */
+/** Writes the series into a folder that already has these files; returns all files there afterwards. */
 async function series(words: string[], before: Files = {}, environment: Record<string, string> = {}) {
 	const memory = memoryWorld({}, environment);
 	for (const [path, data] of Object.entries(before)) memory.written.set(path, data);
@@ -28,7 +28,7 @@ async function series(words: string[], before: Files = {}, environment: Record<s
 	return { status, grown, messages: memory.messages, files: Object.fromEntries(memory.written) };
 }
 
-/** What files hold, short enough to be compared by those who know no faster way than byte by byte. */
+/** Hashes of files, so that a comparison is short. */
 const digests = (files: Files) =>
 	Object.fromEntries(
 		Object.entries(files).map(([path, data]) => [path, createHash("sha256").update(data).digest("hex")]),

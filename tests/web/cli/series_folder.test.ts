@@ -1,4 +1,4 @@
-/** A folder of a series: one series, one process to a table, and what happens where that is not so. */
+/** A folder of a series: it holds one series, and one process at a time writes its table. */
 import { describe, expect, it } from "vitest";
 import { run } from "../../../web/src/cli/run";
 import type { CommandEnvironment } from "../../../web/src/cli/surroundings";

@@ -44,7 +44,7 @@ describe("a target", () => {
 		const { status, json, messages } = await grow(["riesling", ...target("pedicel_length=500")]);
 		expect(status).toBe(3);
 		expect(json.specimen.parameters.pedicel).toBe(60);
-		expect(messages[0]).toMatch(/500\.0 mm requested, [\d.]+ mm reached; what moves it goes no further$/);
+		expect(messages[0]).toMatch(/500\.0 mm asked, [\d.]+ mm reached; what moves it goes no further$/);
 	});
 
 	it("that cannot be used is refused", async () => {
@@ -138,7 +138,7 @@ describe("a series with a target", () => {
 		]);
 		const rows = cells(written.get("d/plants.csv"));
 		expect(rows.map(({ missed }) => missed)).toEqual(["pedicel_length", "pedicel_length"]);
-		expect(rows[0].notes).toMatch(/500\.0 mm requested/);
+		expect(rows[0].notes).toMatch(/500\.0 mm asked/);
 		const again = await grow(missing, Object.fromEntries(written));
 		expect([again.status, again.messages[0]]).toEqual([3, "2 plants: 0 grown, 2 there before; d/plants.csv"]);
 	});

@@ -10,7 +10,7 @@ let processes = 100;
 /**
  * Surroundings that keep everything in memory.
  * @param environment variables by name
- * @param written what has been written; several worlds may share it
+ * @param written the files written; several worlds may share them
  */
 export function memoryWorld(
 	files: Record<string, string | Uint8Array> = {},
@@ -28,7 +28,7 @@ export function memoryWorld(
 		},
 		writeFile: async (path, data) => {
 			if (path.startsWith("nowhere/")) throw missing(path);
-			// What is written in pieces is text.
+			// Only text is written in pieces.
 			written.set(path, isPieces(data) ? new TextDecoder().decode(Buffer.concat(data)) : data);
 		},
 		replaceFile: async (path, data) => world.writeFile(path, data),

@@ -71,7 +71,7 @@ describe("the client", () => {
 		const outcome = expect(growing).rejects.toMatchObject({ reason: "syntax", message: "No.", line: 3, column: 9 });
 		await settled();
 		const [worker] = FakeWorker.all;
-		worker.say({
+		worker.send({
 			type: "failed",
 			id: worker.requests[0].id,
 			reason: "syntax",

@@ -7,7 +7,7 @@ useFakeWorkers();
 
 describe("a worker that breaks", () => {
 	const trap = (worker: FakeWorker) =>
-		worker.say({ type: "trapped", id: worker.requests.at(-1)?.id ?? 0, message: "The core broke." });
+		worker.send({ type: "trapped", id: worker.requests.at(-1)?.id ?? 0, message: "The core broke." });
 
 	it("is replaced, and the request tried once more", async () => {
 		start();
@@ -72,7 +72,7 @@ describe("a worker that breaks", () => {
 		trap(worker);
 		await settled();
 		worker.finish();
-		FakeWorker.all[1].say({ type: "grown", id: -1, container: writeContainer([]), milliseconds: 1, memoryBytes: 0 });
+		FakeWorker.all[1].send({ type: "grown", id: -1, container: writeContainer([]), milliseconds: 1, memoryBytes: 0 });
 		FakeWorker.all[1].finish();
 		expect(seedOf(await growing)).toBe(1);
 	});

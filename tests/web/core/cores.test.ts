@@ -6,7 +6,7 @@ import { CoreError, CoreTrap } from "../../../web/src/core/errors";
 const SMALL = 1024;
 const LARGE = 512 * 1024 * 1024;
 
-/** Cores that do what they are told, one after the other. */
+/** Cores that return prepared answers, one after the other. */
 function reported(...doings: (() => unknown)[]) {
 	const grow = vi.fn(() => (doings.shift() ?? (() => "grown"))());
 	const memory = { bytes: SMALL };

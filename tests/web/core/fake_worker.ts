@@ -5,7 +5,7 @@ import type { Answer } from "../../../web/src/core/core";
 import type { FromWorker, ToWorker } from "../../../web/src/core/messages";
 import type { CoreRequest } from "../../../web/src/core/pool";
 
-/** A worker that does what the test tells it to. */
+/** A worker that a test controls. */
 export class FakeWorker {
 	static all: FakeWorker[] = [];
 	onmessage: ((event: { data: FromWorker }) => void) | null = null;
@@ -20,14 +20,14 @@ export class FakeWorker {
 
 	postMessage(message: ToWorker): void {
 		this.heard.push(message);
-		if (message.type === "start") this.say({ type: "ready" });
+		if (message.type === "start") this.send({ type: "ready" });
 	}
 
 	terminate(): void {
 		this.terminated = true;
 	}
 
-	say(data: FromWorker): void {
+	send(data: FromWorker): void {
 		this.onmessage?.({ data });
 	}
 
@@ -48,12 +48,12 @@ export class FakeWorker {
 	finish(memoryBytes = 0): void {
 		const { id, blocks } = this.requests.at(-1) as { id: number; blocks: readonly Block[] };
 		const container = writeContainer([{ name: "seed", data: Uint32Array.of(seedIn(blocks)) }]);
-		this.say({ type: "grown", id, container, milliseconds: 1, memoryBytes });
+		this.send({ type: "grown", id, container, milliseconds: 1, memoryBytes });
 	}
 }
 
 const seedIn = (blocks: readonly Block[]) => new Columns(writeContainer(blocks)).uint32("seed")[0];
-/** What a request with that seed grows into. */
+/** The plant that a request with that seed returns. */
 export const seedOf = ({ columns }: Answer) => columns.uint32("seed")[0];
 export const withSeed = (seed: number, wasm = "bunch.wasm"): CoreRequest => ({
 	wasm,
@@ -61,13 +61,13 @@ export const withSeed = (seed: number, wasm = "bunch.wasm"): CoreRequest => ({
 });
 /** Lets everything that is due happen; wants fake timers. */
 export const settled = () => vi.advanceTimersByTimeAsync(0);
-/** What stands for the compiled core. */
+/** The stand-in for the compiled core. */
 export const module = {} as WebAssembly.Module;
 
 /** A client of fake workers, one at a time. */
 export let client: Client;
 
-/** Starts it; whoever uses it calls `useFakeWorkers` first. */
+/** Starts the worker; tests call `useFakeWorkers` first. */
 export function start(options: Partial<ClientOptions> = {}): void {
 	client = new Client({
 		workerFactory: () => new FakeWorker() as unknown as Worker,

@@ -157,7 +157,7 @@ describe("a pool of seats", () => {
 		const next = pool.run(withSeed(2));
 		await settled();
 		ended.finish();
-		ended.say({ type: "broken", message: "late" });
+		ended.send({ type: "broken", message: "late" });
 		ended.crash("late");
 		await settled();
 		expect(FakeWorker.all).toHaveLength(2);

@@ -18,8 +18,8 @@ it("nothing is heard of a worker after its end, nor anything said to it", async 
 	await Promise.resolve();
 	expect(worker.terminated).toBe(true);
 	expect(worker.heard).toEqual([]);
-	worker.say({ type: "failed", id: 1, reason: "limit", message: "late", line: 0, column: 0, memoryBytes: 0 });
-	worker.say({ type: "broken", message: "late" });
+	worker.send({ type: "failed", id: 1, reason: "limit", message: "late", line: 0, column: 0, memoryBytes: 0 });
+	worker.send({ type: "broken", message: "late" });
 	worker.crash("late");
 	expect(events.answered).not.toHaveBeenCalled();
 	expect(events.died).not.toHaveBeenCalled();

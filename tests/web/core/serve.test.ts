@@ -29,7 +29,7 @@ it("is ready once the core lives, and answers even what came before", async () =
 	if (message.type !== "grown") throw new Error("not grown");
 	expect(message.id).toBe(4);
 	expect(transfer).toEqual([message.container.buffer]);
-	// The memory that its cores hold: what bunch.wasm begins with at least.
+	// The memory that its cores hold: at least the initial memory of bunch.wasm.
 	expect(message.memoryBytes).toBeGreaterThanOrEqual(4 * 1024 * 1024);
 	const plant = readPlant({ columns: new Columns(message.container), milliseconds: message.milliseconds });
 	expect(plant.counts.berries).toBeGreaterThan(0);

@@ -6,7 +6,7 @@ import { HAIR, PULP, tetrahedron } from "./toy_parts";
 
 const SCAR = { ...tetrahedron([0, 0, 0], 0.1), name: "Scar" };
 
-/** A body among others like it, and what it bears: a scar of a material, and a hair of its own. */
+/** A body among others like it, with its parts: a scar of a material, and a hair of its own. */
 function body(at: number, worn: Material): Part {
 	const pose = Float32Array.of(at, 0, 0, 0, 0, 0, 1, 1);
 	return {

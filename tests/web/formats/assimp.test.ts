@@ -14,7 +14,7 @@ import { byAssimp } from "./reading_assimp";
 const specimen = specimenFromPreset("redcurrant");
 let parts: Part[];
 let about: Awaited<ReturnType<typeof aboutPlant>>;
-/** What three.js finds in the detailed GLB. */
+/** Triangles and bounds that three.js reads from the detailed GLB. */
 let whole: Box3;
 let triangles: number;
 

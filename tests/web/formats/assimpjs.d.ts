@@ -1,4 +1,4 @@
-/** What the tests use of assimpjs, which brings no types: the Assimp library as WebAssembly. */
+/** The part of assimpjs that the tests use, since it has no types: the Assimp library as WebAssembly. */
 declare module "assimpjs" {
 	interface Assimp {
 		FileList: new () => { AddFile(name: string, content: Uint8Array): void };

@@ -20,7 +20,7 @@ const shaded = (): Part[] =>
 		}),
 	}));
 
-/** What a picture shows at a place, 0 … 255. */
+/** The value of a picture at a point, 0 … 255. */
 function pixel({ width, height, pixels }: Picture, u: number, v: number): number[] {
 	const at = 3 * (Math.floor(v * height) * width + Math.floor(u * width));
 	return [...pixels.subarray(at, at + 3)];

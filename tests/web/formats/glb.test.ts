@@ -76,7 +76,7 @@ describe.each(FORMS)("the shade in which vertices stand (%o)", (form) => {
 			shape: { mesh: { ...tetrahedron([0, 0, 0], 1), ...mesh }, material: { ...HAIR, colour: [0.6, 0.3, 0.2] } },
 		},
 	];
-	/** What a reader makes of material and vertex together. */
+	/** The colour that a reader computes from material and vertex. */
 	async function seen(parts: Part[]): Promise<number[][]> {
 		const body = (await named(parts, form)).get("Body") as Mesh;
 		const { color } = body.material as MeshPhysicalMaterial;

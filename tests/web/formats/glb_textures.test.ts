@@ -62,7 +62,7 @@ describe("textures", () => {
 		const shape = parts[0].shape as Shape;
 		const mesh = { ...shape.mesh, sky: Uint8Array.of(255, 255, 102, 0) };
 		const dressed = exportGlb([{ name: "Sheet", shape: { ...shape, mesh } }], ABOUT);
-		// A picture is nothing that three can read without a canvas; what is asked here is beside it.
+		// three.js reads no picture without a canvas; this test needs none.
 		const { meshes, materials = [], accessors = [], bufferViews = [] } = documentOf(dressed);
 		expect(materials[0].pbrMetallicRoughness.baseColorFactor).toEqual([1, 1, 1, 1]);
 		const { byteOffset } = bufferViews[accessors[meshes?.[0].primitives[0].attributes.COLOR_0 ?? -1].bufferView];
@@ -144,7 +144,7 @@ describe("light through sheets", () => {
 			never
 		>;
 		expect((factor * colour[1]) / (1 - factor)).toBeCloseTo(0.8 * Math.sqrt(LEAF.colour[1]), 4);
-		// A colour of vertices stands in a picture of one pixel, which says nothing of what a place lets through.
+		// A vertex colour is written as a picture of one pixel, without the transmission of single points.
 		const green = tetrahedron([0, 0, 0], 1, [0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0]);
 		const plain = documentOf(exportGlb([{ name: "Leaf", shape: { mesh: green, material: LEAF } }], ABOUT));
 		expect(JSON.stringify(plain.materials)).not.toContain("diffuseTransmissionColorTexture");

@@ -46,7 +46,7 @@ function boxesApart(one: Box3, other: Box3): number {
 	return Math.max(one.min.distanceTo(other.min), one.max.distanceTo(other.max)) / one.getSize(new Vector3()).length();
 }
 
-/** What is compared: a preset, the most bytes of its web form, and how much of the outline may differ in its low form. */
+/** A comparison: a preset, the most bytes of its web form, and how much of the outline may differ in its low form. */
 const PLANTS: [source: string, mostBytes: number, mostDifferent: number][] = [
 	["root/carrot", 0.2e6, 0.01],
 	["leaf/oak", 0.8e6, 0.01],

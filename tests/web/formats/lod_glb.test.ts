@@ -37,7 +37,7 @@ it("says its levels as the extension has it: the finest stands in the scene and 
 	expect(none).toEqual([]);
 	const { ids } = (nodes[first].extensions as { MSFT_lod: { ids: number[] } }).MSFT_lod;
 	expect(ids).toHaveLength(3);
-	// Nobody else has them: a node has one parent at the most.
+	// No other node has them: a node has at most one parent.
 	for (const { children = [] } of nodes) for (const id of ids) expect(children).not.toContain(id);
 	const { MSFT_screencoverage: coverage } = nodes[first].extras as { MSFT_screencoverage: number[] };
 	expect(coverage).toHaveLength(4);
@@ -60,7 +60,7 @@ it("is a tree of one level to who knows no levels, and no validator minds", asyn
 	});
 	expect(new Set(names)).toEqual(new Set(["Level_0"]));
 	const { issues } = await validateBytes(glb, { maxIssues: 0 });
-	// What is told beside: that the validator does not know the extension, and that only it names the other levels.
+	// The remaining infos: the validator does not know the extension, and only the extension names the other levels.
 	const codes = issues.messages.map(({ code, severity }) => `${severity} ${code}`);
 	expect(new Set(codes)).toEqual(new Set(["2 UNSUPPORTED_EXTENSION", "2 UNUSED_OBJECT"]));
 });

@@ -1,4 +1,4 @@
-/** What the points of a PLY say of the part they lie on, against the triangles of the detailed GLB. */
+/** Labels of the points of a PLY, compared with the parts of the nearest triangles of the detailed GLB. */
 import type { Mesh } from "three";
 import { Triangle, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
@@ -48,7 +48,7 @@ async function files(preset: string, settings: Record<string, number> = {}) {
 	};
 }
 
-/** As the header describes them: every property by its name and type, whatever their order. */
+/** Reads points by their header: every property by name and type, in any order. */
 function pointsIn(file: Uint8Array): Point[] {
 	const [head] = new TextDecoder("latin1").decode(file).split("end_header\n");
 	const kinds = [...head.matchAll(/^comment class (\d+) (.*)$/gm)].map(([, number, kind]) => {

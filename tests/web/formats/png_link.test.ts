@@ -17,7 +17,7 @@ async function bytesOf(blob: Blob): Promise<Uint8Array<ArrayBuffer>> {
 }
 const open = (...parts: BlobPart[]) => foundInFile("plant.png", new Blob(parts));
 
-/** A chunk as the standard has it, by other code than what is tested. */
+/** A chunk written by the standard, independent of the code under test. */
 function chunk(type: string, data: string | Uint8Array): Uint8Array<ArrayBuffer> {
 	const body = Buffer.concat([Buffer.from(type, "latin1"), Buffer.from(data as string, "latin1")]);
 	const length = Buffer.alloc(4);

@@ -77,9 +77,9 @@ export function unpictured(glb: Uint8Array): Uint8Array {
 const UNKNOWN = ["EXT_mesh_gpu_instancing", "KHR_materials_diffuse_transmission"];
 
 /**
- * What Khronos' validator has to say, but for what it says of every such file: hardly anything is textured (the
- * texture coordinates are for whoever paints the bunch), it does not know KHR_materials_diffuse_transmission, and it does not look
- * inside EXT_mesh_gpu_instancing, so that what is used there only seems unused. Errors and warnings are never left out.
+ * Issues of the Khronos validator, except those that every such file has: hardly anything is textured (the
+ * texture coordinates are for people who paint the bunch), it does not know KHR_materials_diffuse_transmission, and it does not look
+ * inside EXT_mesh_gpu_instancing, so data that is used only there seems unused. Errors and warnings are never left out.
  */
 export async function complaints(glb: Uint8Array): Promise<Issue[]> {
 	const { issues } = await validateBytes(glb, { maxIssues: 0 });

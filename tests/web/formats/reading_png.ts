@@ -1,7 +1,7 @@
 import { inflateSync } from "node:zlib";
 import type { Picture } from "../../../web/src/plant/material";
 
-/** The pixels of a PNG as we write it: three chunks, true colour, each row as what it differs by from the row above. */
+/** The pixels of a PNG as we write it: three chunks, true colour, each row as its difference from the row above. */
 export function readPng(file: Uint8Array): Picture {
 	const view = new DataView(file.buffer, file.byteOffset);
 	const [width, height] = [view.getUint32(16), view.getUint32(20)];

@@ -12,7 +12,7 @@ const specimen = sampleSpecimen({ preset: "rubus", seed: 12, thinned: [77, 5, 2 
 const glb = await bunchGlb(grown, specimen);
 const open = (name: string, ...parts: BlobPart[]) => specimenFromFile(name, new Blob(parts));
 
-/** A file that is larger than what it holds; keeps what was read of it. */
+/** A file that is larger than its content; records the ranges that were read. */
 class LargeFile extends Blob {
 	readonly read: [from: number, to: number][] = [];
 	constructor(

@@ -1,4 +1,4 @@
-/** What of a plant stands against the light, seen from far along an axis. */
+/** The silhouette of a plant, seen from far away along an axis. */
 import { type Mesh, Vector3 } from "three";
 
 /** Along the longer edge of a box about the origin that holds all of it; points, not areas, are looked at. */

@@ -12,7 +12,7 @@ export const ABOUT: About = {
 	extras: { specimen: { seed: 3 }, measures: { height: 0.18, spread: null } },
 };
 
-/** The plant of no model, dressed by nobody. */
+/** A plant without a model or materials. */
 export const plain = (): Part[] => [...partsOf(toyPlant())];
 
 export const PULP: Material = {
@@ -48,7 +48,7 @@ const SHADES = [
 	[0.2, 0.6, 0.1, 0.2, 0.6, 0.1, 0.2, 0.6, 0.1, 0.2, 0.6, 0.1],
 ];
 
-/** Two fruits of one pattern, each coloured, held by its centre; the second bears a tuft of hair, turned and scaled. */
+/** Two fruits of one pattern, each coloured, held by its centre; the second has a tuft of hair, turned and scaled. */
 export function fruits(): Part[] {
 	const tuft: Part = {
 		name: "Tuft",

@@ -1,7 +1,7 @@
 /**
  * Files of every model as trimesh opens them, a library in Python that is none of ours: as many triangles and points, as large, where
  * they were made. It is installed into build/trimesh with the first run. It knows no compression by meshopt, so of the *web* form it
- * opens the twin that is quantised alone; neither what is quantised (whole numbers are lengths to it) nor EXT_mesh_gpu_instancing (it shows
+ * opens the twin that is quantised alone; neither quantised positions (it takes whole numbers for lengths) nor EXT_mesh_gpu_instancing (it shows
  * of each mesh one): of these forms only triangles are compared.
  */
 import { mkdirSync, rmSync, writeFileSync } from "node:fs";
@@ -34,9 +34,9 @@ const folder = join(buildFolder, "trimesh/files");
 interface Ours {
 	/** Of triangles or points; without it as many as are in the file's own words. */
 	count?: number;
-	/** How far bounds may be off, as a share of the longest edge; without it they are not what the form says. */
+	/** How far bounds may be off, as a share of the longest edge; without it the form does not keep them. */
 	within?: number;
-	/** What a metre is in the file's unit, where it is to a scale: else bounds are compared in metres. */
+	/** Length of a metre in the file's unit, for files with a scale; otherwise bounds are compared in metres. */
 	print?: true;
 }
 
@@ -54,7 +54,7 @@ function trianglesOf(glb: Uint8Array): number {
 	return drawn.reduce((sum, { indices }) => sum + accessors[indices].count / 3, 0);
 }
 
-/** Writes a plant's files; returns what each has to hold. */
+/** Writes a plant's files; returns the expected content of each. */
 async function write([source, changed]: (typeof PLANTS)[number]) {
 	const { parts, about } = await grownParts(source, changed);
 	const pieces = [...piecesOf(parts())];

@@ -31,7 +31,7 @@ describe("USDZ", () => {
 		const lists = [...layer.matchAll(/point3f\[\] points = \[(.*)\]\n/g)].map(
 			([, points]) => points.match(/\(/g)?.length,
 		);
-		// The tuft is inside the second fruit, where nobody sees it.
+		// The tuft is inside the second fruit, where it cannot be seen.
 		expect(lists).toEqual([8]);
 		const [, extent] = /extent = \[\((.*)\)\]/.exec(layer) ?? [];
 		expect(extent).toBe("-0.014, 0.016, 0), (0.014, 0.054, 0.034");
@@ -41,7 +41,7 @@ describe("USDZ", () => {
 });
 
 describe("colours as a picture", () => {
-	/** What a reader sees of a vertex: the four pixels about its place, as near as they are. */
+	/** The colour of a vertex as a reader interpolates it from the four nearest pixels. */
 	function seen({ picture, uvs }: ReturnType<typeof paletteOf>, vertex: number): number[] {
 		const { width, pixels } = picture;
 		const [x, y] = [uvs[2 * vertex] * width - 0.5, uvs[2 * vertex + 1] * width - 0.5];

@@ -15,7 +15,7 @@ import type { Specimen } from "../../../web/src/specimen/specimen";
 import { freshCore } from "../core/wasm";
 import { complaints } from "./reading";
 
-/** What makes a plant small, by model. */
+/** Settings that make a plant small, by model. */
 const SMALL: Record<string, object> = {
 	bunch: { preset: "redcurrant", count: 5, leaves: 1 },
 	flower: { preset: "petal" },

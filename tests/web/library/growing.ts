@@ -1,4 +1,4 @@
-/** The library on cores of the tests' own, as its front doors lay them. */
+/** The library with the tests' own cores, set up as its entry points do. */
 import { CoreCache } from "../../../web/src/core/cores";
 import { setRuntime } from "../../../web/src/library/runtime";
 import { freshCore } from "../core/wasm";

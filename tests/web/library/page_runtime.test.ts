@@ -5,7 +5,7 @@ import { PageRuntime } from "../../../web/src/library/page_runtime";
 beforeEach(() => void vi.useFakeTimers());
 afterEach(() => void vi.useRealTimers());
 
-/** Pools that answer when they are told to. */
+/** Pools whose answers the test releases. */
 function runtimes() {
 	const answers: (() => void)[] = [];
 	const pools: { run: ReturnType<typeof vi.fn>; close: ReturnType<typeof vi.fn> }[] = [];

@@ -33,7 +33,7 @@ const corners = (object: Object3D) => {
 	const { min, max } = new Box3().setFromObject(object);
 	return [...min.toArray(), ...max.toArray()];
 };
-/** What a vertex looks like: the material's colour times its own. */
+/** The visible colour of a vertex: the material's colour times its own. */
 function colourAt({ material, geometry }: Drawn, vertex: number): number[] {
 	const { color } = geometry.attributes;
 	const own = material.vertexColors ? new Color().fromBufferAttribute(color as never, vertex) : new Color(1, 1, 1);

@@ -1,4 +1,4 @@
-/** Which model a text is for that comes as a file, and what its file says besides the text. */
+/** The model of a text that is opened as a file, and the settings that its file has besides the text. */
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { describe, expect, it } from "vitest";

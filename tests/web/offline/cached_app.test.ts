@@ -25,7 +25,7 @@ beforeEach(() => {
 	requested = [];
 });
 
-/** A build; its host has these files, and answers only with what has the integrity asked for, as browsers see to. */
+/** A build; its host has these files, and answers only with files that match the requested integrity, as browsers check. */
 function app(id: string, files: Record<string, string>, at = scope): CachedApp {
 	const built: Built = { release: "1", id, files, cores: {}, specimens: "assets/specimens.js" };
 	const fetch = async (url: string, init: RequestInit) => {

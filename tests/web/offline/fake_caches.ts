@@ -14,7 +14,7 @@ export class FakeCaches {
 	keys = async () => [...this.stored.keys()];
 	delete = async (name: string) => this.stored.delete(name);
 
-	/** What is in a cache, by address. */
+	/** Responses in a cache, by address. */
 	texts(name: string): Promise<Record<string, string>> {
 		const found = [...(this.stored.get(name) ?? [])].map(async ([address, answer]) => [
 			address,

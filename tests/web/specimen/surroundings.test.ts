@@ -1,4 +1,4 @@
-/** What stands about a plant, as its links and files say it. */
+/** The surroundings of a plant in links and files. */
 import { describe, expect, it } from "vitest";
 import { model } from "../../../web/src/models/growth/index";
 import { fromPreset } from "../../../web/src/specimen/from_preset";

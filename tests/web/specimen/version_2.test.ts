@@ -1,4 +1,4 @@
-/** What version 2 of a link means, as published. Where one of these fails, old links have changed: make a new version. */
+/** The published meaning of version 2 of a link. Where one of these fails, old links have changed: make a new version. */
 
 import { expect, it } from "vitest";
 import { PRESETS } from "../../../web/src/models/bunch/presets/presets";

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { Search, type Unknown } from "../../../web/src/targets/search";
 
-/** Looks where the search says until it rests or has looked `most` times; how far it was from the goal at the best place. */
+/** Evaluates the points that the search proposes until it stops or has proposed `most`; returns the smallest distance from the goal. */
 function searched(
 	unknowns: readonly Unknown[],
 	from: readonly number[],

@@ -9,7 +9,7 @@ import { BUNCH } from "../bunch";
 const KEYS = BUNCH.table.measures.map(({ key }) => key);
 const place = (key: string) => KEYS.indexOf(key);
 
-/** A plant of which everything is known: as long as `l`, as heavy as `size` cubed and `l` say. */
+/** A plant with known measures: its length is `l`, its weight `size` cubed times `l`. */
 const measure: SolverCallbacks<BunchSpecimen>["measure"] = async ({ parameters: { l, size, count } }) => {
 	const values = new Float32Array(KEYS.length).fill(Number.NaN);
 	values[place("bunch_length")] = 0.4 * l + 10;

@@ -24,7 +24,7 @@ async function serve(run: ThreadPool["run"], limits = LIMITS): Promise<void> {
 	await once(server, "listening");
 }
 
-/** A raw connection, so that no HTTP client corrects what is sent. */
+/** A raw connection, so that no HTTP client corrects the request. */
 function send(text: string): Socket {
 	const { port } = server.address() as AddressInfo;
 	const socket = connect(port, "127.0.0.1", () => socket.write(text));
