@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import type { GrowOptions } from "../../../web/src/app/core_grower";
-import { Growing } from "../../../web/src/app/growing";
+import type { PageGrowOptions } from "../../../web/src/app/core_grower";
+import { PageGrowth } from "../../../web/src/app/growing";
 import type { Studio } from "../../../web/src/app/studio";
 import { CoreError, CoreTrap, Superseded, UnsupportedError } from "../../../web/src/core/errors";
 import type { PageModel } from "../../../web/src/models/page_model";
@@ -33,7 +33,7 @@ describe("growing", () => {
 		notify: vi.fn(),
 		fail: vi.fn(),
 	};
-	let growing: Growing;
+	let growing: PageGrowth;
 
 	beforeEach(() => {
 		vi.useFakeTimers();
@@ -42,13 +42,13 @@ describe("growing", () => {
 		studio.state.shown = { model: bunchModel };
 		studio.state.model = bunchModel;
 		const client = {
-			grow: (_model: unknown, _specimen: unknown, { signal, sketched = false }: GrowOptions = {}) =>
+			grow: (_model: unknown, _specimen: unknown, { signal, sketched = false }: PageGrowOptions = {}) =>
 				new Promise<Plant>((resolve, reject) => {
 					calls.push({ resolve, reject, signal: signal as AbortSignal, sketched });
 					signal?.addEventListener("abort", () => reject(signal.reason));
 				}),
 		};
-		growing = new Growing(client, () => studio as unknown as Studio);
+		growing = new PageGrowth(client, () => studio as unknown as Studio);
 	});
 	afterEach(() => vi.useRealTimers());
 

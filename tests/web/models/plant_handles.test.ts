@@ -3,7 +3,7 @@ import { modelNamed, modelNames } from "../../../web/src/models/index";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
 import type { Specimen } from "../../../web/src/specimen/specimen";
 import { apply } from "../../../web/src/ui/change";
-import type { PlantHandle, PlantHandles, Vector } from "../../../web/src/ui/handles/plant_handle";
+import type { PlantHandle, PlantHandles, HandleVector } from "../../../web/src/ui/handles/plant_handle";
 import { inRun } from "../../long_run.mjs";
 
 const models = (await Promise.all(modelNames().map(modelNamed))).filter(({ handles }) => handles);
@@ -29,13 +29,13 @@ const cases = (
 	)
 ).flat();
 
-const plus = (a: Vector, way: Vector, by: number): Vector => [
+const plus = (a: HandleVector, way: HandleVector, by: number): HandleVector => [
 	a[0] + by * way[0],
 	a[1] + by * way[1],
 	a[2] + by * way[2],
 ];
-const minus = (a: Vector, b: Vector): Vector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-const far = (a: Vector, b: Vector) => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+const minus = (a: HandleVector, b: HandleVector): HandleVector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+const far = (a: HandleVector, b: HandleVector) => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 /** How large the plant is by its handles and lines. */
 function sizeOf({ handles, lines }: PlantHandles): number {
 	const places = [...handles.map(({ at }) => at), ...lines.flat()];
@@ -43,7 +43,7 @@ function sizeOf({ handles, lines }: PlantHandles): number {
 		...[0, 1, 2].map((k) => Math.max(...places.map((at) => at[k])) - Math.min(...places.map((at) => at[k]))),
 	);
 }
-const dot = (a: Vector, b: Vector) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const dot = (a: HandleVector, b: HandleVector) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
 describe.each(cases)("the handles of $of $preset", ({ model, preset }) => {
 	const specimen = fromPreset(model, preset);

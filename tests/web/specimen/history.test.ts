@@ -3,7 +3,7 @@ import {
 	canRedo,
 	canUndo,
 	change,
-	type History,
+	type SpecimenHistory,
 	LONGEST_HISTORY,
 	redo,
 	settle,
@@ -13,7 +13,7 @@ import {
 import { specimenFromPreset, withParameters } from "../bunch";
 
 const long = (l: number) => withParameters(specimenFromPreset(), { l });
-const lengths = (history: History) =>
+const lengths = (history: SpecimenHistory) =>
 	[...history.past, history.present, ...history.future].map(({ parameters }) => parameters.l);
 
 describe("history", () => {
@@ -106,7 +106,7 @@ describe("history", () => {
 	it("never changes a history that it was given", () => {
 		const before = change(change(startHistory(long(100)), long(200)), long(300));
 		const copy = structuredClone(before);
-		for (const act of [undo, redo, settle, (h: History) => change(h, long(50))]) act(before);
+		for (const act of [undo, redo, settle, (h: SpecimenHistory) => change(h, long(50))]) act(before);
 		expect(before).toEqual(copy);
 	});
 });

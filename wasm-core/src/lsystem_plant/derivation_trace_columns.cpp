@@ -66,7 +66,7 @@ Result<std::optional<lsystem::TraceRequest>> read_trace_request(Request& request
 }
 
 std::string cut_short(const lsystem::DerivationTrace& trace) {
-  return "The derivation is entry as far as it goes in steps. " + trace.stopped().message;
+  return "The derivation is told as far as it goes in steps. " + trace.stopped().message;
 }
 
 void add_trace_columns(Plant& plant, const lsystem::DerivationTrace& trace) {

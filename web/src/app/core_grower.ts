@@ -8,7 +8,7 @@ import type { PageModel } from "../models/page_model";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
 
-export interface GrowOptions extends GrowthOptions {
+export interface PageGrowOptions extends GrowthOptions {
 	/** Cancels: the promise rejects with the signal's reason. */
 	signal?: AbortSignal;
 	/** Whether the model's sketch is enough in place of the full files that the growth needs besides the core. */
@@ -19,7 +19,7 @@ export interface GrowOptions extends GrowthOptions {
 
 /** Grows specimens; rejects as `Client.grow` does. */
 export interface Grower {
-	grow(model: PageModel, specimen: Specimen, options?: GrowOptions): Promise<Plant>;
+	grow(model: PageModel, specimen: Specimen, options?: PageGrowOptions): Promise<Plant>;
 }
 
 export class CoreGrower implements Grower {
@@ -46,7 +46,7 @@ export class CoreGrower implements Grower {
 	async grow(
 		model: PageModel,
 		specimen: Specimen,
-		{ signal, sketched, grew, ...wanted }: GrowOptions = {},
+		{ signal, sketched, grew, ...wanted }: PageGrowOptions = {},
 	): Promise<Plant> {
 		const wasm = this.#found(model.wasm, model.noun);
 		const call = ++this.#calls;

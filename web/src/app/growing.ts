@@ -17,7 +17,7 @@ const PROGRESS_DELAY = 200;
 const REGROW = "regrow";
 
 /** Grows the studio's specimen: sends requests to the core, passes plants to the studio, and reports errors. */
-export class Growing {
+export class PageGrowth {
 	readonly #grower: Grower;
 	readonly #studio: () => Studio;
 	/** Number of the newest request. During a drag older responses are shown, too, if they are newer than the plant in view. */

@@ -10,7 +10,7 @@ import { changed } from "../ui/changed";
 import { AddressBar, isForeign, modelInAddress, readAddress, readWholeAddress } from "./address";
 import { AppUpdater } from "./app_updater";
 import { CoreGrower } from "./core_grower";
-import { Growing } from "./growing";
+import { PageGrowth } from "./growing";
 import { openLate } from "./late_link";
 import { runningBy } from "./panel_groups";
 import { HELP, SAVED } from "./parts/late_parts";
@@ -71,7 +71,7 @@ function start(model: PageModel): void {
 	const searching = new CoreGrower(coreAddress, new Client());
 	// The worker starts with the first request.
 	const offscreen = new CoreGrower(coreAddress, new Client());
-	const growing = new Growing(cores, () => studio);
+	const growing = new PageGrowth(cores, () => studio);
 	const bar = new AddressBar();
 	const opened = readAddress(model, location);
 	const { specimen } = opened;
@@ -148,7 +148,7 @@ function startUpdater(studio: Studio): AppUpdater | undefined {
 }
 
 /** After the first plant is drawn or has failed: replaces its sketch, fills the gallery with every model's presets, starts the updater. */
-function followFirst(studio: Studio, growing: Growing, updater: AppUpdater | undefined): void {
+function followFirst(studio: Studio, growing: PageGrowth, updater: AppUpdater | undefined): void {
 	const end = studio.subscribe(async () => {
 		const { shown, failure } = studio.state;
 		if (!shown && !failure) return;

@@ -6,7 +6,7 @@ import type { Plant } from "../plant/plant";
 import { turnedBy } from "../render/orbit_keys";
 import type { Viewer } from "../render/viewer";
 import type { Specimen } from "../specimen/specimen";
-import type { Ray } from "../ui/handles/handle_ways";
+import type { PointerRay } from "../ui/handles/handle_ways";
 import type { ModelUi, SubstitutePlant, ToolInteraction, ToolView } from "../ui/tool";
 import type { Studio } from "./studio";
 import { lookOf, type PictureOptions, type ShownPlant, type StudioState } from "./studio_state";
@@ -213,11 +213,11 @@ export class SolidView implements ToolView {
 		this.#view.mark(picked, whole);
 	}
 
-	rayThrough(x: number, y: number): Ray {
+	rayThrough(x: number, y: number): PointerRay {
 		return this.#view.rayThrough(x, y);
 	}
 
-	project([x, y, z]: Ray["origin"]): { x: number; y: number } {
+	project([x, y, z]: PointerRay["origin"]): { x: number; y: number } {
 		return this.#view.project({ x, y, z });
 	}
 

@@ -1,6 +1,6 @@
 import type { PageModel } from "../models/page_model";
 import type { Plant } from "../plant/plant";
-import { type History, startHistory } from "../specimen/history";
+import { type SpecimenHistory, startHistory } from "../specimen/history";
 import type { Specimen } from "../specimen/specimen";
 import type { EditorState } from "../ui/editor_context";
 import type { ModelUi } from "../ui/tool";
@@ -20,7 +20,7 @@ export interface StudioState extends EditorState {
 	readonly model: PageModel;
 	/** The model's tools and texts; undefined until they are loaded. */
 	readonly modelUi: ModelUi | undefined;
-	readonly history: History;
+	readonly history: SpecimenHistory;
 	/** Stays when a later growth fails. */
 	readonly shown: ShownPlant | undefined;
 	/** Whether a growth is running: the plant in view is older than the document. */

@@ -10,7 +10,7 @@ import { MAX_TRACE_ENTRIES, type TraceRequest } from "../plant/derivation_trace"
 import { BATCH_OPTIONS, type BatchCall, readBatch } from "./batch_arguments";
 import { UsageError } from "./usage";
 
-export interface Call {
+export interface CommandCall {
 	help: boolean;
 	/** Whether to list the models and their presets, instead of growing. */
 	list: boolean;
@@ -39,7 +39,7 @@ export interface Call {
 }
 
 /** @throws UsageError */
-export function readArguments(words: readonly string[]): Call {
+export function readArguments(words: readonly string[]): CommandCall {
 	const { values, positionals } = parse(words);
 	if (positionals.length > 1) {
 		throw new UsageError(`one preset or link at a time: “${positionals[1]}” is one too many; put quotes around a link`);

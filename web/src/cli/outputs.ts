@@ -11,7 +11,7 @@ import type { Plant } from "../plant/plant";
 import { encodeLink } from "../specimen/link";
 import type { Specimen } from "../specimen/specimen";
 
-type File = [file: string, data: string | Uint8Array | readonly Uint8Array[]];
+type OutputFile = [file: string, data: string | Uint8Array | readonly Uint8Array[]];
 
 /** Suffixes that every model has. */
 const COMMON = [...new Set(PLANT_FILES.map(({ ending }) => ending)), "obj", "json"];
@@ -50,7 +50,7 @@ export async function outputFiles(
 	specimen: Specimen,
 	{ form, ...options }: FileOptions & { form?: string } = {},
 	further: Omit<Further, "sway"> = {},
-): Promise<File[]> {
+): Promise<OutputFile[]> {
 	if (ending === "json") return [[file, jsonOf(model, grown, specimen)]];
 	const format = ownFormat(model, ending);
 	if (format) return [[file, await format.make(grown, specimen, await encodeLink(model, specimen))]];
@@ -63,7 +63,7 @@ export async function outputFiles(
 	return [
 		[file, obj.chunks()],
 		[`${stem}.mtl`, mtl],
-		...pictures.map(({ name, bytes }): File => [join(dirname(stem), name), bytes]),
+		...pictures.map(({ name, bytes }): OutputFile => [join(dirname(stem), name), bytes]),
 	];
 }
 

@@ -22,7 +22,7 @@ import { readNumbers } from "../specimen/read_values";
 import type { Specimen } from "../specimen/specimen";
 import { onStep } from "../specimen/table";
 import { TextError } from "../specimen/text_error";
-import type { Call } from "./arguments";
+import type { CommandCall } from "./arguments";
 import type { CommandEnvironment } from "./surroundings";
 import { UsageError } from "./usage";
 import { reasonOf } from "./writing";
@@ -33,7 +33,7 @@ import { reasonOf } from "./writing";
  * @throws UsageError
  */
 export async function requestedSpecimen(
-	call: Call,
+	call: CommandCall,
 	{ readFile }: Pick<CommandEnvironment, "readFile">,
 ): Promise<RequestedSpecimen & { textName: string }> {
 	const contents = call.grammarFile === undefined ? undefined : await readGrammar(call.grammarFile, readFile);
@@ -82,7 +82,7 @@ async function readSource(source: string | undefined): Promise<RequestedSpecimen
 	});
 }
 
-function readSettings(model: Model, settings: Call["set"], specimen: Specimen): Specimen {
+function readSettings(model: Model, settings: CommandCall["set"], specimen: Specimen): Specimen {
 	const known = (key: string) => detailOf(model, key) || entryOf(model, key);
 	const own = Object.fromEntries(Object.entries(settings).filter(([key]) => !known(key)));
 	const [stranger] = Object.keys(own);
@@ -97,7 +97,7 @@ function readSettings(model: Model, settings: Call["set"], specimen: Specimen): 
 }
 
 /** Refuses names that the text does not define: a note for a link, an error for a call. */
-async function refuseUnknownNames(model: Model, settings: Call["set"], specimen: Specimen): Promise<void> {
+async function refuseUnknownNames(model: Model, settings: CommandCall["set"], specimen: Specimen): Promise<void> {
 	const named = Object.keys(settings).filter((key) => !detailOf(model, key) && !entryOf(model, key));
 	if (named.length === 0) return;
 	const stranger = await model.details.find(({ unknownName }) => unknownName)?.unknownName?.(specimen, named);
@@ -112,7 +112,7 @@ const detailOf = ({ details }: Model, key: string) =>
 	details.find(({ settings = [] }) => settings.some((each) => each.split("=")[0] === key));
 
 /** Notes on settings that are valid, but have no effect: not refused, so that a series may vary the procedure. */
-function idleSettings(model: Model, settings: Call["set"], specimen: Specimen): Note[] {
+function idleSettings(model: Model, settings: CommandCall["set"], specimen: Specimen): Note[] {
 	const notes = new Notes();
 	for (const key of Object.keys(settings)) {
 		const { where = {} } = detailOf(model, key) ?? entryOf(model, key) ?? {};
@@ -143,7 +143,7 @@ function refuseIneffective(
 }
 
 /** Refuses typed decimals that would be rounded; those of a link are rounded silently. */
-function refuseFinerSteps(model: Model, settings: Call["set"]): void {
+function refuseFinerSteps(model: Model, settings: CommandCall["set"]): void {
 	for (const [key, value] of Object.entries(settings)) {
 		const entry = entryOf(model, key);
 		if (!entry || entry.kind === "colour") continue;

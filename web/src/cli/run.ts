@@ -16,7 +16,7 @@ import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
 import type { Aim } from "../targets/aim";
 import { changesInWords, growthsInWords, reachedInWords } from "../targets/words";
-import { type Call, readArguments } from "./arguments";
+import { type CommandCall, readArguments } from "./arguments";
 import { refuseUnused } from "./file_options";
 import { endingOf, endingsOf, jsonOf, outputFiles, ownFormat } from "./outputs";
 import { printable } from "./printable";
@@ -69,7 +69,7 @@ async function listed(): Promise<string> {
  * @returns the exit status: 0 grown, 3 grown but a target is missed, 5 or 6 cut short by the time limit or a limit of
  * the core
  */
-async function growAndWrite(call: Call, limit: TimeLimit, world: CommandEnvironment): Promise<number> {
+async function growAndWrite(call: CommandCall, limit: TimeLimit, world: CommandEnvironment): Promise<number> {
 	const { model, specimen: from, notes, textName } = await requestedSpecimen(call, world);
 	const goals = readTargets(model, from, call.targets);
 	const aims = aimsOf(model.table, goals, literalDraws(), from.seed);
@@ -145,7 +145,7 @@ function reportTime({ cutShort }: Plant, { option }: TimeLimit, { printError }: 
 }
 
 /** @throws UsageError where the string or a trace is requested for a plant or a file that has none */
-function checkTraceable(call: Call, model: Model, ending: string): void {
+function checkTraceable(call: CommandCall, model: Model, ending: string): void {
 	const texted = model.details.some(({ packed }) => packed?.key === "grammar");
 	const unavailable = (what: string) =>
 		texted ? `of a ${model.noun}’s text there is no ${what} to tell` : `the ${model.noun} is not grown by a text`;
@@ -175,7 +175,7 @@ async function found(
 }
 
 /** @throws UsageError where there is no such form of the file, or the plant has no ages or levels for it */
-async function checkForm({ form, out }: Call, ending: string, model: Model, specimen: Specimen): Promise<void> {
+async function checkForm({ form, out }: CommandCall, ending: string, model: Model, specimen: Specimen): Promise<void> {
 	const file = plantFile(ending, form);
 	if (file?.life) await model.prepare?.(specimen);
 	if (file?.life && !hasAges(model, specimen)) throw new UsageError(`--form ${form}: this plant has no ages to show`);

@@ -24,7 +24,7 @@ import { checkVaried, readVary } from "../batch/vary";
 import { CoreCache } from "../core/cores";
 import { makeFile } from "../generate/files/make";
 import { growPlant } from "../generate/growth";
-import type { Call } from "./arguments";
+import type { CommandCall } from "./arguments";
 import type { BatchCall } from "./batch_arguments";
 import { refuseUnused } from "./file_options";
 import { requestedSpecimen } from "./requested_specimen";
@@ -60,7 +60,7 @@ interface SeriesRequest {
  * limit was reached before all were written
  */
 export async function growSeries(
-	call: Call,
+	call: CommandCall,
 	batch: BatchCall,
 	limit: TimeLimit,
 	world: CommandEnvironment,
@@ -165,7 +165,7 @@ async function growInto(
 	return failed > 0 ? 1 : missed > 0 ? MISSED : 0;
 }
 
-async function readSeries(call: Call, batch: BatchCall, world: CommandEnvironment): Promise<SeriesRequest> {
+async function readSeries(call: CommandCall, batch: BatchCall, world: CommandEnvironment): Promise<SeriesRequest> {
 	const { model, specimen: from, notes } = await requestedSpecimen(call, world);
 	for (const note of notes) world.printError(`note: ${note.text}`);
 	const goals = readTargets(model, from, call.targets);

@@ -18,7 +18,7 @@ import { appAddress } from "./app_address";
 import { isSpecimenAttribute, readAttributes } from "./attributes";
 import { commons } from "./commons";
 import { CurrentDocument } from "./current_document";
-import { Extras } from "./extras/extras";
+import { ElementExtras } from "./extras/extras";
 import { growDocument } from "./grow_document";
 import {
 	changedIn,
@@ -56,7 +56,7 @@ export class PanicleSpecimen extends HTMLElement {
 	#due = false;
 	#growing: Promise<GrownDetail> | undefined;
 	readonly #attributes = new MutationObserver((changes) => this.#changed(namesOf(changes)));
-	readonly #extras: Extras;
+	readonly #extras: ElementExtras;
 
 	constructor() {
 		super();
@@ -64,7 +64,7 @@ export class PanicleSpecimen extends HTMLElement {
 		this.#canvas = canvas;
 		this.#poster = poster;
 		this.#message = message;
-		this.#extras = new Extras({
+		this.#extras = new ElementExtras({
 			element: this,
 			root,
 			interaction: {

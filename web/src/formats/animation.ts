@@ -38,7 +38,7 @@ export function swingKeys(): { times: number[]; weights: number[] } {
 }
 
 /** Collects channels; all begin at the same time. */
-export class Animation {
+export class AnimationWriter {
 	readonly #channels: Json[] = [];
 	readonly #samplers: Json[] = [];
 

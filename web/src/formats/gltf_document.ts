@@ -3,7 +3,7 @@
  * use. Meshes are written in full (float32, read everywhere) or compact (KHR_mesh_quantization).
  */
 import type { Mesh } from "../plant/plant";
-import { Animation, keysOf, type Moment, swingKeys } from "./animation";
+import { AnimationWriter, keysOf, type Moment, swingKeys } from "./animation";
 import { type AccessorData, BinaryGltf, COMPRESSION, type Encoder, type ViewLayout } from "./binary_gltf";
 import { GENERATOR } from "./generator";
 import type { GltfMaterial } from "./gltf_material";
@@ -79,7 +79,7 @@ export class GltfDocument {
 	readonly #images: Json[] = [];
 	readonly #textures: Json[] = [];
 	readonly #samplers: Json[] = [];
-	readonly #animation = new Animation();
+	readonly #animation = new AnimationWriter();
 	/** Accessors of the keys that all swinging nodes share. */
 	#swing: { input: number; output: number } | undefined;
 	/** Accessors of shared texture coordinates and triangles. */

@@ -12,11 +12,11 @@ import { type WrittenSpecimen, writtenSpecimen } from "../specimen/written";
 import { classesOf, type WrittenClass } from "./classes";
 import { GENERATOR } from "./generator";
 import { measuresOf, type WrittenMeasures } from "./measures";
-import { floats, integers, Rows, recordRows, vectors, words } from "./rows";
+import { floats, integers, CsvRows, recordRows, vectors, words } from "./rows";
 import { TextBuffer } from "./text_buffer";
 
 /** A point in metres, +Y up. */
-export type Vector = [x: number, y: number, z: number];
+export type FileVector = [x: number, y: number, z: number];
 
 /** A drawn module. */
 export interface SegmentRecord {
@@ -25,9 +25,9 @@ export interface SegmentRecord {
 	/** By the model's own names. */
 	kind: string;
 	/** The start point. */
-	start: Vector;
+	start: FileVector;
 	/** The end point. */
-	end: Vector;
+	end: FileVector;
 	/** Radius at the start, metres. */
 	radius: number;
 	/** Radius at the end, metres. */
@@ -41,7 +41,7 @@ export interface OrganRecord {
 	/** Index of the segment that it is attached to; −1 for none. */
 	segment: number;
 	/** The point of attachment. */
-	position: Vector;
+	position: FileVector;
 	/** Unit quaternion x y z w. */
 	rotation: [x: number, y: number, z: number, w: number];
 	/** Metres per unit of its mesh. */
@@ -87,12 +87,12 @@ export interface PlantDocument<S extends Specimen> {
 export interface Recorded<S extends Specimen, G extends Plant, R extends object> extends ModelSchema<S> {
 	/** Descriptors besides those of its measures. */
 	readonly descriptors?: readonly Descriptor<S>[];
-	/** Fields of the document besides, or in place of, those of every plant: `Rows` for many similar records. */
+	/** Fields of the document besides, or in place of, those of every plant: `CsvRows` for many similar records. */
 	record?(grown: G, specimen: S): R;
 }
 
-/** Rows as the lists of records that a document has. */
-export type RecordedRows<R> = { [Key in keyof R]: Exclude<R[Key], undefined> extends Rows<infer Row> ? Row[] : R[Key] };
+/** CsvRows as the lists of records that a document has. */
+export type RecordedRows<R> = { [Key in keyof R]: Exclude<R[Key], undefined> extends CsvRows<infer Row> ? Row[] : R[Key] };
 
 /** The document; `grown` and `specimen` are only read. Needs no meshes. */
 export function exportJson<S extends Specimen, G extends Plant, R extends object>(
@@ -101,12 +101,12 @@ export function exportJson<S extends Specimen, G extends Plant, R extends object
 	specimen: S,
 ): PlantDocument<S> & RecordedRows<R> {
 	const entries = Object.entries(contents(model, grown, specimen));
-	const made = entries.map(([key, value]) => [key, value instanceof Rows ? value.records() : value]);
+	const made = entries.map(([key, value]) => [key, value instanceof CsvRows ? value.records() : value]);
 	return Object.fromEntries(made) as PlantDocument<S> & RecordedRows<R>;
 }
 
 /**
- * The document as `JSON.stringify` would write it, in UTF-8, in a third of the time. Rows are written one by one, so
+ * The document as `JSON.stringify` would write it, in UTF-8, in a third of the time. CsvRows are written one by one, so
  * that the document is in memory once, as text (`TextBuffer.chunks`).
  * @param indent the indentation of each level; all on one line where absent
  * @throws FileTooLargeError where the document exceeds the limit of files (limits.ts)
@@ -121,7 +121,7 @@ export function writeJson<S extends Specimen, G extends Plant, R extends object>
 	const [line, colon] = indent ? [`\n${indent}`, ": "] : ["", ":"];
 	Object.entries(contents(model, grown, specimen)).forEach(([key, value], place) => {
 		out.text(`${place === 0 ? "{" : ","}${line}${JSON.stringify(key)}${colon}`);
-		if (!(value instanceof Rows)) out.text(indented(value, indent, line));
+		if (!(value instanceof CsvRows)) out.text(indented(value, indent, line));
 		else if (indent) writeIndented(out, value, indent);
 		else value.write(out);
 	});
@@ -134,7 +134,7 @@ function indented(value: unknown, indent: string, line: string): string {
 	return JSON.stringify(value, null, indent).replaceAll("\n", line);
 }
 
-function writeIndented(out: TextBuffer, rows: Rows<unknown>, indent: string): void {
+function writeIndented(out: TextBuffer, rows: CsvRows<unknown>, indent: string): void {
 	const line = `\n${indent}${indent}`;
 	out.word("[");
 	for (let index = 0; index < rows.count; index++)
@@ -178,7 +178,7 @@ function plantRecord({ segments, organs }: Plant) {
 	};
 }
 
-function segmentRows({ count, parent, tag, tags, ends, radii }: Segments): Rows<SegmentRecord> {
+function segmentRows({ count, parent, tag, tags, ends, radii }: Segments): CsvRows<SegmentRecord> {
 	return recordRows<SegmentRecord>(count, {
 		parent: integers(parent),
 		kind: words(tags, tag),
@@ -189,7 +189,7 @@ function segmentRows({ count, parent, tag, tags, ends, radii }: Segments): Rows<
 	});
 }
 
-function organRows({ count, segment, tag, tags, transforms }: Organs): Rows<OrganRecord> {
+function organRows({ count, segment, tag, tags, transforms }: Organs): CsvRows<OrganRecord> {
 	return recordRows<OrganRecord>(count, {
 		kind: words(tags, tag),
 		segment: integers(segment),

@@ -16,7 +16,7 @@ export interface RowField<Value> {
 
 type Fields<Row> = { readonly [Key in keyof Row]: RowField<Row[Key]> };
 
-export class Rows<Row> {
+export class CsvRows<Row> {
 	/** @param row the values of rows: a record (`recordRows`), or a number or a list */
 	constructor(
 		readonly count: number,
@@ -44,9 +44,9 @@ export class Rows<Row> {
 	}
 }
 
-/** Rows of records: objects with a field under each key, in the order of `all`. */
-export function recordRows<Row extends object>(count: number, all: Fields<Row>): Rows<Row> {
-	return new Rows(count, records(all));
+/** CsvRows of records: objects with a field under each key, in the order of `all`. */
+export function recordRows<Row extends object>(count: number, all: Fields<Row>): CsvRows<Row> {
+	return new CsvRows(count, records(all));
 }
 
 function records<Row extends object>(all: Fields<Row>): RowField<Row> {

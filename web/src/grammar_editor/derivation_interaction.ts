@@ -4,7 +4,7 @@ import type { Plant } from "../plant/plant";
 import { castRay } from "../plant/sighting";
 import type { Specimen } from "../specimen/specimen";
 import type { EditorContext, EditorState } from "../ui/editor_context";
-import type { Ray } from "../ui/handles/handle_ways";
+import type { PointerRay } from "../ui/handles/handle_ways";
 import { PickPointer } from "../ui/pick_pointer";
 import type { ToolInteraction, ToolView } from "../ui/tool";
 import { DERIVATION, type DerivationSource, type DerivedScene, type LitDrawing } from "./derivation_tool";
@@ -115,7 +115,7 @@ export class DerivationInteraction<S extends Specimen, G extends Plant> implemen
 }
 
 /** Returns the angle between two rays, radians. */
-function apart(a: Ray, b: Ray): number {
+function apart(a: PointerRay, b: PointerRay): number {
 	const [first, second] = [a, b].map(({ direction }) => {
 		const length = Math.hypot(...direction);
 		return direction.map((each) => each / length);

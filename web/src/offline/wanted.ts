@@ -2,13 +2,13 @@
  * The target of a request: a file of the app, by its path in the app's folder (the page itself is ""), or a specimen's
  * file.
  */
-export type Wanted = { readonly file: string } | "specimen" | undefined;
+export type WantedFile = { readonly file: string } | "specimen" | undefined;
 
 /**
  * @param scope the app's folder, as a whole address that ends in a slash
  * @returns undefined where the request is left to the network
  */
-export function wantedBy({ url, method, cache }: Pick<Request, "url" | "method" | "cache">, scope: string): Wanted {
+export function wantedBy({ url, method, cache }: Pick<Request, "url" | "method" | "cache">, scope: string): WantedFile {
 	const [address] = url.split(/[?#]/, 1);
 	if (!address.startsWith(scope)) return undefined;
 	const path = address.slice(scope.length);

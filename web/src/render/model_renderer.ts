@@ -6,13 +6,13 @@ import type { PaperShadow } from "./paper_shadow";
 import type { StageLight } from "./stage_light";
 import type { WindUniforms } from "./wind";
 
-export type Vector = readonly [x: number, y: number, z: number];
+export type SceneVector = readonly [x: number, y: number, z: number];
 
 /** A ray. */
 export interface Ray {
-	origin: Vector;
+	origin: SceneVector;
 	/** Of any length. */
-	direction: Vector;
+	direction: SceneVector;
 }
 
 /** Environment of a renderer. */

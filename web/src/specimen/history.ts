@@ -2,7 +2,7 @@
 import { sameSpecimen } from "./same";
 import type { Specimen } from "./specimen";
 
-export interface History<S extends Specimen = Specimen> {
+export interface SpecimenHistory<S extends Specimen = Specimen> {
 	/** Oldest first. */
 	readonly past: readonly S[];
 	readonly present: S;
@@ -23,7 +23,7 @@ export interface History<S extends Specimen = Specimen> {
 /** The most steps that can be undone; the oldest are dropped. */
 export const LONGEST_HISTORY = 200;
 
-export function startHistory<S extends Specimen>(present: S): History<S> {
+export function startHistory<S extends Specimen>(present: S): SpecimenHistory<S> {
 	return { past: [], present, future: [] };
 }
 
@@ -32,7 +32,7 @@ export function startHistory<S extends Specimen>(present: S): History<S> {
  * @param gesture names a drag; consecutive changes of one gesture are one step. Without it every change is a step.
  * @param run names a sequence that spans several gestures
  */
-export function change<S extends Specimen>(history: History<S>, next: S, gesture?: string, run?: string): History<S> {
+export function change<S extends Specimen>(history: SpecimenHistory<S>, next: S, gesture?: string, run?: string): SpecimenHistory<S> {
 	if (gesture !== undefined && gesture === history.gesture) return { ...history, present: next, run };
 	const settled = settle(history);
 	if (run !== undefined && run === settled.run) return { ...settled, present: next, gesture };
@@ -42,7 +42,7 @@ export function change<S extends Specimen>(history: History<S>, next: S, gesture
 }
 
 /** Ends a drag: the next change is a new step. A drag that ended where it began leaves none. */
-export function settle<S extends Specimen>(history: History<S>): History<S> {
+export function settle<S extends Specimen>(history: SpecimenHistory<S>): SpecimenHistory<S> {
 	if (history.gesture === undefined) return history;
 	const { past, present, future, run } = history;
 	const before = past.at(-1);
@@ -50,16 +50,16 @@ export function settle<S extends Specimen>(history: History<S>): History<S> {
 	return { past, present, future: [], run };
 }
 
-export function canUndo(history: History): boolean {
+export function canUndo(history: SpecimenHistory): boolean {
 	return settle(history).past.length > 0;
 }
 
-export function canRedo(history: History): boolean {
+export function canRedo(history: SpecimenHistory): boolean {
 	return settle(history).future.length > 0;
 }
 
 /** One step back, or the same history at its beginning. */
-export function undo<S extends Specimen>(history: History<S>): History<S> {
+export function undo<S extends Specimen>(history: SpecimenHistory<S>): SpecimenHistory<S> {
 	const { past, present, future } = settle(history);
 	const before = past.at(-1);
 	return before
@@ -68,7 +68,7 @@ export function undo<S extends Specimen>(history: History<S>): History<S> {
 }
 
 /** One step forward, or the same history at its end. */
-export function redo<S extends Specimen>(history: History<S>): History<S> {
+export function redo<S extends Specimen>(history: SpecimenHistory<S>): SpecimenHistory<S> {
 	const { past, present, future } = settle(history);
 	const [next, ...rest] = future;
 	return next ? { past: [...past, present], present: next, future: rest } : { past, present, future };

@@ -10,7 +10,7 @@ import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
 import type { Group } from "../specimen/table";
 import type { Change, EditorContext, EditorState, Fault, Stateful } from "./editor_context";
-import type { Ray } from "./handles/handle_ways";
+import type { PointerRay } from "./handles/handle_ways";
 
 /** A button on the 3-D view. */
 export interface ToolButton<S extends Specimen = Specimen, G extends Plant = Plant> {
@@ -81,9 +81,9 @@ export interface ToolView {
 	/** Marks the part with a pick id, and softly the ids of its group; undefined removes the mark. */
 	mark(picked: number | undefined, whole?: ReadonlySet<number>): void;
 	/** Returns the ray through a point of the canvas (CSS pixels from its top left corner), in the plant's metres. */
-	rayThrough(x: number, y: number): Ray;
+	rayThrough(x: number, y: number): PointerRay;
 	/** Returns the position of a point of the plant on the canvas, in CSS pixels from its top left corner. */
-	project(at: Ray["origin"]): { x: number; y: number };
+	project(at: PointerRay["origin"]): { x: number; y: number };
 	/**
 	 * Calls a listener after every draw, so that overlays can follow the plant.
 	 * @returns function that removes the listener
@@ -95,7 +95,7 @@ export interface ToolView {
 	 */
 	showSubstitute(plant: SubstitutePlant | undefined): void;
 	/** Places the camera at a position, looking at another, in metres; undefined shows the whole plant again. */
-	look(from: { readonly eye: Ray["origin"]; readonly towards: Ray["origin"] } | undefined): void;
+	look(from: { readonly eye: PointerRay["origin"]; readonly towards: PointerRay["origin"] } | undefined): void;
 	/** Sets one of the renderer's modes; undefined sets the first one. */
 	setMode(mode: string | undefined): void;
 }

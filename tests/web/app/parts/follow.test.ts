@@ -25,7 +25,7 @@ const PARTS = {
 	readout: () => import("../../../../web/src/app/parts/readout").then(({ Readout }) => Readout),
 	share: () => import("../../../../web/src/app/parts/share_bar").then(({ ShareBar }) => ShareBar),
 	speaker: () => import("../../../../web/src/app/parts/speaker").then(({ Speaker }) => Speaker),
-	stage: () => import("../../../../web/src/app/parts/stage").then(({ Stage }) => Stage),
+	stage: () => import("../../../../web/src/app/parts/stage").then(({ StagePart }) => StagePart),
 	variation: () => import("../../../../web/src/app/parts/variation").then(({ Variation }) => Variation),
 	views: () => import("../../../../web/src/app/parts/view_switch").then(({ ViewSwitch }) => ViewSwitch),
 };

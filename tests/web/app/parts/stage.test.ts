@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
-import { Stage } from "../../../../web/src/app/parts/stage";
+import { StagePart } from "../../../../web/src/app/parts/stage";
 import { Studio } from "../../../../web/src/app/studio";
 import { specimenFromPreset } from "../../bunch";
 import { sampleBunch } from "../../models/bunch/sample_bunch";
@@ -11,7 +11,7 @@ vi.mock("../../../../web/src/app/solid_view", () => ({ SolidView: { create: asyn
 /** Reports another width to the observer of an element. */
 let resized: (width: number) => void;
 let studio: Studio;
-let stage: Stage;
+let stage: StagePart;
 /** The functions that end its subscriptions. */
 let left: (() => void)[];
 beforeEach(async () => {
@@ -32,7 +32,7 @@ beforeEach(async () => {
 		left.push(leave);
 		return leave;
 	});
-	stage = new Stage();
+	stage = new StagePart();
 	Object.assign(stage, { querySelector: () => ({}), querySelectorAll: () => [], performUpdate: () => {} });
 	Object.defineProperty(stage, "isConnected", { value: true });
 	stage.context = studio;

@@ -3,7 +3,7 @@ import { aboutPlant } from "../../../../web/src/formats/about_plant";
 import { exportGlb } from "../../../../web/src/formats/glb";
 import { readFlowerPlant } from "../../../../web/src/models/flower/flower_plant";
 import { model } from "../../../../web/src/models/flower/index";
-import { colourAt, colourFromAfar, type Paint, paintsOf, pictureOf } from "../../../../web/src/models/flower/paint";
+import { colourAt, colourFromAfar, type FlowerPaint, paintsOf, pictureOf } from "../../../../web/src/models/flower/paint";
 import { fetchTexts } from "../../../../web/src/models/flower/texts";
 import type { Part } from "../../../../web/src/plant/part";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
@@ -14,7 +14,7 @@ import { documentOf } from "../../formats/reading";
 await fetchTexts();
 const core = await freshCore("flower.wasm");
 
-const PLAIN: Paint = {
+const PLAIN: FlowerPaint = {
 	base: [1, 0, 0],
 	tip: [0, 0, 1],
 	foot: 0.5,
@@ -43,13 +43,13 @@ function parts(material: string, age = 1): Part[] {
 
 describe("the paint of organs", () => {
 	it.each([false, true])("is as dark from afar as near by, feathered: %s", (feathered) => {
-		const white: Paint["base"] = [1, 1, 1];
+		const white: FlowerPaint["base"] = [1, 1, 1];
 		for (const count of [4, 9, 20]) {
 			const paint = {
 				...PLAIN,
 				base: white,
 				tip: white,
-				veins: { colour: [0, 0, 0] as Paint["base"], count, strength: 1, feathered },
+				veins: { colour: [0, 0, 0] as FlowerPaint["base"], count, strength: 1, feathered },
 			};
 			const shares = Array.from({ length: 40 }, (_, i) => (i + 0.5) / 40);
 			const [mean, first] = [shares, shares.slice(0, 20)].map(
@@ -66,13 +66,13 @@ describe("the paint of organs", () => {
 	it("blends from foot to tip and to a margin, and has the text's number of veins", () => {
 		expect(colourAt(PLAIN, 0, 0)).toEqual([1, 0, 0]);
 		expect(colourAt(PLAIN, 0.5, 0)).toEqual([0, 0, 1]);
-		const edged = { ...PLAIN, margin: { colour: [0, 1, 0] as Paint["base"], width: 0.2 } };
+		const edged = { ...PLAIN, margin: { colour: [0, 1, 0] as FlowerPaint["base"], width: 0.2 } };
 		expect(colourAt(edged, 1, 1)).toEqual([0, 1, 0]);
 		expect(colourAt(edged, 1, 0.79)).toEqual([0, 0, 1]);
 		const veined = {
 			...PLAIN,
 			base: PLAIN.tip,
-			veins: { colour: [0, 0, 0] as Paint["base"], count: 6, strength: 1, feathered: false },
+			veins: { colour: [0, 0, 0] as FlowerPaint["base"], count: 6, strength: 1, feathered: false },
 		};
 		const blues = Array.from({ length: 1000 }, (_, i) => colourAt(veined, 0.2, i / 1000)[2]);
 		const dark = blues.filter((blue, i) => i > 0 && i < 999 && blue < blues[i - 1] && blue <= blues[i + 1]);
@@ -82,7 +82,7 @@ describe("the paint of organs", () => {
 	});
 
 	it("has veins that branch off a rib if feathered", () => {
-		const veins = { colour: [0, 0, 0] as Paint["base"], count: 6, strength: 1, feathered: true };
+		const veins = { colour: [0, 0, 0] as FlowerPaint["base"], count: 6, strength: 1, feathered: true };
 		const blue = (u: number, v: number) => colourAt({ ...PLAIN, base: PLAIN.tip, veins }, u, v)[2];
 		for (const u of [0.03, 0.3, 0.6]) expect(blue(u, 0)).toBe(0);
 		const blues = Array.from({ length: 1000 }, (_, i) => blue(i / 1000, 0.4));

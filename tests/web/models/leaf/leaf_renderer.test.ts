@@ -9,7 +9,7 @@ import { leafParts } from "../../../../web/src/models/leaf/parts/leaf_parts";
 import { LeafRenderer } from "../../../../web/src/models/leaf/render/leaf_renderer";
 import {
 	type BladeTextures,
-	type Painted,
+	type PaintedLeaf,
 	Painter,
 	type PaintOrder,
 } from "../../../../web/src/models/leaf/render/paint";
@@ -48,8 +48,8 @@ class Bench implements PaintWorker {
 	/** Answers the next order. */
 	work(): void {
 		const order = this.orders.shift() as PaintOrder;
-		const data: Painted = { ...this.#painter.paint(order), id: order.id };
-		this.onmessage?.call(this as unknown as Worker, { data } as MessageEvent<Painted>);
+		const data: PaintedLeaf = { ...this.#painter.paint(order), id: order.id };
+		this.onmessage?.call(this as unknown as Worker, { data } as MessageEvent<PaintedLeaf>);
 	}
 	break(): void {
 		this.onerror?.call(this as unknown as Worker, { preventDefault: () => {} } as ErrorEvent);

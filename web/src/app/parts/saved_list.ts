@@ -4,7 +4,7 @@ import { repeat } from "lit/directives/repeat.js";
 import { icon } from "../../ui/icons";
 import { formatCount } from "../../ui/thousands";
 import { VirtualRows } from "../../ui/virtual_rows";
-import { findSaved, ORDERS, type Order } from "../saved/found";
+import { findSaved, ORDERS, type SavedOrder } from "../saved/found";
 import type { Library } from "../saved/library";
 import { LONGEST_NAME, modelOf, presetOf, type Saved, tidyName } from "../saved/saved";
 import type { Studio } from "../studio";
@@ -28,7 +28,7 @@ export class SavedList extends StudioPart {
 	static override properties = { ...StudioPart.properties, library: { attribute: false } };
 	declare library: Library;
 	#query = "";
-	#order: Order = "newest";
+	#order: SavedOrder = "newest";
 	/** The search result in order; undefined after a change, until it is needed. */
 	#result: readonly Saved[] | undefined;
 	/** Ids of the active card and of the card that is being renamed. */
@@ -75,7 +75,7 @@ export class SavedList extends StudioPart {
 					type="search" aria-label="Search what is saved" placeholder="Search" autocomplete="off" spellcheck="false" .value=${this.#query}
 					@input=${(event: Event) => this.#look({ query: (event.target as HTMLInputElement).value })}
 				>
-				<select aria-label="Order" @change=${(event: Event) => this.#look({ order: (event.target as HTMLSelectElement).value as Order })}>
+				<select aria-label="Order" @change=${(event: Event) => this.#look({ order: (event.target as HTMLSelectElement).value as SavedOrder })}>
 					${Object.entries(ORDERS).map(([key, words]) => html`<option value=${key} ?selected=${key === this.#order}>${words}</option>`)}
 				</select>
 				<p class="found" role="status">${countInWords(found.length, this.library.all.length)}</p>
@@ -239,7 +239,7 @@ export class SavedList extends StudioPart {
 
 	#modelTitle = (saved: Saved): string => this.#modelOf(saved)?.title ?? modelOf(saved) ?? "";
 
-	#look({ query = this.#query, order = this.#order }: { query?: string; order?: Order }): void {
+	#look({ query = this.#query, order = this.#order }: { query?: string; order?: SavedOrder }): void {
 		this.#query = query;
 		this.#order = order;
 		this.#search();

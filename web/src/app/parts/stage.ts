@@ -18,7 +18,7 @@ interface Trouble {
 }
 
 /** The 3-D view with its tools and its caption, or a message where there is no picture. */
-export class Stage extends StudioPart {
+export class StagePart extends StudioPart {
 	/** The reason why there is no picture: no WebGL 2, a lost context, or a script that could not be fetched. */
 	#trouble: Trouble | undefined;
 	#solid: SolidView | undefined;
@@ -238,4 +238,4 @@ function progress(studio: Studio): unknown {
 	</div>`;
 }
 
-customElements.define("panicle-stage", Stage);
+customElements.define("panicle-stage", StagePart);

@@ -8,10 +8,10 @@ export const ORDERS = {
 	oldest: "Oldest first",
 	name: "By name",
 } as const;
-export type Order = keyof typeof ORDERS;
+export type SavedOrder = keyof typeof ORDERS;
 
 const collator = new Intl.Collator("en", { numeric: true });
-const compare: Readonly<Record<Order, (a: Saved, b: Saved) => number>> = {
+const compare: Readonly<Record<SavedOrder, (a: Saved, b: Saved) => number>> = {
 	newest: (a, b) => b.at - a.at,
 	oldest: (a, b) => a.at - b.at,
 	name: (a, b) => collator.compare(a.name, b.name),
@@ -24,7 +24,7 @@ const compare: Readonly<Record<Order, (a: Saved, b: Saved) => number>> = {
 export function findSaved(
 	all: readonly Saved[],
 	query: string,
-	order: Order,
+	order: SavedOrder,
 	about: (saved: Saved) => string,
 ): readonly Saved[] {
 	const words = wordsOf(query);

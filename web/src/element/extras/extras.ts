@@ -25,7 +25,7 @@ const MADE_BY: Readonly<Record<string, (host: ExtrasHost) => Promise<Extra>>> = 
 	handles: async (host) => new (await import("./handles_layer")).HandlesLayer(host, await host.view()),
 };
 
-export class Extras {
+export class ElementExtras {
 	readonly #host: ExtrasHost;
 	readonly #made = new Map<string, Promise<Extra | undefined>>();
 	#shown: GrownDocument | undefined;

@@ -3,7 +3,7 @@
  * metres.
  */
 import { shortFloat } from "../../formats/numbers";
-import { floats, integers, type Rows, recordRows, vectors, words } from "../../formats/rows";
+import { floats, integers, type CsvRows, recordRows, vectors, words } from "../../formats/rows";
 import {
 	type Berries,
 	type BerryForm,
@@ -78,11 +78,11 @@ export interface BunchRecord {
 	/** Plan of the handles' profile. */
 	plan: Plan & { second?: Plan };
 	/** Berries, as `NaturalBerryRecord` for the natural procedure. */
-	berries: Rows<BerryRecord | NaturalBerryRecord>;
-	thinned: Rows<ThinnedRecord>;
-	internodes: Rows<InternodeRecord>;
+	berries: CsvRows<BerryRecord | NaturalBerryRecord>;
+	thinned: CsvRows<ThinnedRecord>;
+	internodes: CsvRows<InternodeRecord>;
 	/** Berries as organs, like any plant's. */
-	organs: Rows<BerryOrgan>;
+	organs: CsvRows<BerryOrgan>;
 }
 
 /** A berry as an organ among others. */
@@ -127,7 +127,7 @@ function balls({ spheres, parent }: Berries) {
 	};
 }
 
-function naturalBerryRows(berries: Berries): Rows<NaturalBerryRecord> {
+function naturalBerryRows(berries: Berries): CsvRows<NaturalBerryRecord> {
 	const trait = (name: Trait) => floats(berries.traits, TRAITS.length, TRAITS.indexOf(name));
 	return recordRows<NaturalBerryRecord>(berries.count, {
 		...balls(berries),
@@ -144,7 +144,7 @@ function naturalBerryRows(berries: Berries): Rows<NaturalBerryRecord> {
 	});
 }
 
-function thinnedRows(thinned: BunchPlant["thinned"]): Rows<ThinnedRecord> {
+function thinnedRows(thinned: BunchPlant["thinned"]): CsvRows<ThinnedRecord> {
 	const places = new Float32Array(3 * thinned.length);
 	thinned.forEach(({ place }, index) => {
 		places.set(place, 3 * index);
@@ -161,7 +161,7 @@ function thinnedRows(thinned: BunchPlant["thinned"]): Rows<ThinnedRecord> {
 	});
 }
 
-function organRows({ count, spheres, parent, directions, traits }: Berries): Rows<BerryOrgan> {
+function organRows({ count, spheres, parent, directions, traits }: Berries): CsvRows<BerryOrgan> {
 	const set = TRAITS.indexOf("set");
 	const isBerry = Uint8Array.from({ length: count }, (_, index) => (traits[TRAITS.length * index + set] > 0 ? 1 : 0));
 	return recordRows<BerryOrgan>(count, {
@@ -173,7 +173,7 @@ function organRows({ count, spheres, parent, directions, traits }: Berries): Row
 	});
 }
 
-function internodeRows({ count, parent, kind, axis, state, ends, radii }: Internodes): Rows<InternodeRecord> {
+function internodeRows({ count, parent, kind, axis, state, ends, radii }: Internodes): CsvRows<InternodeRecord> {
 	return recordRows<InternodeRecord>(count, {
 		parent: integers(parent),
 		kind: words(INTERNODE_KINDS, kind),

@@ -3,7 +3,7 @@ import type { Colour } from "../../plant/colour";
 import type { Material } from "../../plant/material";
 import { cut, type Part } from "../../plant/part";
 import type { FlowerPlant } from "./flower_plant";
-import { colourFromAfar, type Paint, paintsOf } from "./paint";
+import { colourFromAfar, type FlowerPaint, paintsOf } from "./paint";
 import { materialOf } from "./parts";
 
 export function flowerLevels({ levels, colours, paint }: FlowerPlant): Part[][] {
@@ -32,7 +32,7 @@ const mean = (values: readonly number[]) => values.reduce((sum, value) => sum + 
 /** Rounds transmitted light, so that flowers of one kind share a material. */
 const rounded = (light: number) => Math.round(5 * light) / 5;
 
-function coloured(uvs: Float32Array, of: Uint8Array, paints: readonly Paint[]): Float32Array {
+function coloured(uvs: Float32Array, of: Uint8Array, paints: readonly FlowerPaint[]): Float32Array {
 	const colours = new Float32Array(3 * of.length);
 	for (const [v, at] of of.entries()) colours.set(colourFromAfar(paints[at], uvs[2 * v], uvs[2 * v + 1]), 3 * v);
 	return colours;

@@ -5,8 +5,8 @@
 import { type Colour, clamp, encoded, linear } from "../../plant/colour";
 import type { Picture } from "../../plant/material";
 
-/** Paint of a material: colours in linear light, lengths as shares of an organ's length and of half its width. */
-export interface Paint {
+/** FlowerPaint of a material: colours in linear light, lengths as shares of an organ's length and of half its width. */
+export interface FlowerPaint {
 	/** Colours where an organ begins and ends. */
 	base: Colour;
 	tip: Colour;
@@ -41,7 +41,7 @@ const RIB = 0.045;
 const FORWARD = 0.17;
 
 /** Converts an answer's columns to its materials' paints. */
-export function paintsOf(colours: Uint32Array, numbers: Float32Array): Paint[] {
+export function paintsOf(colours: Uint32Array, numbers: Float32Array): FlowerPaint[] {
 	return Array.from({ length: colours.length / 4 }, (_, i) => {
 		const [base, tip, margin, veins] = [...colours.subarray(4 * i, 4 * i + 4)].map(colourOf);
 		const [foot, width, count, strength, light, feathered] = numbers.subarray(6 * i, 6 * i + 6);
@@ -59,12 +59,12 @@ export function paintsOf(colours: Uint32Array, numbers: Float32Array): Paint[] {
 const colourOf = (packed: number): Colour => linear(packed.toString(16).padStart(6, "0"));
 
 /** Returns whether a paint has details that colours of vertices cannot show. */
-export function isFine({ margin, veins }: Paint): boolean {
+export function isFine({ margin, veins }: FlowerPaint): boolean {
 	return margin.width > 0 || (veins.count >= 1 && veins.strength > 0);
 }
 
 /** Returns the colour at `u` along the organ and `v` from its middle to its margin, both 0 … 1. */
-export function colourAt({ base, tip, foot, margin, veins }: Paint, u: number, v: number): Colour {
+export function colourAt({ base, tip, foot, margin, veins }: FlowerPaint, u: number, v: number): Colour {
 	const along = mixed(base, tip, smooth(u / Math.max(foot, 1e-3)));
 	const edged = margin.width > 0 ? mixed(along, margin.colour, smooth((v - 1 + margin.width) / margin.width)) : along;
 	const drawn = veins.feathered ? barbs : ink;
@@ -79,7 +79,7 @@ const SPREAD = { ink: 0.23, fades: 0.5 };
 const FEATHERED = { ink: 0.1, fades: 0.75 };
 
 /** Returns the colour seen from a distance, where veins only darken the colour around them. */
-export function colourFromAfar(paint: Paint, u: number, v: number): Colour {
+export function colourFromAfar(paint: FlowerPaint, u: number, v: number): Colour {
 	const { veins } = paint;
 	const plain = colourAt({ ...paint, veins: { ...veins, count: 0 } }, u, v);
 	const { ink, fades } = veins.feathered ? FEATHERED : SPREAD;
@@ -125,7 +125,7 @@ const painted = new Map<string, { picture: Picture; mean: Colour }>();
 const MOST = 32;
 
 /** Returns an organ's picture by u and v with its mean colour. The same paint gives the same object. */
-export function pictureOf(paint: Paint): { picture: Picture; mean: Colour } {
+export function pictureOf(paint: FlowerPaint): { picture: Picture; mean: Colour } {
 	const key = JSON.stringify({ ...paint, light: 0 });
 	const made = painted.get(key) ?? paintedOf(paint);
 	painted.delete(key);
@@ -135,7 +135,7 @@ export function pictureOf(paint: Paint): { picture: Picture; mean: Colour } {
 	return made;
 }
 
-function paintedOf(paint: Paint): { picture: Picture; mean: Colour } {
+function paintedOf(paint: FlowerPaint): { picture: Picture; mean: Colour } {
 	const pixels = new Uint8Array(3 * LONG * WIDE);
 	const mean: Colour = [0, 0, 0];
 	for (let y = 0; y < WIDE; y++)

@@ -3,7 +3,7 @@ import type { Colour } from "../../plant/colour";
 import { type Material, standardMaterial } from "../../plant/material";
 import type { Part, PartMesh } from "../../plant/part";
 import type { FlowerPlant } from "./flower_plant";
-import { colourAt, isFine, type Paint, paintsOf, pictureOf } from "./paint";
+import { colourAt, isFine, type FlowerPaint, paintsOf, pictureOf } from "./paint";
 
 /** Material properties that differ from the standard material of the kind (plant/material.ts). */
 const OWN: Readonly<Record<string, Partial<Material>>> = {
@@ -58,7 +58,7 @@ export function materialOf(kind: string, name: string, colour: Colour, light: nu
 }
 
 /** Colours a mesh by vertex, for paints without fine details. */
-function coloured(mesh: PartMesh, paint: Paint): PartMesh {
+function coloured(mesh: PartMesh, paint: FlowerPaint): PartMesh {
 	const colours = new Float32Array(mesh.positions.length);
 	for (let v = 0; v < colours.length / 3; v++)
 		colours.set(colourAt(paint, mesh.uvs[2 * v], mesh.uvs[2 * v + 1]), 3 * v);

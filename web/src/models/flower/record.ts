@@ -4,7 +4,7 @@
  */
 import { type CsvValue, writeCsv } from "../../formats/csv";
 import { shortFloat } from "../../formats/numbers";
-import { gathered, integers, lists, Rows, vectors } from "../../formats/rows";
+import { gathered, integers, lists, CsvRows, vectors } from "../../formats/rows";
 import type { FlowerPlant } from "./flower_plant";
 
 export interface FlowerRecord {
@@ -18,13 +18,13 @@ export interface FlowerRecord {
 	/** Volumes that are not sewn to that face. */
 	attached: number[];
 	/** N, T, atx, aty, atz, H, L, W, m of each volume. */
-	values: Rows<number[]>;
+	values: CsvRows<number[]>;
 	/** α0 … α3: the dart that each dart is linked to. */
-	alpha?: Rows<number[]>;
+	alpha?: CsvRows<number[]>;
 	/** Volume of each dart. */
-	volume?: Rows<number>;
+	volume?: CsvRows<number>;
 	/** Position of each dart's vertex, metres. */
-	position?: Rows<number[]>;
+	position?: CsvRows<number[]>;
 }
 
 const NONE = 0xffffffff;
@@ -40,15 +40,15 @@ export function flowerRecord({ volumes, darts }: FlowerPlant): FlowerRecord {
 		parent: Array.from(parent, (of) => (of === NONE ? -1 : of)),
 		face: Array.from(face, (of, i) => (parent[i] === NONE ? null : faceName(of))),
 		attached: [...attached.keys()].filter((i) => attached[i] === 1),
-		values: new Rows(label.length, vectors<number[]>(values, 9, 0, 9)),
+		values: new CsvRows(label.length, vectors<number[]>(values, 9, 0, 9)),
 	};
 	if (!darts) return record;
 	const { alpha, volume, vertex, positions } = darts;
 	return {
 		...record,
-		alpha: new Rows(alpha.length, lists(alpha)),
-		volume: new Rows(volume.length, integers(volume)),
-		position: new Rows(vertex.length, gathered(vectors<number[]>(positions, 3, 0, 3), vertex)),
+		alpha: new CsvRows(alpha.length, lists(alpha)),
+		volume: new CsvRows(volume.length, integers(volume)),
+		position: new CsvRows(vertex.length, gathered(vectors<number[]>(positions, 3, 0, 3), vertex)),
 	};
 }
 

@@ -1,7 +1,7 @@
 /** Record of a text's plant in the JSON document, besides and in place of that of every plant. */
 import type { OrganRecord, SegmentRecord } from "../../formats/json";
 import { shortFloat } from "../../formats/numbers";
-import { floats, integers, type Rows, recordRows, vectors, words } from "../../formats/rows";
+import { floats, integers, type CsvRows, recordRows, vectors, words } from "../../formats/rows";
 import type { Area } from "./areas/area";
 import type { GrammarPlant } from "./grammar_plant";
 
@@ -44,8 +44,8 @@ export interface GrammarRecord {
 	string?: string;
 	/** Volumes that clip the branches, metres. */
 	areas?: readonly AreaRecord[];
-	segments: Rows<LineRecord>;
-	organs: Rows<GrammarOrganRecord>;
+	segments: CsvRows<LineRecord>;
+	organs: CsvRows<GrammarOrganRecord>;
 }
 
 export function grammarRecord(plant: GrammarPlant): GrammarRecord {

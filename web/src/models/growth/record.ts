@@ -1,6 +1,6 @@
 /** Record of a tree in the JSON document, besides and in place of that of every plant. */
 import type { SegmentRecord } from "../../formats/json";
-import { floats, integers, type Rows, recordRows, vectors, words } from "../../formats/rows";
+import { floats, integers, type CsvRows, recordRows, vectors, words } from "../../formats/rows";
 import type { GrowthPlant } from "./growth_plant";
 import type { GrowthVolume } from "./volumes/volume";
 
@@ -16,7 +16,7 @@ export interface ShootRecord extends SegmentRecord {
 
 export function growthRecord({ segments, shoots, volumes }: GrowthPlant): {
 	volumes: readonly GrowthVolume[];
-	segments: Rows<ShootRecord>;
+	segments: CsvRows<ShootRecord>;
 } {
 	return {
 		volumes,

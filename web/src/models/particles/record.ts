@@ -1,6 +1,6 @@
 /** The trails in the JSON document, in place of the common record of segments. */
 import { shortFloat } from "../../formats/numbers";
-import { floats, integers, type Rows, recordRows, vectors, words } from "../../formats/rows";
+import { floats, integers, type CsvRows, recordRows, vectors, words } from "../../formats/rows";
 import type { TrailPlant } from "./trails";
 
 type Vector = [x: number, y: number, z: number];
@@ -33,8 +33,8 @@ export interface TargetRecord {
 /** `counts.energy` is the energy that arrived at all targets; the sum is exact where energies are integers. */
 export function trailRecord(plant: TrailPlant): {
 	counts: Record<string, number>;
-	segments: Rows<TrailRecord>;
-	targets: Rows<TargetRecord>;
+	segments: CsvRows<TrailRecord>;
+	targets: CsvRows<TargetRecord>;
 } {
 	const { segments, energy, targets, arrived, counts } = plant;
 	const { parent, tag, tags, ends, radii } = segments;

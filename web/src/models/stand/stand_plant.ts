@@ -16,7 +16,7 @@ export interface Setting {
 }
 
 /** A kind of plant: a line of the plan. */
-export interface Kind {
+export interface PlantKind {
 	/** `growth/oak`. */
 	readonly name: string;
 	readonly model: string;
@@ -53,7 +53,7 @@ export interface Places {
 }
 
 export interface StandPlant extends Plant {
-	readonly kinds: readonly Kind[];
+	readonly kinds: readonly PlantKind[];
 	readonly places: Places;
 	/** Size of the ground, metres. */
 	readonly ground: { readonly width: number; readonly depth: number; readonly relief: number };
@@ -104,7 +104,7 @@ export function readStand(answer: Answer): StandPlant {
 	};
 }
 
-function readKinds(columns: Columns): Kind[] {
+function readKinds(columns: Columns): PlantKind[] {
 	const crown = columns.floats("kinds.crown");
 	const places = columns.uint32("kinds.place");
 	const seeds = columns.uint32("kinds.seeds");
@@ -140,7 +140,7 @@ const placeAt = (places: Uint32Array, i: number): TextPosition => ({ line: place
  * Assigns members: plants of one kind and seed share a member where the line limits the number of seeds; else each
  * plant has its own.
  */
-function membersOf(kinds: readonly Kind[], { count, kind, seed }: Places): Uint32Array {
+function membersOf(kinds: readonly PlantKind[], { count, kind, seed }: Places): Uint32Array {
 	const known = new Map<string, number>();
 	let members = 0;
 	return Uint32Array.from({ length: count }, (_, plant) => {

@@ -2,7 +2,7 @@
 import { heightAt } from "./ground_grid";
 import type { StandPlant } from "./stand_plant";
 
-export interface Pose {
+export interface StandPose {
 	/** Position, metres. */
 	readonly x: number;
 	readonly z: number;
@@ -11,7 +11,7 @@ export interface Pose {
 	readonly pitch: number;
 }
 
-export type Step = "forward" | "back" | "left" | "right" | "turn left" | "turn right" | "look up" | "look down";
+export type StandStep = "forward" | "back" | "left" | "right" | "turn left" | "turn right" | "look up" | "look down";
 
 /** Rotation of a step, degrees. */
 const TURN = 12;
@@ -42,7 +42,7 @@ export function eyeHeight({ ground }: Pick<StandPlant, "ground">): number {
 }
 
 /** A start at the front of the ground with enough room between crowns, as close to the middle as possible. */
-export function atFront(stand: Pick<StandPlant, "ground" | "places" | "kinds">): Pose {
+export function atFront(stand: Pick<StandPlant, "ground" | "places" | "kinds">): StandPose {
 	const { width, depth } = stand.ground;
 	const z = FRONT * depth;
 	let best = { x: 0, room: Number.NEGATIVE_INFINITY };
@@ -67,7 +67,7 @@ function roomAt({ kinds, places }: Pick<StandPlant, "places" | "kinds">, x: numb
 }
 
 /** One step: half the eye height long, within the ground. */
-export function stepped(pose: Pose, step: Step, stand: Pick<StandPlant, "ground">): Pose {
+export function stepped(pose: StandPose, step: StandStep, stand: Pick<StandPlant, "ground">): StandPose {
 	if (step === "turn left" || step === "turn right")
 		return { ...pose, yaw: pose.yaw + (step === "turn left" ? -TURN : TURN) };
 	if (step === "look up" || step === "look down") return turned(pose, 0, step === "look up" ? TILT : -TILT);
@@ -83,12 +83,12 @@ export function stepped(pose: Pose, step: Step, stand: Pick<StandPlant, "ground"
 }
 
 /** Rotates by degrees to the right and up. */
-export function turned(pose: Pose, right: number, up: number): Pose {
+export function turned(pose: StandPose, right: number, up: number): StandPose {
 	return { ...pose, yaw: pose.yaw + right, pitch: Math.min(STEEPEST, Math.max(-STEEPEST, pose.pitch + up)) };
 }
 
 /** Position of the eye, and the point that it looks at. */
-export function gazeOf(pose: Pose, stand: Grounded) {
+export function gazeOf(pose: StandPose, stand: Grounded) {
 	const y = heightAt(stand, pose.x, pose.z) + eyeHeight(stand);
 	const [yaw, pitch] = [(pose.yaw * Math.PI) / 180, (pose.pitch * Math.PI) / 180];
 	const [sideways, forth] = [Math.sin(yaw) * Math.cos(pitch), Math.cos(yaw) * Math.cos(pitch)];

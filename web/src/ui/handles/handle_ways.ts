@@ -1,10 +1,10 @@
 /** Dragging of handles in three dimensions along rays. Pure functions, in the plant's metres. */
-import type { Vector } from "./plant_handle";
+import type { HandleVector } from "./plant_handle";
 
 /** A ray; the direction has any length but 0. */
-export interface Ray {
-	readonly origin: Vector;
-	readonly direction: Vector;
+export interface PointerRay {
+	readonly origin: HandleVector;
+	readonly direction: HandleVector;
 }
 
 /** Sine of the angle between ray and plane below which the plane counts as seen edge-on (about 10°). */
@@ -19,7 +19,7 @@ const END_ON = 0.02;
  * Returns the directions in which a handle can visibly move. Computed once at the beginning of a drag, so that they
  * stay constant.
  */
-export function visibleWays(along: readonly Vector[], ray: Ray): readonly Vector[] {
+export function visibleWays(along: readonly HandleVector[], ray: PointerRay): readonly HandleVector[] {
 	if (along.length < 2) return along;
 	const sight = unit(ray.direction);
 	if (along.length > 2) {
@@ -34,16 +34,16 @@ export function visibleWays(along: readonly Vector[], ray: Ray): readonly Vector
 }
 
 /** Returns the position along the directions that is under the ray, or nearest to it; undefined if there is none. */
-export function placeUnder(at: Vector, ways: readonly Vector[], ray: Ray): Vector | undefined {
+export function placeUnder(at: HandleVector, ways: readonly HandleVector[], ray: PointerRay): HandleVector | undefined {
 	return ways.length === 2 ? onPlane(at, cross(ways[0], ways[1]), ray) : onLine(at, ways[0], ray);
 }
 
-function onPlane(at: Vector, normal: Vector, { origin, direction }: Ray): Vector | undefined {
+function onPlane(at: HandleVector, normal: HandleVector, { origin, direction }: PointerRay): HandleVector | undefined {
 	const distance = dot(minus(at, origin), normal) / dot(direction, normal);
 	return distance > 0 && Number.isFinite(distance) ? plus(origin, direction, distance) : undefined;
 }
 
-function onLine(at: Vector, line: Vector, { origin, direction }: Ray): Vector | undefined {
+function onLine(at: HandleVector, line: HandleVector, { origin, direction }: PointerRay): HandleVector | undefined {
 	const sight = unit(direction);
 	const between = minus(origin, at);
 	const slant = dot(line, sight);
@@ -55,20 +55,20 @@ function onLine(at: Vector, line: Vector, { origin, direction }: Ray): Vector | 
 	return plus(at, line, (alongLine - slant * alongSight) / sine2);
 }
 
-const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const minus = (a: Vector, b: Vector): Vector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-export const plus = (a: Vector, b: Vector, by: number): Vector => [
+const dot = (a: HandleVector, b: HandleVector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const minus = (a: HandleVector, b: HandleVector): HandleVector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+export const plus = (a: HandleVector, b: HandleVector, by: number): HandleVector => [
 	a[0] + by * b[0],
 	a[1] + by * b[1],
 	a[2] + by * b[2],
 ];
-const cross = (a: Vector, b: Vector): Vector => [
+const cross = (a: HandleVector, b: HandleVector): HandleVector => [
 	a[1] * b[2] - a[2] * b[1],
 	a[2] * b[0] - a[0] * b[2],
 	a[0] * b[1] - a[1] * b[0],
 ];
 
-function unit(a: Vector): Vector {
+function unit(a: HandleVector): HandleVector {
 	const length = Math.hypot(...a);
 	return [a[0] / length, a[1] / length, a[2] / length];
 }

@@ -1,7 +1,7 @@
 /** Types of handles on the plant itself, in three dimensions. */
 import type { Change } from "../editor_context";
 
-export type Vector = readonly [x: number, y: number, z: number];
+export type HandleVector = readonly [x: number, y: number, z: number];
 
 /** A draggable handle. Its methods return changes of the specimen that it was made from. */
 export interface PlantHandle {
@@ -13,14 +13,14 @@ export interface PlantHandle {
 	/** Appearance, if not the usual one. */
 	readonly kind?: "size" | "turn" | "chosen";
 	/** Position in the plant's metres. */
-	readonly at: Vector;
+	readonly at: HandleVector;
 	/**
 	 * One or two directions of movement, of length 1; or three perpendicular ones, of which the two most visible are
 	 * used.
 	 */
-	readonly along: readonly Vector[];
+	readonly along: readonly HandleVector[];
 	/** Returns the change after dragging the handle to a position. */
-	pull(to: Vector): Change;
+	pull(to: HandleVector): Change;
 	/** Returns the change of the Delete key, if the handle can be removed. */
 	remove?(): Change;
 	/** Returns the change of an arrow key: 1, 0 or −1 to the right and up. */
@@ -31,7 +31,7 @@ export interface PlantHandle {
 export interface PlantHandles {
 	readonly handles: readonly PlantHandle[];
 	/** Polylines that show the handles' shape. */
-	readonly lines: readonly (readonly Vector[])[];
+	readonly lines: readonly (readonly HandleVector[])[];
 }
 
 /** Returns the handles of a specimen; `preset` is its published preset. */

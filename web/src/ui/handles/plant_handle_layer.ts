@@ -4,8 +4,8 @@
  */
 import type { Change } from "../editor_context";
 import { EscapeKey } from "./escape_key";
-import { placeUnder, type Ray, visibleWays } from "./handle_ways";
-import type { PlantHandle, PlantHandles, Vector } from "./plant_handle";
+import { placeUnder, type PointerRay, visibleWays } from "./handle_ways";
+import type { PlantHandle, PlantHandles, HandleVector } from "./plant_handle";
 import { HANDLES_STYLE } from "./plant_handles_style";
 import { ARROWS, nearest, type Point } from "./point";
 
@@ -13,9 +13,9 @@ import { ARROWS, nearest, type Point } from "./point";
 export interface HandleHost {
 	readonly canvas: HTMLCanvasElement;
 	/** Returns the position of a point in CSS pixels from the canvas's upper left corner. */
-	project(at: Vector): Point;
+	project(at: HandleVector): Point;
 	/** Returns the ray through a point of the canvas. */
-	rayThrough(x: number, y: number): Ray;
+	rayThrough(x: number, y: number): PointerRay;
 	/** A drag begins; `cancel` must restore the state of this moment. */
 	begin?(): void;
 	/** Applies a change at once; the host then sets the handles again. */
@@ -32,7 +32,7 @@ export interface HandleHost {
 interface Held {
 	readonly id: string;
 	readonly pointer: number;
-	readonly ways: readonly Vector[];
+	readonly ways: readonly HandleVector[];
 	/** Offset from the pointer to the handle, so that the handle does not jump. */
 	readonly offset: Point;
 	/** Latest pointer event since the last frame. */
@@ -52,7 +52,7 @@ export class PlantHandleLayer {
 	readonly #root: Document | ShadowRoot;
 	readonly #escape = new EscapeKey(() => this.cancel());
 	#handles: readonly PlantHandle[] = [];
-	#ends: readonly (readonly Vector[])[] = [];
+	#ends: readonly (readonly HandleVector[])[] = [];
 	#held: Held | undefined;
 	/** Last moved handle, and its last announced value; the handles after its change may be set later. */
 	#announced: { readonly id: string; readonly value: string | undefined } | undefined;
@@ -116,7 +116,7 @@ export class PlantHandleLayer {
 		// time.
 		const { offsetLeft, offsetTop, clientWidth, clientHeight } = this.#host.canvas;
 		const places = this.#handles.map(({ id, at }) => [id, this.#host.project(at)] as const);
-		const seen = (point: Vector) => {
+		const seen = (point: HandleVector) => {
 			const { x, y } = this.#host.project(point);
 			return `${x.toFixed(1)} ${y.toFixed(1)}`;
 		};

@@ -2,13 +2,13 @@ import { describe, expect, it } from "vitest";
 import type { BerrySurfaces, BunchPlant, Fruit } from "../../../../../web/src/models/bunch/bunch_plant";
 import { paintedBerries, scarShare } from "../../../../../web/src/models/bunch/parts/berry_colour";
 import { FRUIT_SKINS } from "../../../../../web/src/models/bunch/parts/fruit_skin";
-import { bunchSkin, type Dress } from "../../../../../web/src/models/bunch/parts/skin";
+import { bunchSkin, type BunchDress } from "../../../../../web/src/models/bunch/parts/skin";
 import type { Look } from "../../../bunch";
 import { type PressedOptions, pressedBunch } from "../pressed_bunch";
 import { LOOK } from "../sample_bunch";
 
 /** One berry, round and free, and its colours. */
-function one(look: Partial<Look>, options: PressedOptions = {}, parameters?: Dress["parameters"]) {
+function one(look: Partial<Look>, options: PressedOptions = {}, parameters?: BunchDress["parameters"]) {
 	const grown: BunchPlant = pressedBunch({ count: 1, ...options });
 	const surfaces = grown.surfaces as BerrySurfaces;
 	const { colours, sky } = paintedBerries(

@@ -15,7 +15,7 @@ import {
 	handleLabel,
 	handlePosition,
 	isSide,
-	type Shape,
+	type BunchShape,
 	type ShapeKey,
 	SIDES,
 } from "../../../../../web/src/models/bunch/profile/handles";
@@ -25,7 +25,7 @@ const anyPoint = fc.record({ x: fc.double(), y: fc.double() });
 const anyLocks = fc.record({ leftRight: fc.boolean(), frontBack: fc.boolean() });
 const bothLocked = { leftRight: true, frontBack: true };
 
-function expectInTable(shape: Shape) {
+function expectInTable(shape: BunchShape) {
 	for (const key of SHAPE_KEYS) {
 		const { min, max } = RANGES.get(key) as { min: number; max: number };
 		expect(shape[key]).toBeGreaterThanOrEqual(min);
@@ -34,7 +34,7 @@ function expectInTable(shape: Shape) {
 	}
 }
 
-function changedKeys(before: Shape, after: Shape): ShapeKey[] {
+function changedKeys(before: BunchShape, after: BunchShape): ShapeKey[] {
 	return SHAPE_KEYS.filter((key) => before[key] !== after[key]);
 }
 

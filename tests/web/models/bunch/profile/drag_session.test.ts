@@ -1,14 +1,14 @@
 import { describe, expect, it } from "vitest";
 import { profileDrags } from "../../../../../web/src/models/bunch/profile/drag_session";
-import type { Handle, Locks, Shape } from "../../../../../web/src/models/bunch/profile/handles";
+import type { Handle, Locks, BunchShape } from "../../../../../web/src/models/bunch/profile/handles";
 import { DEFAULTS } from "./shape";
 
 /** A view that records its events, with frames that the test triggers. */
 function view(handles: Handle[] = ["p2", "p3", "p4"], locks: Locks = { leftRight: false, frontBack: false }) {
-	const received: [what: string, shape: Shape][] = [];
+	const received: [what: string, shape: BunchShape][] = [];
 	let frame: (() => void) | undefined;
 	const page = {
-		parameters: { ...DEFAULTS } as Shape,
+		parameters: { ...DEFAULTS } as BunchShape,
 		received,
 		frame() {
 			const callback = frame;
@@ -17,7 +17,7 @@ function view(handles: Handle[] = ["p2", "p3", "p4"], locks: Locks = { leftRight
 		},
 		waiting: () => frame !== undefined,
 	};
-	const drags = profileDrags<Shape>({
+	const drags = profileDrags<BunchShape>({
 		handles: () => handles,
 		locks: () => locks,
 		get: () => page.parameters,
@@ -34,7 +34,7 @@ function view(handles: Handle[] = ["p2", "p3", "p4"], locks: Locks = { leftRight
 	return { page, drags };
 }
 
-const events = (received: [string, Shape][]) => received.map(([what]) => what);
+const events = (received: [string, BunchShape][]) => received.map(([what]) => what);
 
 describe("a drag", () => {
 	it("reports the newest position once a frame, and once at its end", () => {

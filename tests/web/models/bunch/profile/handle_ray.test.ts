@@ -3,9 +3,9 @@ import { describe, expect, it } from "vitest";
 import { dragHandle } from "../../../../../web/src/models/bunch/profile/drag";
 import {
 	handleVector,
-	type Ray,
+	type HandleRay,
 	rayToView,
-	type Vector,
+	type BunchVector,
 	visibleFreedom,
 } from "../../../../../web/src/models/bunch/profile/handle_ray";
 import { handlePosition, metresPerPixel } from "../../../../../web/src/models/bunch/profile/handles";
@@ -15,12 +15,12 @@ import { anyHandle, anyShape, DEFAULTS } from "./shape";
 const UNIT = 0.25;
 const PIXEL = metresPerPixel(UNIT);
 
-function rayTo(eye: Vector, target: Vector): Ray {
+function rayTo(eye: BunchVector, target: BunchVector): HandleRay {
 	return { origin: eye, direction: [target[0] - eye[0], target[1] - eye[1], target[2] - eye[2]] };
 }
 
 /** Eyes around the bunch, half a metre to a metre and a half away, not straight above or below. */
-const anyEye: fc.Arbitrary<Vector> = fc
+const anyEye: fc.Arbitrary<BunchVector> = fc
 	.record({
 		angle: evenly(-Math.PI, Math.PI),
 		height: evenly(-0.5, 0.5),
@@ -31,7 +31,7 @@ const anyEye: fc.Arbitrary<Vector> = fc
 describe("handleVector", () => {
 	it("puts p3 at +X, p4 at −X, p5 at +Z, p6 at −Z and p2 below, 29 pixels being 12.5 mm", () => {
 		const shape = { ...DEFAULTS, l: 29, p3w: 58, p3r: 29, p4w: 58, p4r: 0, p5w: 58, p5r: 29, p6w: 58, p6r: 29 };
-		const expected: [Parameters<typeof handleVector>[1], Vector][] = [
+		const expected: [Parameters<typeof handleVector>[1], BunchVector][] = [
 			["p2", [0, -0.0125, 0]],
 			["p3", [0.025, -0.0125, 0]],
 			["p4", [-0.025, 0, 0]],
@@ -72,7 +72,7 @@ describe("rayToView", () => {
 	});
 
 	it("moves p2 along the plumb line only", () => {
-		const eye: Vector = [0.3, 0.1, 0.6];
+		const eye: BunchVector = [0.3, 0.1, 0.6];
 		const ray = rayTo(eye, [0, -300 * PIXEL, 0]);
 		expect(visibleFreedom("p2", ray)).toBe("plumb");
 		expect(rayToView(DEFAULTS, "p2", "plumb", ray, UNIT)).toEqual({ x: 0, y: expect.closeTo(300, 6) });
@@ -83,7 +83,7 @@ describe("rayToView", () => {
 		fc.assert(
 			fc.property(anyShape, anyHandle, anyEye, factor, (shape, handle, eye, longer) => {
 				const ray = rayTo(eye, handleVector(shape, handle, UNIT));
-				const stretched = { ...ray, direction: ray.direction.map((value) => value * longer) as unknown as Vector };
+				const stretched = { ...ray, direction: ray.direction.map((value) => value * longer) as unknown as BunchVector };
 				const freedom = visibleFreedom(handle, ray);
 				expect(visibleFreedom(handle, stretched)).toBe(freedom);
 				const [one, other] = [ray, stretched].map((each) => rayToView(shape, handle, freedom, each, UNIT));
@@ -94,9 +94,9 @@ describe("rayToView", () => {
 	});
 
 	it.each(["plane", "plumb", "level"] as const)("is nothing where the %s lies behind the eye", (freedom) => {
-		const away: Ray = { origin: [0.05, -0.1, 0.6], direction: [0.1, 0.05, 1] };
+		const away: HandleRay = { origin: [0.05, -0.1, 0.6], direction: [0.1, 0.05, 1] };
 		expect(rayToView(DEFAULTS, "p3", freedom, away, UNIT)).toBeUndefined();
-		const towards: Ray = { origin: [0.05, -0.1, 0.6], direction: [-0.1, -0.05, -1] };
+		const towards: HandleRay = { origin: [0.05, -0.1, 0.6], direction: [-0.1, -0.05, -1] };
 		expect(rayToView(DEFAULTS, "p3", freedom, towards, UNIT)).toBeDefined();
 	});
 
@@ -115,19 +115,19 @@ describe("rayToView", () => {
 });
 
 describe("visibleFreedom", () => {
-	const centre: Vector = [0, -0.1, 0];
+	const centre: BunchVector = [0, -0.1, 0];
 
 	it("is the whole plane from the front and at a slant", () => {
 		for (const eye of [
 			[0, -0.1, 0.6],
 			[0.4, 0.2, 0.4],
-		] as Vector[]) {
+		] as BunchVector[]) {
 			expect(visibleFreedom("p3", rayTo(eye, centre))).toBe("plane");
 		}
 	});
 
 	it("is the plumb line where the plane is seen edge-on from the side, and its width then stays", () => {
-		const eye: Vector = [0.6, -0.1, 0];
+		const eye: BunchVector = [0.6, -0.1, 0];
 		expect(visibleFreedom("p3", rayTo(eye, centre))).toBe("plumb");
 		const ray = rayTo(eye, [150 * PIXEL, -200 * PIXEL, 0.002]);
 		expect(rayToView(DEFAULTS, "p3", "plumb", ray, UNIT)).toEqual({ x: 150, y: expect.closeTo(200, 2) });
@@ -135,14 +135,14 @@ describe("visibleFreedom", () => {
 	});
 
 	it("is the level where it is seen from above, and its drop then stays", () => {
-		const eye: Vector = [0, 0.6, 0];
+		const eye: BunchVector = [0, 0.6, 0];
 		expect(visibleFreedom("p5", rayTo(eye, centre))).toBe("level");
 		const ray = rayTo(eye, [0.002, -150 * PIXEL, 80 * PIXEL]);
 		expect(rayToView(DEFAULTS, "p5", "level", ray, UNIT)).toEqual({ x: expect.closeTo(80, 1), y: 150 });
 	});
 
 	it("is undefined for a handle behind the camera or a line seen end-on", () => {
-		const away: Ray = { origin: [0, 0, 0.6], direction: [0, 0, 1] };
+		const away: HandleRay = { origin: [0, 0, 0.6], direction: [0, 0, 1] };
 		expect(rayToView(DEFAULTS, "p3", "plane", away, UNIT)).toBeUndefined();
 		expect(rayToView(DEFAULTS, "p2", "plumb", { origin: [0, 1, 0], direction: [0, -1, 0] }, UNIT)).toBeUndefined();
 	});

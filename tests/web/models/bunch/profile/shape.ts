@@ -1,7 +1,7 @@
 /** Profiles and parameters for the tests in this folder. */
 
 import fc from "fast-check";
-import type { Handle, Shape, ShapeKey } from "../../../../../web/src/models/bunch/profile/handles";
+import type { Handle, BunchShape, ShapeKey } from "../../../../../web/src/models/bunch/profile/handles";
 import { HANDLES, handleKeys } from "../../../../../web/src/models/bunch/profile/handles";
 import type { Specimen } from "../../../bunch";
 import { CORE_ENTRIES } from "../../../bunch";
@@ -16,7 +16,7 @@ export const DEFAULTS = Object.fromEntries(
 ) as Specimen["parameters"];
 
 /** Any profile of whole pixels within the table's ranges. */
-export const anyShape: fc.Arbitrary<Shape> = fc.record(
+export const anyShape: fc.Arbitrary<BunchShape> = fc.record(
 	Object.fromEntries(SHAPE_KEYS.map((key) => [key, fc.integer(RANGES.get(key))])) as Record<
 		ShapeKey,
 		fc.Arbitrary<number>

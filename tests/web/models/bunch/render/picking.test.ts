@@ -2,14 +2,14 @@ import fc from "fast-check";
 import { Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import { pickBerry } from "../../../../../web/src/models/bunch/render/picking";
-import type { Vector } from "../../../../../web/src/render/model_renderer";
+import type { SceneVector } from "../../../../../web/src/render/model_renderer";
 import { evenly } from "../../../evenly";
 import { pressedBunch } from "../pressed_bunch";
 
 const bunch = pressedBunch({ count: 60, elongation: 1.4, swell: 1 });
 const { berries } = bunch;
 const centre = (i: number) => new Vector3().fromArray(berries.spheres, 4 * i);
-const tuple = (v: Vector3): Vector => [v.x, v.y, v.z];
+const tuple = (v: Vector3): SceneVector => [v.x, v.y, v.z];
 
 describe("pickBerry", () => {
 	it("meets no berry where it looks past all of them or away", () => {

@@ -16,7 +16,7 @@ import type { GrammarSpecimen } from "../../../../../web/src/models/grammar/spec
 import { fromPreset } from "../../../../../web/src/specimen/from_preset";
 import { apply } from "../../../../../web/src/ui/change";
 import type { Change } from "../../../../../web/src/ui/editor_context";
-import type { PlantHandle, Vector } from "../../../../../web/src/ui/handles/plant_handle";
+import type { PlantHandle, HandleVector } from "../../../../../web/src/ui/handles/plant_handle";
 
 const area = (kind: Area["kind"], centre: Triple, size: Triple = [1, 1, 1], rotation = UNTURNED): Area => ({
 	kind,
@@ -59,7 +59,7 @@ describe("edits of growth areas", () => {
 		const cone = start.areas?.[1] as Area;
 		const handle = handleOf(start, "side-1", 1);
 		const [along] = handle.along;
-		const to = handle.at.map((value, k) => value + 0.4 * along[k]) as unknown as Vector;
+		const to = handle.at.map((value, k) => value + 0.4 * along[k]) as unknown as HandleVector;
 		const wider = made(handle.pull(to)).areas?.[1] as Area;
 		close(wider.size, [1, 2.4, 0.5]);
 		close(placeIn(wider, [0, -1, 0]), placeIn(cone, [0, -1, 0]));
@@ -77,7 +77,7 @@ describe("edits of growth areas", () => {
 			const half = Math.sin(Math.PI / 12);
 			const q = [axis[0] * half, axis[1] * half, axis[2] * half, Math.cos(Math.PI / 12)] as const;
 			const out = handle.at.map((value, i) => value - cone.centre[i]) as unknown as Triple;
-			const to = turned(out, q).map((value, i) => value + cone.centre[i]) as unknown as Vector;
+			const to = turned(out, q).map((value, i) => value + cone.centre[i]) as unknown as HandleVector;
 			const turned30 = made(handle.pull(to));
 			close(handleOf(turned30, `turn-${k}`, 1).at, to);
 			expect(turned30.areas?.[1].centre).toEqual(cone.centre);
@@ -182,7 +182,7 @@ describe("the surface that is shown of an area", () => {
 
 describe("the handles of an area", () => {
 	/** The first view of the page: 24° to the right, 7° above; without perspective. */
-	const seen = ([x, y, z]: Vector): readonly [number, number] => {
+	const seen = ([x, y, z]: HandleVector): readonly [number, number] => {
 		const [a, e] = [24, 7].map((degrees) => (degrees * Math.PI) / 180);
 		const across = x * Math.cos(a) - z * Math.sin(a);
 		return [across, y * Math.cos(e) - (x * Math.sin(a) + z * Math.cos(a)) * Math.sin(e)];

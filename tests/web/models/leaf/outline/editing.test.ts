@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { bundled } from "../../../../../web/src/models/leaf/outline/bundles";
-import { type FlatVeins, inkOutline, type Pen } from "../../../../../web/src/models/leaf/outline/outline_canvas";
+import { type FlatVeins, inkOutline, type LeafPen } from "../../../../../web/src/models/leaf/outline/outline_canvas";
 import { outlineDrags } from "../../../../../web/src/models/leaf/outline/outline_drag";
 import {
 	fittedFrame,
@@ -184,7 +184,7 @@ describe("the canvas", () => {
 		const strokes: { width: number; alpha: number; lines: number }[] = [];
 		let lines = 0;
 		const state = { lineWidth: 1, globalAlpha: 1 };
-		const pen = new Proxy(state as unknown as Pen, {
+		const pen = new Proxy(state as unknown as LeafPen, {
 			get: (target, name) => {
 				if (name in target) return Reflect.get(target, name);
 				return () => {

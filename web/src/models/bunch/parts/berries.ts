@@ -11,7 +11,7 @@ import { flowersOf } from "./flowers";
 import { flowerColours } from "./foliage_colour";
 import { FLOWERS, naturalSkin, plainSkin } from "./materials";
 import { berryName, pieceName, pieceTitle } from "./names";
-import { bunchSkin, type Dress } from "./skin";
+import { bunchSkin, type BunchDress } from "./skin";
 
 const GROUP = "Berries";
 /** Step of ripeness, percent, in formats without colours of vertices. */
@@ -20,7 +20,7 @@ const RIPENESS_STEP = 25;
 const SCAR_TINT: Colour = [0.42, 0.3, 0.2];
 
 /** Returns the paper's berries: instances of one mesh of unit radius with the scar towards +Y. */
-export function sharedBerries(grown: BunchPlant, berry: Mesh, dress: Dress): Part {
+export function sharedBerries(grown: BunchPlant, berry: Mesh, dress: BunchDress): Part {
 	const { look } = dress;
 	const { berries } = grown;
 	const transforms = new Float32Array(TRANSFORM * berries.count);
@@ -38,7 +38,7 @@ export function sharedBerries(grown: BunchPlant, berry: Mesh, dress: Dress): Par
  * Returns natural berries, each with its own surface around its own centre; all share texture coordinates and
  * triangles.
  */
-export function naturalBerries(grown: BunchPlant, surfaces: BerrySurfaces, dress: Dress): Part {
+export function naturalBerries(grown: BunchPlant, surfaces: BerrySurfaces, dress: BunchDress): Part {
 	const { berries } = grown;
 	const skin = bunchSkin(grown, dress);
 	const painted = paintedBerries(grown, surfaces, skin);

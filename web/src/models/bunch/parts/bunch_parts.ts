@@ -8,7 +8,7 @@ import { naturalBerries, sharedBerries } from "./berries";
 import { autumnOf, foliageColours } from "./foliage_colour";
 import { foliageMaterials, stemMaterial } from "./materials";
 import { foliageNames, stemName } from "./names";
-import type { Dress } from "./skin";
+import type { BunchDress } from "./skin";
 import { stemColours } from "./stem_colour";
 
 /**
@@ -16,7 +16,7 @@ import { stemColours } from "./stem_colour";
  * @param grown not modified
  * @throws Error with a message for users if `grown` has no meshes
  */
-export function* bunchParts(grown: BunchPlant, dress: Dress): Generator<Part> {
+export function* bunchParts(grown: BunchPlant, dress: BunchDress): Generator<Part> {
 	const { stem, berry, surfaces, berries, foliage } = grown;
 	if (!stem || (berries.count > 0 && !berry && !surfaces)) {
 		throw new Error("This growth has no meshes to export: grow it with meshes.");

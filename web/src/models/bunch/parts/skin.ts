@@ -37,7 +37,7 @@ export interface Sunned {
 }
 
 /** Look of a bunch, and the sun it grew in, if known. */
-export type Dress = Pick<BunchSpecimen, "look"> & {
+export type BunchDress = Pick<BunchSpecimen, "look"> & {
 	parameters?: Pick<BunchSpecimen["parameters"], "sun" | "sun_height" | "sunlight">;
 };
 
@@ -112,7 +112,7 @@ const NO_SUN: Sunned = { towards: [0, 1, 0], amber: 0 };
 const GILDING = 1.6;
 
 /** Returns the sun's effect: clear pale skins turn amber; dark ones and rinds hide it. */
-function sunnedBy(parameters: NonNullable<Dress["parameters"]>, { ripe, uneven, fruit }: Skin): Sunned {
+function sunnedBy(parameters: NonNullable<BunchDress["parameters"]>, { ripe, uneven, fruit }: Skin): Sunned {
 	const turn = (parameters.sun * Math.PI) / 180;
 	const height = (parameters.sun_height * Math.PI) / 180;
 	const flat = Math.cos(height);
@@ -126,7 +126,7 @@ function sunnedBy(parameters: NonNullable<Dress["parameters"]>, { ripe, uneven, 
 /** Returns the skin of a bunch's berries. */
 export function bunchSkin(
 	{ form, procedure }: Pick<BunchPlant, "form" | "procedure">,
-	{ look, parameters }: Dress,
+	{ look, parameters }: BunchDress,
 ): Skin {
 	const skin = skinOf(look, form.fruit, procedure === "paper");
 	return procedure === "natural" && parameters ? { ...skin, sunned: sunnedBy(parameters, skin) } : skin;

@@ -12,7 +12,7 @@ import {
 	handlePosition,
 	isSide,
 	type Locks,
-	type Shape,
+	type BunchShape,
 	type ShapeKey,
 	SIDE_HANDLES,
 	SIDES,
@@ -32,21 +32,21 @@ export function clampPixels(key: ShapeKey, value: number): number {
 }
 
 /** Sets one number of the profile as its slider does: clamped, and its opposite too if the pair is locked. */
-export function setShapeValue<P extends Shape>(
+export function setShapeValue<P extends BunchShape>(
 	parameters: P,
 	key: ShapeKey,
 	value: number,
 	{ locks, mirror = false }: DragOptions = {},
 ): P {
 	if (!Number.isFinite(value)) return parameters;
-	const changed: Partial<Shape> = { [key]: clampPixels(key, value) };
+	const changed: Partial<BunchShape> = { [key]: clampPixels(key, value) };
 	return { ...parameters, ...withOpposites(changed, mirror ? BOTH_LOCKED : locks) };
 }
 
 const BOTH_LOCKED: Locks = { leftRight: true, frontBack: true };
 
 /** Completes a change by its locks: omitted sides take their opposite's numbers. */
-export function withOpposites<C extends Partial<Shape>>(changed: C, locks?: Locks): C {
+export function withOpposites<C extends Partial<BunchShape>>(changed: C, locks?: Locks): C {
 	const followed = { ...changed };
 	for (const side of SIDE_HANDLES) {
 		const { opposite, lock } = SIDES[side];
@@ -64,7 +64,7 @@ export function withOpposites<C extends Partial<Shape>>(changed: C, locks?: Lock
  * of a side may pass the tip: the table allows it and rd is limited to m − 1 (section 4.2). A coordinate of NaN leaves
  * its number unchanged.
  */
-export function dragHandle<P extends Shape>(parameters: P, handle: Handle, { x, y }: Point, options?: DragOptions): P {
+export function dragHandle<P extends BunchShape>(parameters: P, handle: Handle, { x, y }: Point, options?: DragOptions): P {
 	if (!isSide(handle)) return setShapeValue(parameters, "l", y, options);
 	const widened = setShapeValue(parameters, `${handle}w`, SIDES[handle].sign * x, options);
 	return setShapeValue(widened, `${handle}r`, y, options);
@@ -74,7 +74,7 @@ export function dragHandle<P extends Shape>(parameters: P, handle: Handle, { x, 
  * Moves a handle by `pixels` for an arrow key; returns undefined for another key, or a direction in which the handle
  * cannot move.
  */
-export function nudgeHandle<P extends Shape>(
+export function nudgeHandle<P extends BunchShape>(
 	parameters: P,
 	handle: Handle,
 	key: string,
@@ -95,18 +95,18 @@ export function straightened(to: Point, from: Point): Point {
 }
 
 /** Returns whether two profiles agree in every number that the handles set. */
-export function sameShape(a: Shape, b: Shape, handles: readonly Handle[]): boolean {
+export function sameShape(a: BunchShape, b: BunchShape, handles: readonly Handle[]): boolean {
 	return handles.every((handle) => handleKeys(handle).every((key) => a[key] === b[key]));
 }
 
 /** Swaps the right and the left side (p3 and p4). */
-export function mirrorLeftRight<P extends Shape>(parameters: P): P {
+export function mirrorLeftRight<P extends BunchShape>(parameters: P): P {
 	const { p3w, p3r, p4w, p4r } = parameters;
 	return { ...parameters, p3w: p4w, p3r: p4r, p4w: p3w, p4r: p3r };
 }
 
 /** Swaps the front and the back side (p5 and p6). */
-export function mirrorFrontBack<P extends Shape>(parameters: P): P {
+export function mirrorFrontBack<P extends BunchShape>(parameters: P): P {
 	const { p5w, p5r, p6w, p6r } = parameters;
 	return { ...parameters, p5w: p6w, p5r: p6r, p6w: p5w, p6r: p5r };
 }

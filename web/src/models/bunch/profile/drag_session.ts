@@ -1,9 +1,9 @@
 /** Drags of the profile's handles, in a flat view or in 3-D: positions are pixels of the handle's flat view. */
 import { DragSession } from "../../../ui/handles/drag_session";
 import { type DragOptions, dragHandle, sameShape, straightened } from "./drag";
-import { type Handle, handleKeys, handlePosition, type Locks, type Shape } from "./handles";
+import { type Handle, handleKeys, handlePosition, type Locks, type BunchShape } from "./handles";
 
-export interface ProfileHost<P extends Shape> {
+export interface ProfileHost<P extends BunchShape> {
 	/** Handles whose numbers a drag may change. */
 	handles(): readonly Handle[];
 	locks(): Locks;
@@ -14,12 +14,12 @@ export interface ProfileHost<P extends Shape> {
 }
 
 export type ProfileKeys = Pick<PointerEvent, "shiftKey" | "altKey">;
-export type ProfileDrags<P extends Shape> = DragSession<Handle, P, ProfileKeys>;
+export type ProfileDrags<P extends BunchShape> = DragSession<Handle, P, ProfileKeys>;
 
 /**
  * Creates a drag session: Shift keeps a handle on its horizontal or vertical, Alt moves the opposite handle with it.
  */
-export function profileDrags<P extends Shape>(host: ProfileHost<P>): ProfileDrags<P> {
+export function profileDrags<P extends BunchShape>(host: ProfileHost<P>): ProfileDrags<P> {
 	return new DragSession<Handle, P, ProfileKeys>({
 		get: () => host.get(),
 		place: (handle) => handlePosition(host.get(), handle),

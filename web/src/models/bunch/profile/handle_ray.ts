@@ -4,14 +4,14 @@
  * that drag.ts serves both.
  */
 import type { Point } from "../../../ui/handles/point";
-import { type Handle, handlePosition, isSide, metresPerPixel, type Shape, SIDES } from "./handles";
+import { type Handle, handlePosition, isSide, metresPerPixel, type BunchShape, SIDES } from "./handles";
 
-export type Vector = readonly [x: number, y: number, z: number];
+export type BunchVector = readonly [x: number, y: number, z: number];
 
-export interface Ray {
-	origin: Vector;
+export interface HandleRay {
+	origin: BunchVector;
 	/** Any non-zero length. */
-	direction: Vector;
+	direction: BunchVector;
 }
 
 /**
@@ -29,16 +29,16 @@ const GRAZING = 0.17;
  */
 const END_ON = 0.02;
 
-const length = ([x, y, z]: Vector): number => Math.hypot(x, y, z);
-const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const length = ([x, y, z]: BunchVector): number => Math.hypot(x, y, z);
+const dot = (a: BunchVector, b: BunchVector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
 /** Returns the rightward axis of a handle's view: +X in front, +Z at the side. */
-export function across(handle: Handle): Vector {
+export function across(handle: Handle): BunchVector {
 	return isSide(handle) && SIDES[handle].view === "side" ? [0, 0, 1] : [1, 0, 0];
 }
 
 /** Returns a handle's position in the bunch's frame. */
-export function handleVector(shape: Shape, handle: Handle, unit: number): Vector {
+export function handleVector(shape: BunchShape, handle: Handle, unit: number): BunchVector {
 	const { x, y } = handlePosition(shape, handle);
 	const pixel = metresPerPixel(unit);
 	const [ax, , az] = across(handle);
@@ -49,7 +49,7 @@ export function handleVector(shape: Shape, handle: Handle, unit: number): Vector
  * Returns the freedom that is visible along a ray; computed once, when the handle is grabbed, so that it is constant
  * during a drag.
  */
-export function visibleFreedom(handle: Handle, { direction }: Ray): Freedom {
+export function visibleFreedom(handle: Handle, { direction }: HandleRay): Freedom {
 	if (!isSide(handle)) return "plumb";
 	const size = length(direction);
 	const [ax, , az] = across(handle);
@@ -62,7 +62,7 @@ export function visibleFreedom(handle: Handle, { direction }: Ray): Freedom {
  * Returns the point where the ray meets the handle's plane, or comes nearest to its line; undefined if there is none
  * (seen end-on, or behind the camera).
  */
-export function rayToView(shape: Shape, handle: Handle, freedom: Freedom, ray: Ray, unit: number): Point | undefined {
+export function rayToView(shape: BunchShape, handle: Handle, freedom: Freedom, ray: HandleRay, unit: number): Point | undefined {
 	const at = handleVector(shape, handle, unit);
 	const pixel = metresPerPixel(unit);
 	const axis = across(handle);
@@ -75,7 +75,7 @@ export function rayToView(shape: Shape, handle: Handle, freedom: Freedom, ray: R
 		const down = nearestOnLine(at, [0, -1, 0], ray);
 		return down === undefined ? undefined : { x: from.x, y: from.y + down / pixel };
 	}
-	const normal: Vector = [axis[2], 0, -axis[0]];
+	const normal: BunchVector = [axis[2], 0, -axis[0]];
 	const distance = -dot(ray.origin, normal) / dot(ray.direction, normal);
 	if (!(distance > 0) || !Number.isFinite(distance)) return undefined;
 	const hit = ray.origin.map((value, i) => value + distance * ray.direction[i]) as [number, number, number];
@@ -83,7 +83,7 @@ export function rayToView(shape: Shape, handle: Handle, freedom: Freedom, ray: R
 }
 
 /** Returns the position along a line (through `point`, unit `line`) where it is nearest to the ray. */
-function nearestOnLine(point: Vector, line: Vector, { origin, direction }: Ray): number | undefined {
+function nearestOnLine(point: BunchVector, line: BunchVector, { origin, direction }: HandleRay): number | undefined {
 	const size = length(direction);
 	const towards = direction.map((value) => value / size) as [number, number, number];
 	const between = origin.map((value, i) => value - point[i]) as [number, number, number];

@@ -13,7 +13,7 @@ export type Handle = "p2" | SideHandle;
 export type ShapeKey = Extract<NumberKey, "l" | `${SideHandle}${"w" | "r"}`>;
 
 /** Numbers that the handles set; a specimen's parameters contain them. */
-export type Shape = Record<ShapeKey, number>;
+export type BunchShape = Record<ShapeKey, number>;
 
 /** Pairs of sides that move as one. */
 export interface Locks {
@@ -65,14 +65,14 @@ export function handleKeys(handle: Handle): ShapeKey[] {
 }
 
 /** Returns a handle's position in its view. */
-export function handlePosition(shape: Shape, handle: Handle): Point {
+export function handlePosition(shape: BunchShape, handle: Handle): Point {
 	if (!isSide(handle)) return { x: 0, y: shape.l };
 	// −0 is 0
 	return { x: SIDES[handle].sign * shape[`${handle}w`] + 0, y: shape[`${handle}r`] };
 }
 
 /** A profile with the millimetres of its unit. */
-export type ScaledShape = Shape & Record<"unit", number>;
+export type ScaledShape = BunchShape & Record<"unit", number>;
 
 /** Returns a handle's label: "p3, right: 64.7 mm wide, 64.7 mm down". */
 export function handleLabel(shape: ScaledShape, handle: Handle): string {

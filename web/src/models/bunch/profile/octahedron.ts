@@ -7,7 +7,7 @@ import { EscapeKey } from "../../../ui/handles/escape_key";
 import { nearest, type Point } from "../../../ui/handles/point";
 import type { BunchSpecimen as Specimen } from "../specimen";
 import { type ProfileDrags, profileDrags } from "./drag_session";
-import { type Freedom, handleVector, type Ray, rayToView, visibleFreedom } from "./handle_ray";
+import { type Freedom, handleVector, type HandleRay, rayToView, visibleFreedom } from "./handle_ray";
 import { HANDLES, type Handle, type Locks } from "./handles";
 import { type OctahedronColours, OctahedronRenderer } from "./octahedron_renderer";
 
@@ -184,7 +184,7 @@ export class OctahedronHandles {
 	}
 
 	/** The pointer's ray in the bunch's frame. */
-	#ray({ clientX, clientY }: PointerEvent): Ray {
+	#ray({ clientX, clientY }: PointerEvent): HandleRay {
 		const box = this.#host.canvas.getBoundingClientRect();
 		const x = ((clientX - box.left) / box.width) * 2 - 1;
 		const y = 1 - ((clientY - box.top) / box.height) * 2;

@@ -13,7 +13,7 @@ import {
 	SphereGeometry,
 } from "three";
 import { handleVector } from "./handle_ray";
-import { HANDLES, type Handle, type Shape } from "./handles";
+import { HANDLES, type Handle, type BunchShape } from "./handles";
 
 export interface OctahedronColours {
 	line: ColorRepresentation;
@@ -78,7 +78,7 @@ export class OctahedronRenderer {
 		this.setColours(COLOURS);
 	}
 
-	update(parameters: Shape & { unit: number }): void {
+	update(parameters: BunchShape & { unit: number }): void {
 		for (const [index, handle] of HANDLES.entries()) {
 			const place = handleVector(parameters, handle, parameters.unit);
 			this.#corners.setXYZ(index + 1, ...place);

@@ -1,6 +1,6 @@
 /** The octahedron's handles on the bunch itself. */
 import type { Change } from "../../../ui/editor_context";
-import type { HandlesOf, PlantHandle, Vector } from "../../../ui/handles/plant_handle";
+import type { HandlesOf, PlantHandle, HandleVector } from "../../../ui/handles/plant_handle";
 import type { BunchSpecimen } from "../specimen";
 import { dragHandle } from "./drag";
 import { across, handleVector } from "./handle_ray";
@@ -17,14 +17,14 @@ import {
 
 type Parameters = BunchSpecimen["parameters"];
 
-const VERTICAL: Vector = [0, 1, 0];
+const VERTICAL: HandleVector = [0, 1, 0];
 /** Pixels of the profile per press of an arrow key, and with Shift. */
 const STEP = 1;
 const LARGE_STEP = 10;
 
 export const bunchHandles: HandlesOf<BunchSpecimen> = ({ parameters }) => {
 	const place = (handle: Handle) => handleVector(parameters, handle, parameters.unit);
-	const top: Vector = [0, 0, 0];
+	const top: HandleVector = [0, 0, 0];
 	const ring = (["p3", "p5", "p4", "p6"] as const).map(place);
 	return {
 		handles: HANDLES.map((handle) => handleOf(parameters, handle)),

@@ -11,7 +11,7 @@ import {
 	inMillimetres,
 	isSide,
 	type ScaledShape,
-	type Shape,
+	type BunchShape,
 	type ShapeKey,
 	SIDES,
 	VIEW_SIDES,
@@ -45,18 +45,18 @@ export function drawOwn(parameters: Specimen["parameters"], own: OwnProfile | un
 }
 
 /** Returns whether two profiles differ by more than half a pixel. */
-function differs(parameters: Shape, own: OwnProfile): boolean {
+function differs(parameters: BunchShape, own: OwnProfile): boolean {
 	return Object.entries(own).some(([key, value]) => Math.abs(parameters[key as keyof OwnProfile] - value) > 0.5);
 }
 
 /** Returns a handle's position in CSS pixels from the view's corner. */
-export function handlePlace(shape: Shape, handle: Handle, frame: ViewFrame): Point {
+export function handlePlace(shape: BunchShape, handle: Handle, frame: ViewFrame): Point {
 	const { x, y } = handlePosition(shape, handle);
 	return { x: (x - frame.left) * frame.scale, y: (y - frame.top) * frame.scale };
 }
 
 /** Draws a handle's name beside its dot, shifted outwards near the axis to avoid p1's and its opposite's names. */
-export function drawName(shape: Shape, handle: Handle, frame: ViewFrame): TemplateResult {
+export function drawName(shape: BunchShape, handle: Handle, frame: ViewFrame): TemplateResult {
 	const { x } = handlePosition(shape, handle);
 	const shift = isSide(handle) ? SIDES[handle].sign * Math.max(5, 19 - Math.abs(x) * frame.scale) : 0;
 	return html`<span class="name" .style=${`--shift: ${shift}px`}

@@ -2,7 +2,7 @@
 import { roundLength } from "../../../ui/handles/scale_bar";
 import { PROCEDURES } from "../bunch_plant";
 import type { BunchSpecimen as Specimen } from "../specimen";
-import { type Shape, SIDE_HANDLES, UNITS_PER_PIXEL, VIEW_PIXELS } from "./handles";
+import { type BunchShape, SIDE_HANDLES, UNITS_PER_PIXEL, VIEW_PIXELS } from "./handles";
 
 export interface ViewFrame {
 	/** The SVG's viewBox, in pixels of the profile. */
@@ -27,7 +27,7 @@ const LONGER = [720, 860, 1000, 1200];
 const BELOW_SIDE = 20;
 
 /** Parameters that determine a bunch's extent. */
-export type Roomy = Shape & Pick<Specimen["parameters"], "procedure" | "rmax" | "size" | "unit">;
+export type Roomy = BunchShape & Pick<Specimen["parameters"], "procedure" | "rmax" | "size" | "unit">;
 
 /** Returns how far pedicel and berry reach beyond the tip and the widths, in pixels of the profile. */
 function beyond({ procedure, rmax, size, unit }: Roomy): number {
@@ -36,7 +36,7 @@ function beyond({ procedure, rmax, size, unit }: Roomy): number {
 }
 
 /** Enlarges a shape to contain the seed's own profile. */
-export function withRoomFor(shape: Roomy, own: Partial<Shape> = {}): Roomy {
+export function withRoomFor(shape: Roomy, own: Partial<BunchShape> = {}): Roomy {
 	const { l = 0, ...sides } = own;
 	const larger = { ...shape, l: Math.max(shape.l, l) };
 	for (const side of SIDE_HANDLES) larger[`${side}w`] = Math.max(shape[`${side}w`], sides[`${side}w`] ?? 0);

@@ -9,7 +9,7 @@ import { standardMaterial } from "../../../render/standard_material";
 import type { BunchPlant } from "../bunch_plant";
 import { tintOf } from "../parts/berry_tint";
 import { FLOWERS, foliageMaterials, stemMaterial } from "../parts/materials";
-import { bunchSkin, type Dress } from "../parts/skin";
+import { bunchSkin, type BunchDress } from "../parts/skin";
 import { berryMaterial, NONE, setSkin } from "./berry_material";
 import { BunchSurface, type PartMaterials } from "./bunch_surface";
 import { CachedSky } from "./cached_sky";
@@ -33,7 +33,7 @@ const OF_FLOWER =
 export const BUNCH_MODES = ["whole", "stems"] as const;
 
 /** Renders a bunch with its berries' flesh, wax and shadows; `pick` and `mark` use berry ids. */
-export class BunchRenderer implements ModelRenderer<Dress, BunchPlant> {
+export class BunchRenderer implements ModelRenderer<BunchDress, BunchPlant> {
 	readonly modes = BUNCH_MODES;
 	readonly #stage: RendererStage;
 	readonly #casterRecords = new RecordTexture(CAST_RECORD);
@@ -87,7 +87,7 @@ export class BunchRenderer implements ModelRenderer<Dress, BunchPlant> {
 		this.show(WARM_UP_BUNCH, { look: WARM_UP_LOOK });
 	}
 
-	show(latest: BunchPlant, dress: Dress): void {
+	show(latest: BunchPlant, dress: BunchDress): void {
 		const { look } = dress;
 		const grown = this.#sky.of(latest);
 		this.#grown = grown;

@@ -1,4 +1,4 @@
-import type { Vector } from "../../../render/model_renderer";
+import type { SceneVector } from "../../../render/model_renderer";
 import { lampHidden } from "../../../render/occlusion";
 import { SphereIndex } from "../../../render/sphere_index";
 import type { Receivers } from "./receivers";
@@ -12,7 +12,7 @@ const MAX_FOUND = 512;
 
 /** A light: the direction towards it (unit length, in the bunch's frame) and the tangent of its apparent radius. */
 export interface Lamp {
-	direction: Vector;
+	direction: SceneVector;
 	spread: number;
 }
 
@@ -118,14 +118,14 @@ function same(one: Lamp, other: Lamp): boolean {
 /** The spheres in coordinates of one direction: two across it, one along. */
 class Column {
 	readonly #index: SphereIndex;
-	readonly #u: Vector;
-	readonly #v: Vector;
+	readonly #u: SceneVector;
+	readonly #v: SceneVector;
 	#atU = 0;
 	#atV = 0;
 
 	constructor(
 		readonly spheres: Float32Array,
-		readonly direction: Vector,
+		readonly direction: SceneVector,
 		readonly across: Float32Array,
 	) {
 		const [x, y, z] = direction;
@@ -164,6 +164,6 @@ class Column {
 	}
 }
 
-function dot(d: Vector, x: number, y: number, z: number): number {
+function dot(d: SceneVector, x: number, y: number, z: number): number {
 	return d[0] * x + d[1] * y + d[2] * z;
 }

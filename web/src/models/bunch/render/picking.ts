@@ -1,4 +1,4 @@
-import type { Ray, Vector } from "../../../render/model_renderer";
+import type { Ray, SceneVector } from "../../../render/model_renderer";
 import type { Berries } from "../bunch_plant";
 import { halvesOf } from "../traits";
 
@@ -20,12 +20,12 @@ export function pickBerry(berries: Berries, ray: Ray): number | undefined {
 function meeting(berries: Berries, i: number, { origin, direction }: Ray): number | undefined {
 	const { spheres, directions } = berries;
 	const [width, length] = halvesOf(berries, i);
-	const axis: Vector = [directions[3 * i], directions[3 * i + 1], directions[3 * i + 2]];
-	const from: Vector = [origin[0] - spheres[4 * i], origin[1] - spheres[4 * i + 1], origin[2] - spheres[4 * i + 2]];
+	const axis: SceneVector = [directions[3 * i], directions[3 * i + 1], directions[3 * i + 2]];
+	const from: SceneVector = [origin[0] - spheres[4 * i], origin[1] - spheres[4 * i + 1], origin[2] - spheres[4 * i + 2]];
 	// In the space where the berry is the unit ball: lengths along the axis shrink by more than those across it.
 	const shrink = width / length - 1;
-	const scaled = (v: Vector) => v.map((value, k) => (value + dot(v, axis) * shrink * axis[k]) / width);
-	const [p, d] = [scaled(from) as unknown as Vector, scaled(direction) as unknown as Vector];
+	const scaled = (v: SceneVector) => v.map((value, k) => (value + dot(v, axis) * shrink * axis[k]) / width);
+	const [p, d] = [scaled(from) as unknown as SceneVector, scaled(direction) as unknown as SceneVector];
 	const a = dot(d, d);
 	const b = dot(p, d);
 	const inside = b * b - a * (dot(p, p) - 1);
@@ -34,6 +34,6 @@ function meeting(berries: Berries, i: number, { origin, direction }: Ray): numbe
 	return near > 0 ? near : undefined;
 }
 
-function dot(a: Vector, b: Vector): number {
+function dot(a: SceneVector, b: SceneVector): number {
 	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }

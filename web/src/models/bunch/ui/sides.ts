@@ -1,7 +1,7 @@
 import { html } from "lit";
 import { icon } from "../../../ui/icons";
 import { mirrorFrontBack, mirrorLeftRight, withOpposites } from "../profile/drag";
-import { type Locks, type Shape, SIDES } from "../profile/handles";
+import { type Locks, type BunchShape, SIDES } from "../profile/handles";
 import type { BunchSpecimen } from "../specimen";
 import type { BunchContext, BunchTool } from "./context";
 import { MIRROR } from "./icons";
@@ -19,7 +19,7 @@ export const sides: BunchTool<Locks> = {
 	// A change of both sides of a pair stays as it is.
 	follow: ({ parameters, ...change }, context) =>
 		parameters
-			? { ...change, parameters: withOpposites(parameters as Partial<Shape>, context.toolState(sides)) }
+			? { ...change, parameters: withOpposites(parameters as Partial<BunchShape>, context.toolState(sides)) }
 			: change,
 	panel: { group: "shape", place: "below", draw },
 };
@@ -32,7 +32,7 @@ export function toggleLock(context: BunchContext, pair: Pair): void {
 }
 
 /** Copies right to left, or front to back. */
-function brought({ parameters }: BunchSpecimen, pair: Pair): Partial<Shape> {
+function brought({ parameters }: BunchSpecimen, pair: Pair): Partial<BunchShape> {
 	const side = pair === "leftRight" ? "p3" : "p5";
 	const { opposite } = SIDES[side];
 	return { [`${opposite}w`]: parameters[`${side}w`], [`${opposite}r`]: parameters[`${side}r`] };

@@ -2,7 +2,7 @@
 import { decimals } from "../../../grammar_editor/outline";
 import { written } from "../../../grammar_editor/scrub";
 
-export interface NumberRange {
+export interface TokenRange {
 	readonly min: number;
 	readonly max: number;
 	readonly step: number;
@@ -14,7 +14,7 @@ export interface NumberRange {
 const STEPS = 200;
 
 /** Returns the range for a number's current value, by its name: N, atx … m, or a variable. */
-export function rangeFor(name: string, value: number): NumberRange {
+export function rangeFor(name: string, value: number): TokenRange {
 	if (name === "N") return range(3, Math.max(24, 2 * value), 1);
 	if (name === "m") return range(0, Math.max(20, value), 1);
 	if (/^at[xyz]$/.test(name)) return range(Math.min(-90, 2 * value), Math.max(90, 2 * value), 1);
@@ -27,14 +27,14 @@ export function rangeFor(name: string, value: number): NumberRange {
 }
 
 /** Returns the range given by the text or by the slider of its constant. */
-export const statedRange = ({ min, max, step }: Omit<NumberRange, "written">): NumberRange => range(min, max, step);
+export const statedRange = ({ min, max, step }: Omit<TokenRange, "written">): TokenRange => range(min, max, step);
 
 /** Returns the range if a value is in it, so that it does not change during a drag. */
-export function within(range: NumberRange | undefined, value: number): NumberRange | undefined {
+export function within(range: TokenRange | undefined, value: number): TokenRange | undefined {
 	return range && value >= range.min && value <= range.max ? range : undefined;
 }
 
-function range(min: number, max: number, step: number): NumberRange {
+function range(min: number, max: number, step: number): TokenRange {
 	const places = step < 1 ? Math.max(0, decimals(String(Number(step.toFixed(6))))) : 0;
 	return { min, max, step, written: (value) => written(Math.min(Math.max(value, min), max), places) };
 }

@@ -3,7 +3,7 @@
  * them.
  */
 import type { Token } from "../../../grammar_editor/scan";
-import { type Entry, entriesOf, inFields } from "./statements";
+import { type FlowerEntry, entriesOf, inFields } from "./statements";
 
 /**
  * Returns the overridden numbers as indices into N, T, atx, aty, atz, H, L, W, m. Productions whose predecessor has
@@ -17,7 +17,7 @@ export function overridden(
 	label: string,
 	translated: boolean | undefined,
 ): ReadonlySet<number> {
-	const lists: (readonly (Entry | undefined)[])[] = [];
+	const lists: (readonly (FlowerEntry | undefined)[])[] = [];
 	for (const pieces of statements) {
 		const arrow = pieces.findIndex(({ kind }) => kind === "arrow");
 		const begins = /^#axiome?$/.test(pieces[0].text);
@@ -31,7 +31,7 @@ export function overridden(
 		}
 	}
 	const fields = lists.length === 0 ? [] : [...lists[0].keys()];
-	const gives = (list: readonly (Entry | undefined)[], field: number) => {
+	const gives = (list: readonly (FlowerEntry | undefined)[], field: number) => {
 		const [from, to] = list[field] ?? [0, 0];
 		return to > from;
 	};

@@ -71,11 +71,11 @@ export function formsOf(statements: readonly (readonly Token[])[]): Map<string, 
 }
 
 /** Range of the tokens of an entry: the first token, and the one behind the last. */
-export type Entry = readonly [from: number, to: number];
+export type FlowerEntry = readonly [from: number, to: number];
 
 /** Returns the entries of the list whose bracket opens at a token, and the token behind the list. */
-export function entriesOf(pieces: readonly Token[], open: number): { entries: Entry[]; end: number } {
-	const entries: Entry[] = [];
+export function entriesOf(pieces: readonly Token[], open: number): { entries: FlowerEntry[]; end: number } {
+	const entries: FlowerEntry[] = [];
 	let [from, depth] = [open + 1, 0];
 	for (let i = open; i < pieces.length; i++) {
 		const { text } = pieces[i];
@@ -94,7 +94,7 @@ export function entriesOf(pieces: readonly Token[], open: number): { entries: En
  * Assigns a list's entries to N, T, atx, aty, atz, H, L, W, m; undefined for numbers that the list lacks.
  * @param translated whether the volume's lists have a translation
  */
-export function inFields(entries: readonly Entry[], translated: boolean | undefined): (Entry | undefined)[] {
+export function inFields(entries: readonly FlowerEntry[], translated: boolean | undefined): (FlowerEntry | undefined)[] {
 	// Lists of ten numbers have one angle too many (docs/models/flower/language.md).
 	const listed = entries.filter((_, i) => entries.length !== 10 || i !== 5);
 	const whole = listed.length === 9 || (listed.length !== 8 && translated);

@@ -6,7 +6,7 @@ import type { Token } from "../../../grammar_editor/scan";
 import { canGrowOnFace } from "./faces";
 import { scan } from "./language";
 import { overridden } from "./overridden";
-import { bare, type Entry, entriesOf, formsOf, inFields, statementsOf } from "./statements";
+import { bare, type FlowerEntry, entriesOf, formsOf, inFields, statementsOf } from "./statements";
 
 /** A number in the text. */
 export interface NumberToken {
@@ -102,7 +102,7 @@ const nth = (i: number, { length }: readonly unknown[]): string => (length > 1 ?
 
 /** The list of numbers behind a volume's name, and the token behind it. */
 interface List {
-	readonly entries: readonly Entry[];
+	readonly entries: readonly FlowerEntry[];
 	/** Index of the name. */
 	readonly from: number;
 	readonly end: number;
@@ -187,7 +187,7 @@ function statementEnd(pieces: Pieces, from: number): number {
 /** Returns the entries that are a plain number, without expressions. */
 function numberTokensIn(
 	pieces: Pieces,
-	entries: readonly (Entry | undefined)[],
+	entries: readonly (FlowerEntry | undefined)[],
 	names: readonly string[],
 ): NumberToken[] {
 	return entries.flatMap((entry, i) => {

@@ -10,7 +10,7 @@ import { sliderRow } from "../../../ui/slider_row";
 import { readTyped } from "../../../ui/typed";
 import type { FlowerPlant } from "../flower_plant";
 import type { FlowerSpecimen } from "../specimen";
-import { type NumberRange, rangeFor, statedRange, within } from "./number_range";
+import { type TokenRange, rangeFor, statedRange, within } from "./number_range";
 import { describeNumber, FIELDS } from "./number_words";
 import { footOf, organOf, placeOfVolume, titleOfVolume } from "./organ";
 import { source } from "./text";
@@ -31,7 +31,7 @@ export class VolumePanel extends ControlElement<EditorContext<FlowerSpecimen, Fl
 	/** The gesture that a slider began; the slider may disappear before it ends, with the volume. */
 	#gesture: string | undefined;
 	/** Slider ranges, stable during a drag. */
-	readonly #ranges = new Map<string, NumberRange>();
+	readonly #ranges = new Map<string, TokenRange>();
 
 	protected override shows(): readonly unknown[] {
 		const { grown } = this.context.state;

@@ -6,9 +6,9 @@ export const AREA_KINDS = ["box", "sphere", "ellipsoid", "cylinder", "cone", "me
 export type AreaKind = (typeof AREA_KINDS)[number];
 
 export type Triple = readonly [x: number, y: number, z: number];
-export type Quaternion = readonly [x: number, y: number, z: number, w: number];
+export type AreaRotation = readonly [x: number, y: number, z: number, w: number];
 
-export const UNTURNED: Quaternion = [0, 0, 0, 1];
+export const UNTURNED: AreaRotation = [0, 0, 0, 1];
 
 export interface Area {
 	readonly kind: AreaKind;
@@ -17,7 +17,7 @@ export interface Area {
 	/** Size of the box that it fills before it is rotated, metres; a sphere's three sizes are equal. */
 	readonly size: Triple;
 	/** Unit quaternion. */
-	readonly rotation: Quaternion;
+	readonly rotation: AreaRotation;
 	/** Mesh of an area of kind `mesh`, in any unit: it is scaled to `size`. Links do not contain it. */
 	readonly mesh?: ClosedMesh;
 }
@@ -43,13 +43,13 @@ export const FARTHEST = 100;
 export const SMALLEST = 0.01;
 
 /** Rotates a vector. */
-export function turned([x, y, z]: Triple, [qx, qy, qz, qw]: Quaternion): Triple {
+export function turned([x, y, z]: Triple, [qx, qy, qz, qw]: AreaRotation): Triple {
 	const [tx, ty, tz] = [2 * (qy * z - qz * y), 2 * (qz * x - qx * z), 2 * (qx * y - qy * x)];
 	return [x + qw * tx + qy * tz - qz * ty, y + qw * ty + qz * tx - qx * tz, z + qw * tz + qx * ty - qy * tx];
 }
 
 /** Rotates by degrees about an axis, after another rotation. */
-export function turnedOn([bx, by, bz, bw]: Quaternion, axis: Triple, degrees: number): Quaternion {
+export function turnedOn([bx, by, bz, bw]: AreaRotation, axis: Triple, degrees: number): AreaRotation {
 	const half = (degrees * Math.PI) / 360;
 	const [ax, ay, az] = axis.map((value) => value * Math.sin(half));
 	const aw = Math.cos(half);
@@ -62,7 +62,7 @@ export function turnedOn([bx, by, bz, bw]: Quaternion, axis: Triple, degrees: nu
 }
 
 /** Converts a rotation to the angles that users type: degrees about Y, then X, then Z. */
-export function degreesOf([x, y, z, w]: Quaternion): Triple {
+export function degreesOf([x, y, z, w]: AreaRotation): Triple {
 	const clamp = (value: number) => Math.max(-1, Math.min(1, value));
 	const sine = clamp(2 * (w * x - y * z));
 	const angles =
@@ -78,15 +78,15 @@ export function degreesOf([x, y, z, w]: Quaternion): Triple {
 }
 
 /** Converts degrees about Z, then X, then Y, all axes of the world, to a rotation. */
-export function turnOf([x, y, z]: Triple): Quaternion {
+export function turnOf([x, y, z]: Triple): AreaRotation {
 	return turnedOn(turnedOn(turnedOn(UNTURNED, [0, 0, 1], z), [1, 0, 0], x), [0, 1, 0], y);
 }
 
-export function unit(q: Quaternion): Quaternion {
+export function unit(q: AreaRotation): AreaRotation {
 	const length = Math.hypot(...q);
 	if (!(length > 0)) return UNTURNED;
 	const sign = q[3] < 0 ? -1 : 1;
-	return q.map((value) => (sign * value) / length) as unknown as Quaternion;
+	return q.map((value) => (sign * value) / length) as unknown as AreaRotation;
 }
 
 /** Converts a point of an area's own box, −1 … 1 on each axis, to metres. */

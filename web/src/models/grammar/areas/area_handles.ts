@@ -3,7 +3,7 @@
  * a drawn path.
  */
 import type { Change } from "../../../ui/editor_context";
-import type { PlantHandle, PlantHandles, Vector } from "../../../ui/handles/plant_handle";
+import type { PlantHandle, PlantHandles, HandleVector } from "../../../ui/handles/plant_handle";
 import {
 	type Area,
 	degreesOf,
@@ -17,7 +17,7 @@ import {
 } from "./area";
 import { branchesOf, changed, movedPlace, placesOf, removed, removedPlace } from "./area_edits";
 
-const AXES: readonly Vector[] = [
+const AXES: readonly HandleVector[] = [
 	[1, 0, 0],
 	[0, 1, 0],
 	[0, 0, 1],
@@ -134,7 +134,7 @@ function sides(specimen: WithAreas, area: Area, index: number): PlantHandle[] {
  * Returns the rotation handles about the area's own axes, each on an arm across its axis, with an arc that shows its
  * direction.
  */
-function turns(specimen: WithAreas, area: Area, index: number): { handle: PlantHandle; arc: readonly Vector[] }[] {
+function turns(specimen: WithAreas, area: Area, index: number): { handle: PlantHandle; arc: readonly HandleVector[] }[] {
 	return AXES.map((own, k) => {
 		const axis = turned(own, area.rotation);
 		const at = placeIn(area, ARMS[k]);
@@ -143,7 +143,7 @@ function turns(specimen: WithAreas, area: Area, index: number): { handle: PlantH
 		const first = from(at, area.centre);
 		const across = cross(axis, first);
 		const [one, other] = [unit(across), unit(cross(across, axis))];
-		const arc = Array.from({ length: PIECES + 1 }, (_, i): Vector => {
+		const arc = Array.from({ length: PIECES + 1 }, (_, i): HandleVector => {
 			const way = turnedOn(UNTURNED, axis, ARC * ((2 * i) / PIECES - 1));
 			return moved(area.centre, turned(first, way));
 		});

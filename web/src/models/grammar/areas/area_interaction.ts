@@ -1,7 +1,7 @@
 /** The handles of growth areas over the 3-D view, and the stroke that draws the main branch. */
 import type { Change, EditorState } from "../../../ui/editor_context";
 import { placeUnder } from "../../../ui/handles/handle_ways";
-import type { Vector } from "../../../ui/handles/plant_handle";
+import type { HandleVector } from "../../../ui/handles/plant_handle";
 import { PlantInteraction } from "../../../ui/handles/plant_interaction";
 import type { Point } from "../../../ui/handles/point";
 import type { ToolInteraction, ToolView } from "../../../ui/tool";
@@ -74,11 +74,11 @@ export class AreaInteraction implements ToolInteraction<GrammarSpecimen, Grammar
 		const { left, top, width, height } = this.#view.canvas.getBoundingClientRect();
 		const places = placesOf(this.#context.state.specimen);
 		const mean = (k: number) => places.reduce((sum, at) => sum + at[k], 0) / Math.max(1, places.length);
-		const middle: Vector = [mean(0), mean(1), mean(2)];
+		const middle: HandleVector = [mean(0), mean(1), mean(2)];
 		const facing = this.#view.rayThrough(width / 2, height / 2).direction;
 		const level = Math.hypot(facing[0], facing[2]) || 1;
-		const right: Vector = [-facing[2] / level, 0, facing[0] / level];
-		const up: Vector = [
+		const right: HandleVector = [-facing[2] / level, 0, facing[0] / level];
+		const up: HandleVector = [
 			right[1] * facing[2] - right[2] * facing[1],
 			right[2] * facing[0] - right[0] * facing[2],
 			right[0] * facing[1] - right[1] * facing[0],

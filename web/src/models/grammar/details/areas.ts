@@ -10,7 +10,7 @@ import {
 	FARTHEST,
 	MOST_AREAS,
 	MOST_PATH,
-	type Quaternion,
+	type AreaRotation,
 	SMALLEST,
 	type Triple,
 	UNTURNED,
@@ -94,7 +94,7 @@ export function fittedArea({ kind, centre, size, rotation, mesh }: Area): Area {
 		kind,
 		centre: centre.map(near) as unknown as Triple,
 		size: (kind === "sphere" ? [sizes[0], sizes[0], sizes[0]] : sizes) as unknown as Triple,
-		rotation: turn.map((value) => onStep(value, DECIMALS)) as unknown as Quaternion,
+		rotation: turn.map((value) => onStep(value, DECIMALS)) as unknown as AreaRotation,
 		...(kind === "mesh" && mesh ? { mesh } : {}),
 	};
 }

@@ -3,7 +3,7 @@
  * leaning quadric through the circles of its widths at the base, halfway up and at the top. Pure maths.
  */
 
-export type Triple = readonly [x: number, y: number, z: number];
+export type GrowthTriple = readonly [x: number, y: number, z: number];
 
 export interface GrowthVolume {
 	readonly id: number;
@@ -24,29 +24,29 @@ export interface GrowthVolume {
 const radians = (degrees: number): number => (degrees * Math.PI) / 180;
 
 /** Returns a volume's axis, a unit vector. */
-export function axisOf({ gradient, towards }: Pick<GrowthVolume, "gradient" | "towards">): Triple {
+export function axisOf({ gradient, towards }: Pick<GrowthVolume, "gradient" | "towards">): GrowthTriple {
 	const [out, way] = [Math.sin(radians(gradient)), radians(towards)];
 	return [out * Math.cos(way), Math.cos(radians(gradient)), out * Math.sin(way)];
 }
 
 /** Returns the direction in which widths are shown: perpendicular to the axis and to the direction of lean. */
-export function acrossOf({ towards }: Pick<GrowthVolume, "towards">): Triple {
+export function acrossOf({ towards }: Pick<GrowthVolume, "towards">): GrowthTriple {
 	const way = radians(towards);
 	return [-Math.sin(way) + 0, 0, Math.cos(way)];
 }
 
 /** Returns a point of a volume: `up` of its height, `out` metres from its axis, `about` degrees from `acrossOf`. */
-export function placeIn(volume: GrowthVolume, up: number, out = 0, about = 0): Triple {
+export function placeIn(volume: GrowthVolume, up: number, out = 0, about = 0): GrowthTriple {
 	const axis = axisOf(volume);
 	const one = acrossOf(volume);
-	const other: Triple = [
+	const other: GrowthTriple = [
 		one[1] * axis[2] - one[2] * axis[1],
 		one[2] * axis[0] - one[0] * axis[2],
 		one[0] * axis[1] - one[1] * axis[0],
 	];
 	const [along, cosine, sine] = [up * volume.height, out * Math.cos(radians(about)), out * Math.sin(radians(about))];
-	const foot: Triple = [volume.at[0], 0, volume.at[1]];
-	return [0, 1, 2].map((k) => foot[k] + along * axis[k] + cosine * one[k] + sine * other[k]) as unknown as Triple;
+	const foot: GrowthTriple = [volume.at[0], 0, volume.at[1]];
+	return [0, 1, 2].map((k) => foot[k] + along * axis[k] + cosine * one[k] + sine * other[k]) as unknown as GrowthTriple;
 }
 
 /** Returns a frustum's width halfway up, to the centimetre. */

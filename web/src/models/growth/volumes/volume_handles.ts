@@ -1,6 +1,6 @@
 /** Handles of growth volumes in the 3-D view: each volume's position, and the chosen one's height, lean and widths. */
 import type { Change } from "../../../ui/editor_context";
-import type { PlantHandle, PlantHandles, Vector } from "../../../ui/handles/plant_handle";
+import type { PlantHandle, PlantHandles, HandleVector } from "../../../ui/handles/plant_handle";
 import { acrossOf, axisOf, type GrowthVolume, meanWidth, placeIn, radiusAt } from "./volume";
 
 /** Metres that an arrow key moves, alone and with Shift; degrees of a lean. */
@@ -17,8 +17,8 @@ const SIDES = 24;
 
 const metres = (value: number): string => `${value.toFixed(1)} m`;
 const within = (value: number, least: number, most: number): number => Math.min(most, Math.max(least, value));
-const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const from = (a: Vector, b: Vector): Vector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+const dot = (a: HandleVector, b: HandleVector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const from = (a: HandleVector, b: HandleVector): HandleVector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 
 /** Returns the name of a volume: "Growth volume 2". */
 export const nameOf = (index: number): string => `Growth volume ${index + 1}`;
@@ -50,7 +50,7 @@ export function volumeHandles(
 	};
 }
 
-const ring = (volume: GrowthVolume, up: number, out: number): readonly Vector[] =>
+const ring = (volume: GrowthVolume, up: number, out: number): readonly HandleVector[] =>
 	Array.from({ length: SIDES + 1 }, (_, i) => placeIn(volume, up, out, (360 * i) / SIDES));
 
 type Put = (change: Partial<GrowthVolume>) => Change;

@@ -4,7 +4,7 @@ import type { Field } from "../../../specimen/model_schema";
 import { type Notes, quote } from "../../../specimen/notes";
 import { isRecord, readNumber } from "../../../specimen/read_values";
 import { packOutline, unpackOutline } from "../outline/packed";
-import { doubleArea, FEWEST_POINTS, KINDS, type Kind, MOST_POINTS, type OutlinePoint, placed } from "../outline/points";
+import { doubleArea, FEWEST_POINTS, KINDS, type LeafKind, MOST_POINTS, type OutlinePoint, placed } from "../outline/points";
 import { enclosesBlade } from "../outline/spline";
 import type { LeafSpecimen } from "../specimen";
 
@@ -41,8 +41,8 @@ function point(value: unknown): OutlinePoint | undefined {
 			: {};
 	const [across, up] = [readNumber(x), readNumber(y)];
 	const known = typeof kind === "number" ? KINDS[kind] : (kind ?? "smooth");
-	if (across === undefined || up === undefined || !KINDS.includes(known as Kind)) return undefined;
-	return { x: across, y: up, kind: known as Kind };
+	if (across === undefined || up === undefined || !KINDS.includes(known as LeafKind)) return undefined;
+	return { x: across, y: up, kind: known as LeafKind };
 }
 
 /** Corrects an outline: within range and counter-clockwise; undefined where it does not enclose a blade. */

@@ -2,7 +2,7 @@
  * Maps the flat outline to the leaf, which is folded along its midrib and curled: as bending.cpp of the core, without
  * waves and without rounding the crease. In leaf lengths.
  */
-import type { Vector } from "../../../ui/handles/plant_handle";
+import type { HandleVector } from "../../../ui/handles/plant_handle";
 import type { Place } from "./points";
 
 /** Angles by which each half is raised, and by which the tip bends down over a leaf length, degrees. */
@@ -12,9 +12,9 @@ export interface Bend {
 }
 
 export interface BentPlace {
-	readonly at: Vector;
+	readonly at: HandleVector;
 	/** Unit tangents on the leaf as the flat point moves right and up; perpendicular. */
-	readonly along: readonly [Vector, Vector];
+	readonly along: readonly [HandleVector, HandleVector];
 	/** Ratio of the movement on the leaf to the upward movement of the flat point. */
 	readonly stretch: number;
 }

@@ -24,7 +24,7 @@ export interface OutlineScene {
 }
 
 /** The part of a canvas context that this module uses. */
-export type Pen = Pick<
+export type LeafPen = Pick<
 	CanvasRenderingContext2D,
 	| "setTransform"
 	| "beginPath"
@@ -60,7 +60,7 @@ export function showOutline(canvas: HTMLCanvasElement, scene: Omit<OutlineScene,
 	if (pen) inkOutline(pen, { ...scene, ratio, ink: getComputedStyle(canvas).color });
 }
 
-export function inkOutline(pen: Pen, { curve, veins, frame, ratio, ink }: OutlineScene): void {
+export function inkOutline(pen: LeafPen, { curve, veins, frame, ratio, ink }: OutlineScene): void {
 	pen.setTransform(ratio, 0, 0, ratio, 0, 0);
 	pen.strokeStyle = ink;
 	pen.fillStyle = ink;
@@ -81,7 +81,7 @@ export function inkOutline(pen: Pen, { curve, veins, frame, ratio, ink }: Outlin
 	pen.stroke();
 }
 
-function trace(pen: Pen, frame: OutlineFrame, curve: readonly Place[]): void {
+function trace(pen: LeafPen, frame: OutlineFrame, curve: readonly Place[]): void {
 	pen.beginPath();
 	curve.forEach((place, index) => {
 		const { x, y } = inView(frame, place);
@@ -91,7 +91,7 @@ function trace(pen: Pen, frame: OutlineFrame, curve: readonly Place[]): void {
 	pen.closePath();
 }
 
-function inkVeins(pen: Pen, { ends, widths, margin }: FlatVeins, frame: OutlineFrame): void {
+function inkVeins(pen: LeafPen, { ends, widths, margin }: FlatVeins, frame: OutlineFrame): void {
 	if (margin.length > 0) {
 		const places = Array.from({ length: margin.length / 2 }, (_, i) => ({ x: margin[2 * i], y: margin[2 * i + 1] }));
 		trace(pen, frame, places);

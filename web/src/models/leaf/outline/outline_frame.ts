@@ -83,7 +83,7 @@ export function onLeaf({ width, height, centre, scale }: OutlineFrame, { x, y }:
 	return { x: centre.x + (x - width / 2) / scale, y: centre.y - (y - height / 2) / scale };
 }
 
-export interface ScaleBar {
+export interface LeafScaleBar {
 	/** CSS pixels. */
 	length: number;
 	/** "2 cm". */
@@ -94,7 +94,7 @@ export interface ScaleBar {
  * The longest round length that takes at most a third of the view.
  * @param millimetres length of the leaf
  */
-export function scaleBar({ width, scale }: OutlineFrame, millimetres: number): ScaleBar {
+export function scaleBar({ width, scale }: OutlineFrame, millimetres: number): LeafScaleBar {
 	const length = roundLength(((width / 3) * millimetres) / scale);
 	return { length: (length / millimetres) * scale, label: length >= 10 ? `${length / 10} cm` : `${length} mm` };
 }

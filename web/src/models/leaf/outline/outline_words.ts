@@ -1,7 +1,7 @@
 /** Texts of the editor about points. */
-import type { Kind, OutlinePoint } from "./points";
+import type { LeafKind, OutlinePoint } from "./points";
 
-export const KIND_WORDS: Readonly<Record<Kind, string>> = {
+export const KIND_WORDS: Readonly<Record<LeafKind, string>> = {
 	smooth: "smooth",
 	corner: "corner",
 	lobe: "rounded lobe tip",

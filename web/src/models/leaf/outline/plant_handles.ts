@@ -1,6 +1,6 @@
 /** The outline's points as handles on the leaf. */
 import type { Change } from "../../../ui/editor_context";
-import type { HandlesOf, Vector } from "../../../ui/handles/plant_handle";
+import type { HandlesOf, HandleVector } from "../../../ui/handles/plant_handle";
 import type { LeafSpecimen } from "../specimen";
 import { bent } from "./bent";
 import { placeInWords } from "./outline_words";
@@ -20,7 +20,7 @@ export const leafHandles: HandlesOf<LeafSpecimen> = ({ outline, parameters }) =>
 		const next = movePoint(outline, index, to, symmetry);
 		return { details: { outline: enclosesBlade(next) ? next : outline } };
 	};
-	const inMetres = ([x, y, z]: Vector): Vector => [x * metres, y * metres, z * metres];
+	const inMetres = ([x, y, z]: HandleVector): HandleVector => [x * metres, y * metres, z * metres];
 	const curve = curveOf(outline).map((place) => inMetres(bent(place, bend).at));
 	return {
 		handles: outline.flatMap((point, index) => {
@@ -35,7 +35,7 @@ export const leafHandles: HandlesOf<LeafSpecimen> = ({ outline, parameters }) =>
 				value: placeInWords(point),
 				at: here,
 				along,
-				pull: (to: Vector) => {
+				pull: (to: HandleVector) => {
 					const [x, y] = [far(here, to, right) / metres, far(here, to, up) / metres / stretch];
 					return moved(index, { x: point.x + x, y: point.y + y });
 				},
@@ -50,6 +50,6 @@ export const leafHandles: HandlesOf<LeafSpecimen> = ({ outline, parameters }) =>
 };
 
 /** Distance between two points along a direction. */
-function far(from: Vector, to: Vector, along: Vector): number {
+function far(from: HandleVector, to: HandleVector, along: HandleVector): number {
 	return along.reduce((sum, way, i) => sum + way * (to[i] - from[i]), 0);
 }

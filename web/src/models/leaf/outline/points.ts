@@ -7,12 +7,12 @@ import type { Point } from "../../../ui/handles/point";
 
 /** Kinds of points: smooth, an angle, or the rounded or pointed tip of a lobe, to which a main vein runs. */
 export const KINDS = ["smooth", "corner", "lobe", "pointed"] as const;
-export type Kind = (typeof KINDS)[number];
+export type LeafKind = (typeof KINDS)[number];
 
 export interface OutlinePoint {
 	x: number;
 	y: number;
-	kind: Kind;
+	kind: LeafKind;
 }
 export type OutlinePoints = readonly OutlinePoint[];
 

@@ -1,5 +1,5 @@
 import { numbersIn, type Preset, type PresetKind } from "../../../specimen/presets";
-import { bothSides, KINDS, type Kind, type OutlinePoint } from "../outline/points";
+import { bothSides, KINDS, type LeafKind, type OutlinePoint } from "../outline/points";
 import { LEAF_TABLE } from "../table";
 import beech from "./beech.json";
 import birch from "./birch.json";
@@ -59,7 +59,7 @@ export const PRESETS: readonly Preset[] = FILES.map(({ half, ...file }) => ({
 export function outlineOf(half: string): OutlinePoint[] {
 	const side = half.split(",").map((written): OutlinePoint => {
 		const [x, y, kind = "smooth"] = written.trim().split(/\s+/);
-		return { x: Number(x) / 1000, y: Number(y) / 1000, kind: KINDS.find((each) => each === kind) as Kind };
+		return { x: Number(x) / 1000, y: Number(y) / 1000, kind: KINDS.find((each) => each === kind) as LeafKind };
 	});
 	return bothSides(side);
 }

@@ -18,7 +18,7 @@ export interface BladeTextures {
 	lower: FaceTextures;
 }
 
-export interface Painted extends BladeTextures {
+export interface PaintedLeaf extends BladeTextures {
 	id: number;
 }
 

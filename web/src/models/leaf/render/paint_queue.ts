@@ -1,7 +1,7 @@
 /** Paints leaves in a worker, so that the page does not wait. */
 import { startWorker } from "../../../core/spawn";
 import type { FlatLeaf } from "../parts/face_pictures";
-import { type BladeTextures, type Painted, Painter, type PaintOrder } from "./paint";
+import { type BladeTextures, type PaintedLeaf, Painter, type PaintOrder } from "./paint";
 import address from "./paint_worker.ts?worker&url";
 
 /** The part of a worker that the queue uses. */
@@ -73,7 +73,7 @@ export class PaintQueue {
 	#employ(): PaintWorker {
 		if (this.#worker) return this.#worker;
 		const worker = this.#start();
-		worker.onmessage = ({ data }: MessageEvent<Painted>) => this.#take(data);
+		worker.onmessage = ({ data }: MessageEvent<PaintedLeaf>) => this.#take(data);
 		worker.onerror = (event) => {
 			event.preventDefault(); // Handled here: keeps the error out of the console.
 			this.#paintAlone();
@@ -96,7 +96,7 @@ export class PaintQueue {
 		this.#take({ ...painter.paint({ ...order, leaf }), id: order.id });
 	}
 
-	#take({ id, ...faces }: Painted): void {
+	#take({ id, ...faces }: PaintedLeaf): void {
 		const preview = this.#underWay?.order.preview ?? false;
 		this.#underWay = undefined;
 		if (id === this.#wanted) {

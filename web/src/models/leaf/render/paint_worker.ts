@@ -1,9 +1,9 @@
 /** The worker that paints leaves. */
-import { moved, type Painted, Painter, type PaintOrder } from "./paint";
+import { moved, type PaintedLeaf, Painter, type PaintOrder } from "./paint";
 
 /** The part of a worker's global scope that this file uses; the page's types do not describe it. */
 interface Scope {
-	postMessage(message: Painted, transfer: Transferable[]): void;
+	postMessage(message: PaintedLeaf, transfer: Transferable[]): void;
 	onmessage: ((event: MessageEvent<PaintOrder>) => void) | null;
 }
 

@@ -4,7 +4,7 @@ import { type PixelImage, TraceError } from "../../../import/tracing/picture";
 import { silhouetteOf } from "../../../import/tracing/silhouette";
 import { withoutStalk } from "../../../import/tracing/stalk";
 import { upright } from "../../../import/tracing/upright";
-import { FEWEST_POINTS, type Kind, type OutlinePoint, type Place, placed } from "../outline/points";
+import { FEWEST_POINTS, type LeafKind, type OutlinePoint, type Place, placed } from "../outline/points";
 import { enclosesBlade } from "../outline/spline";
 
 /** Most points of a traced outline. */
@@ -77,8 +77,8 @@ function offChord({ x, y }: Place, a: Place, b: Place): number {
 	return Math.hypot(x - a.x - t * dx, y - a.y - t * dy);
 }
 
-/** Kind of a point of the margin: a sharp protruding point is the tip of a lobe, another sharp point a corner. */
-function kindOf(margin: readonly Place[], index: number): Kind {
+/** LeafKind of a point of the margin: a sharp protruding point is the tip of a lobe, another sharp point a corner. */
+function kindOf(margin: readonly Place[], index: number): LeafKind {
 	const at = (share: number) => {
 		const { length } = margin;
 		return margin[(index + Math.round(share * length) + length) % length];

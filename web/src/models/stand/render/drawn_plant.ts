@@ -35,7 +35,7 @@ export interface FineMesh {
 /** Cells along each side of the ground. */
 const CELLS = 12;
 
-export interface Cell {
+export interface GroundCell {
 	readonly box: Box3;
 	readonly plants: DrawnPlant[];
 	seen: boolean;
@@ -43,7 +43,7 @@ export interface Cell {
 
 /** The cells of the ground. */
 export class Cells {
-	readonly all: readonly Cell[] = Array.from({ length: CELLS * CELLS }, () => ({
+	readonly all: readonly GroundCell[] = Array.from({ length: CELLS * CELLS }, () => ({
 		box: new Box3(),
 		plants: [],
 		seen: false,
@@ -54,7 +54,7 @@ export class Cells {
 		this.#ground = ground;
 	}
 
-	at(x: number, z: number): Cell {
+	at(x: number, z: number): GroundCell {
 		const along = (value: number, length: number) =>
 			Math.min(CELLS - 1, Math.max(0, Math.floor(CELLS * (value / length + 0.5))));
 		return this.all[CELLS * along(z, this.#ground.depth) + along(x, this.#ground.width)];

@@ -4,7 +4,7 @@ import { heightAt } from "../ground_grid";
 import type { StandPlant } from "../stand_plant";
 import { eyeHeight } from "../walker";
 
-export interface Ball {
+export interface StandBall {
 	readonly centre: Vector3;
 	readonly radius: number;
 }
@@ -31,10 +31,10 @@ export function isWalking(stand: Pick<StandPlant, "ground" | "meshes">, eye: Vec
  */
 export function shadedBall(
 	stand: Pick<StandPlant, "ground" | "meshes">,
-	whole: Ball,
+	whole: StandBall,
 	eye: Vector3,
 	towards: Vector3,
-): Ball {
+): StandBall {
 	const radius = REACH * eyeHeight(stand);
 	if (radius >= whole.radius || !isWalking(stand, eye)) return whole;
 	const step = radius / STEPS;

@@ -14,7 +14,7 @@ import { Crowd } from "./crowd";
 import { GroundRenderer } from "./ground_renderer";
 import { MarkRing } from "./mark_ring";
 import { firstPlantHit } from "./plant_hit";
-import { type Ball, isWalking, shadedBall } from "./shaded";
+import { type StandBall, isWalking, shadedBall } from "./shaded";
 
 export class StandRenderer implements ModelRenderer<StandSpecimen, StandPlant> {
 	readonly modes = ["whole"];
@@ -27,8 +27,8 @@ export class StandRenderer implements ModelRenderer<StandSpecimen, StandPlant> {
 	readonly #ground: GroundRenderer;
 	#trellis: PartMeshes;
 	#stand: StandPlant | undefined;
-	#whole: Ball = { centre: new Vector3(), radius: 0 };
-	#shaded: Ball | undefined;
+	#whole: StandBall = { centre: new Vector3(), radius: 0 };
+	#shaded: StandBall | undefined;
 	readonly #towards = new Vector3();
 	/** Directions of key and rim light while the user isWalking. */
 	#held: readonly [Vector3, Vector3] | undefined;

@@ -8,13 +8,13 @@ const TURN = 0.5;
 /** Least chroma of a colour whose hue is changed. */
 const MIN_CHROMA = 0.1;
 
-type Range = readonly [least: number, most: number];
+type StandRange = readonly [least: number, most: number];
 
 /**
  * Each colour as close to the wanted one as the earlier colours permit; unchanged where no free colour is left.
  * @param range range of lightness for all colours
  */
-export function separateColours(wanted: readonly Lch[], range: Range): Lch[] {
+export function separateColours(wanted: readonly Lch[], range: StandRange): Lch[] {
 	const separated: Lch[] = [];
 	for (const each of wanted)
 		separated.push(apartFrom(separated, { ...each, lightness: clamp(each.lightness, ...range) }, range));
@@ -22,7 +22,7 @@ export function separateColours(wanted: readonly Lch[], range: Range): Lch[] {
 }
 
 /** Varies lightness before hue: kinds are recognized by their hue. */
-function apartFrom(others: readonly Lch[], wanted: Lch, [least, most]: Range): Lch {
+function apartFrom(others: readonly Lch[], wanted: Lch, [least, most]: StandRange): Lch {
 	const free = (lch: Lch) => others.every((other) => distance(lch, other) >= APART);
 	for (const turn of eitherWay(TURN, Math.PI))
 		for (const more of eitherWay(STEP, most - least)) {

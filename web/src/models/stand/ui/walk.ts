@@ -6,15 +6,15 @@ import { takeFocus } from "../../../ui/take_focus";
 import type { Tool, ToolInteraction, ToolView } from "../../../ui/tool";
 import type { StandSpecimen } from "../specimen";
 import type { StandPlant } from "../stand_plant";
-import { atFront, gazeOf, type Pose, type Step, stepped, turned } from "../walker";
+import { atFront, gazeOf, type StandPose, type StandStep, stepped, turned } from "../walker";
 
 const WALK = svg`<path d="M10.5 3.2a1.3 1.3 0 1 1 0 2.6 1.3 1.3 0 0 1 0-2.6M9.8 7.4 7.4 9.6 7 12M9.8 7.4l1.6 3.4L9.6 14l-2 3.4M11.4 10.8l1.8 2.6.6 3.6M11 8.6l2.6 1.6"/>`;
 
 /** The walker's pose; undefined while not walking. */
-type Walking = Pose | undefined;
+type Walking = StandPose | undefined;
 type StandContext = EditorContext<StandSpecimen, StandPlant>;
 
-const KEYS: Readonly<Record<string, Step>> = {
+const KEYS: Readonly<Record<string, StandStep>> = {
 	KeyW: "forward",
 	ArrowUp: "forward",
 	KeyS: "back",
@@ -26,7 +26,7 @@ const KEYS: Readonly<Record<string, Step>> = {
 	PageUp: "look up",
 	PageDown: "look down",
 };
-const BUTTONS: readonly (readonly [step: Step, label: string, sign: string])[] = [
+const BUTTONS: readonly (readonly [step: StandStep, label: string, sign: string])[] = [
 	["turn left", "Turn left", "↶"],
 	["left", "Step left", "←"],
 	["forward", "Walk forward", "↑"],
@@ -59,7 +59,7 @@ export const walk: Tool<StandSpecimen, StandPlant, Walking> = {
 	interaction: (view, context) => new WalkInteraction(view, context),
 };
 
-function go(context: StandContext, step: Step): void {
+function go(context: StandContext, step: StandStep): void {
 	const { grown } = context.state;
 	const pose = context.toolState(walk);
 	if (grown && pose) context.setToolState(walk, stepped(pose, step, grown));

@@ -2,7 +2,7 @@
 import type { TrailPlant } from "../../trails";
 import { BranchDrawing } from "./branches";
 import { FROM_ABOVE } from "./facing";
-import type { Frame } from "./frame";
+import type { BoundaryFrame } from "./frame";
 import { GripView } from "./grip_view";
 
 export abstract class AboveView extends GripView {
@@ -14,7 +14,7 @@ export abstract class AboveView extends GripView {
 	readonly #branches = new BranchDrawing(FROM_ABOVE);
 
 	/** The frame that maps metres, seen from above, to the element. */
-	protected abstract ground(): Frame;
+	protected abstract ground(): BoundaryFrame;
 
 	/** Skips previews, except while the user drags here: drawing branches in every view would take too long. */
 	protected override ink(canvas: HTMLCanvasElement): void {

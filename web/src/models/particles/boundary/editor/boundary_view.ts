@@ -5,7 +5,7 @@ import type { TrailPlant } from "../../trails";
 import type { Box } from "./boundary_layout";
 import { BranchDrawing } from "./branches";
 import { type FlatScene, loopPath, oval, ROOM, rectangle, scale } from "./flat_drawing";
-import { type Extent, type Frame, frameAbout, toScreen } from "./frame";
+import { type BoundaryExtent, type BoundaryFrame, frameAbout, toScreen } from "./frame";
 import { GripView } from "./grip_view";
 
 /** The drawing of a boundary: loops in shares of the box, x in −1 … 1, y in 0 … 1 from below. */
@@ -29,11 +29,11 @@ export class BoundaryView extends GripView {
 		"Drag, or use the arrow keys; Shift moves ten times as far. Enter says where it stands. Escape calls off a drag.";
 	readonly #branches = new BranchDrawing();
 
-	protected fit(): Frame {
+	protected fit(): BoundaryFrame {
 		return frameAbout(extentOf(this.scene), this.size.width, this.size.height);
 	}
 
-	protected drawing(frame: Frame): TemplateResult {
+	protected drawing(frame: BoundaryFrame): TemplateResult {
 		const { scene } = this;
 		if (!scene) return svg``;
 		const { box, axes, loops, inner, innerLoops = loops, bareAbout, walls, rounds } = scene;
@@ -55,7 +55,7 @@ export class BoundaryView extends GripView {
 	}
 }
 
-function extentOf(scene: BoundaryScene | undefined): Extent {
+function extentOf(scene: BoundaryScene | undefined): BoundaryExtent {
 	if (!scene) return { halfWidth: 1, low: 0, high: 1 };
 	const { box, axes, loops, walls, rounds, targets } = scene;
 	const reach = box.halfWidth * Math.max(1, ...loops.flat().map(({ x }) => Math.abs(x)));
@@ -77,7 +77,7 @@ function placedIn({ halfWidth, low, high }: Box, axis: number, size: number, abo
 	return ({ x, y }) => ({ x: axis + size * x * halfWidth, y: about + size * (low + y * (high - low) - about) });
 }
 
-function axisLine(frame: Frame, { low, high }: Box, axis: number): TemplateResult {
+function axisLine(frame: BoundaryFrame, { low, high }: Box, axis: number): TemplateResult {
 	const [from, to] = [Math.min(0, low), Math.max(0, high)].map((y) => toScreen(frame, { x: axis, y }));
 	return svg`<line class="axis" x1=${from.x} y1=${from.y} x2=${to.x} y2=${to.y}></line>`;
 }

@@ -1,7 +1,7 @@
 /** Draws the thickest branches as lines behind a flat view. */
 import type { TrailPlant } from "../../trails";
 import { type Facing, FROM_FRONT } from "./facing";
-import type { Frame } from "./frame";
+import type { BoundaryFrame } from "./frame";
 
 /** Most lines that a canvas draws within a frame; the rest are twigs that would only blur the drawing. */
 const MOST = 2500;
@@ -11,7 +11,7 @@ const CLASSES = 64;
 /** Inputs of a drawing; equal inputs need no new drawing. */
 interface Drawn {
 	readonly plant: TrailPlant | undefined;
-	readonly frame: Frame;
+	readonly frame: BoundaryFrame;
 	readonly ratio: number;
 	readonly ink: string;
 }
@@ -25,7 +25,7 @@ export class BranchDrawing {
 	}
 
 	/** Draws in the canvas's colour at the screen's pixel ratio, where an input has changed. */
-	show(canvas: HTMLCanvasElement, plant: TrailPlant | undefined, frame: Frame): void {
+	show(canvas: HTMLCanvasElement, plant: TrailPlant | undefined, frame: BoundaryFrame): void {
 		const now = { plant, frame, ratio: devicePixelRatio, ink: getComputedStyle(canvas).color };
 		if (this.#drawn && same(this.#drawn, now)) return;
 		this.#drawn = now;

@@ -2,7 +2,7 @@
 import { svg, type TemplateResult } from "lit";
 import type { Point } from "../../../../ui/handles/point";
 import { drawScaleBar } from "../../../../ui/handles/scale_bar";
-import { type Frame, scaleBar, toScreen } from "./frame";
+import { type BoundaryFrame, scaleBar, toScreen } from "./frame";
 
 /** Closed polygons, in shares of a box. */
 export type Loops = readonly (readonly Point[])[];
@@ -25,7 +25,7 @@ export interface FlatScene {
 export const ROOM = 0.06;
 
 /** Path data of loops; `place` maps shares of the box to metres. */
-export function loopPath(frame: Frame, loops: Loops, place: (share: Point) => Point): string {
+export function loopPath(frame: BoundaryFrame, loops: Loops, place: (share: Point) => Point): string {
 	const pairs = (loop: readonly Point[]) =>
 		loop.map((share) => {
 			const { x, y } = toScreen(frame, place(share));
@@ -35,20 +35,20 @@ export function loopPath(frame: Frame, loops: Loops, place: (share: Point) => Po
 }
 
 /** A box obstacle between its lower left and its upper right corner. */
-export function rectangle(frame: Frame, low: Point, high: Point): TemplateResult {
+export function rectangle(frame: BoundaryFrame, low: Point, high: Point): TemplateResult {
 	const [from, to] = [toScreen(frame, { x: low.x, y: high.y }), toScreen(frame, { x: high.x, y: low.y })];
 	return svg`<rect class="obstacle" x=${from.x} y=${from.y} width=${to.x - from.x} height=${to.y - from.y}></rect>`;
 }
 
 /** An ellipsoid between two corners of its bounding box. */
-export function oval(frame: Frame, low: Point, high: Point): TemplateResult {
+export function oval(frame: BoundaryFrame, low: Point, high: Point): TemplateResult {
 	const [from, to] = [toScreen(frame, { x: low.x, y: high.y }), toScreen(frame, { x: high.x, y: low.y })];
 	const [rx, ry] = [(to.x - from.x) / 2, (to.y - from.y) / 2];
 	return svg`<ellipse class="obstacle" cx=${from.x + rx} cy=${from.y + ry} rx=${rx} ry=${ry}></ellipse>`;
 }
 
 /** A scale bar at the lower left. */
-export function scale(frame: Frame): TemplateResult {
+export function scale(frame: BoundaryFrame): TemplateResult {
 	const { length, label } = scaleBar(frame);
 	return drawScaleBar(length * frame.scale, label, `translate(8 ${frame.height - 6})`);
 }

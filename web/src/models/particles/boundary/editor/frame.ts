@@ -2,7 +2,7 @@
 import type { Point } from "../../../../ui/handles/point";
 import { roundLength } from "../../../../ui/handles/scale_bar";
 
-export interface Frame {
+export interface BoundaryFrame {
 	/** Size of the element, CSS pixels. */
 	readonly width: number;
 	readonly height: number;
@@ -12,16 +12,16 @@ export interface Frame {
 	readonly origin: Point;
 }
 
-export function toScreen({ origin, scale }: Frame, { x, y }: Point): Point {
+export function toScreen({ origin, scale }: BoundaryFrame, { x, y }: Point): Point {
 	return { x: origin.x + scale * x, y: origin.y - scale * y };
 }
 
-export function fromScreen({ origin, scale }: Frame, { x, y }: Point): Point {
+export function fromScreen({ origin, scale }: BoundaryFrame, { x, y }: Point): Point {
 	return { x: (x - origin.x) / scale, y: (origin.y - y) / scale };
 }
 
 /** The region that a view shows, in its units. */
-export interface Extent {
+export interface BoundaryExtent {
 	readonly halfWidth: number;
 	readonly low: number;
 	readonly high: number;
@@ -33,7 +33,7 @@ const STEP = 1.2;
 const MARGIN = 18;
 
 /** The frame that shows a region in the middle of an element. */
-export function frameAbout({ halfWidth, low, high }: Extent, width: number, height: number): Frame {
+export function frameAbout({ halfWidth, low, high }: BoundaryExtent, width: number, height: number): BoundaryFrame {
 	const wide = Math.max(1, width - 2 * MARGIN) / (2 * halfWidth);
 	const tall = Math.max(1, height - 2 * MARGIN) / (high - low);
 	const scale = STEP ** Math.floor(Math.log(Math.min(wide, tall)) / Math.log(STEP));
@@ -41,7 +41,7 @@ export function frameAbout({ halfWidth, low, high }: Extent, width: number, heig
 }
 
 /** The longest round length that takes at most a quarter of the view, metres. */
-export function scaleBar({ width, scale }: Pick<Frame, "width" | "scale">): { length: number; label: string } {
+export function scaleBar({ width, scale }: Pick<BoundaryFrame, "width" | "scale">): { length: number; label: string } {
 	const length = roundLength(width / 4 / scale);
 	return { length, label: length >= 0.995 ? `${Math.round(length)} m` : `${Math.round(100 * length)} cm` };
 }

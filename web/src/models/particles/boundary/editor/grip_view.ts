@@ -7,7 +7,7 @@ import type { Change } from "../../../../ui/editor_context";
 import { HandleView } from "../../../../ui/handles/handle_view";
 import type { Point } from "../../../../ui/handles/point";
 import { drawValue, valueStyle } from "../../../../ui/handles/value_label";
-import { type Frame, fromScreen, toScreen } from "./frame";
+import { type BoundaryFrame, fromScreen, toScreen } from "./frame";
 import { type Grip, gripIn, type Pose, pressed } from "./grip";
 import { gripDrags } from "./grip_drags";
 import { gripStyle } from "./grip_style";
@@ -17,7 +17,7 @@ export abstract class GripView extends HandleView<string> {
 	static override properties = { pose: { attribute: false } };
 	declare pose: Pose | undefined;
 
-	protected frame: Frame = { width: 1, height: 1, scale: 1, origin: { x: 0, y: 0 } };
+	protected frame: BoundaryFrame = { width: 1, height: 1, scale: 1, origin: { x: 0, y: 0 } };
 	protected readonly drags = gripDrags({
 		pose: () => this.pose,
 		input: (change) => this.emit("grip-input", change),
@@ -25,9 +25,9 @@ export abstract class GripView extends HandleView<string> {
 	});
 
 	/** The frame that maps the view's units to an element of its size. */
-	protected abstract fit(): Frame;
+	protected abstract fit(): BoundaryFrame;
 	/** The drawing under the grips, CSS pixels. */
-	protected abstract drawing(frame: Frame): TemplateResult;
+	protected abstract drawing(frame: BoundaryFrame): TemplateResult;
 
 	/** Keeps the frame while a grip is dragged, so that it stays under the pointer. */
 	protected override willUpdate(changed: PropertyValues): void {

@@ -5,7 +5,7 @@ import { svg, type TemplateResult } from "lit";
 import type { Point } from "../../../../ui/handles/point";
 import { AboveView } from "./above_view";
 import { type FlatScene, loopPath, oval, ROOM, rectangle, scale } from "./flat_drawing";
-import { type Frame, frameAbout, toScreen } from "./frame";
+import { type BoundaryFrame, frameAbout, toScreen } from "./frame";
 
 /** The drawing of a specimen from above: loops in shares of the half width and the half depth, y to the back. */
 export interface PlanScene extends FlatScene {
@@ -21,12 +21,12 @@ export class PlanView extends AboveView {
 	protected readonly help =
 		"Drag, or use the arrow keys: up is to the back. Shift moves ten times as far. Enter says where it stands. Escape calls off a drag.";
 
-	protected fit(): Frame {
+	protected fit(): BoundaryFrame {
 		const { halfWidth, deep } = reachOf(this.scene);
 		return frameAbout({ halfWidth, low: -deep, high: deep }, this.size.width, this.size.height);
 	}
 
-	protected drawing(frame: Frame): TemplateResult {
+	protected drawing(frame: BoundaryFrame): TemplateResult {
 		const { scene } = this;
 		if (!scene) return svg``;
 		const { halfWidth, halfDepth, axes, loops, walls, rounds } = scene;
@@ -40,7 +40,7 @@ export class PlanView extends AboveView {
 			${scale(frame)}`;
 	}
 
-	protected ground(): Frame {
+	protected ground(): BoundaryFrame {
 		return this.frame;
 	}
 }

@@ -1,10 +1,10 @@
 /** The grips of a boundary as handles on the plant, in the plane of the front view. */
-import type { HandlesOf, Vector } from "../../../../ui/handles/plant_handle";
+import type { HandlesOf, HandleVector } from "../../../../ui/handles/plant_handle";
 import type { BoundedSpecimen } from "../bounded";
 import { type BoundaryLayout, loopsIn } from "./boundary_layout";
 import { boundaryPose } from "./boundary_pose";
 
-const ALONG: readonly Vector[] = [
+const ALONG: readonly HandleVector[] = [
 	[1, 0, 0],
 	[0, 1, 0],
 ];
@@ -26,7 +26,7 @@ export function boundaryHandles<S extends BoundedSpecimen>(layout: BoundaryLayou
 			lines: layout
 				.axes(specimen)
 				.flatMap((axis) =>
-					loops.map((loop) => loop.map(({ x, y }): Vector => [axis + x * halfWidth, low + y * (high - low), 0])),
+					loops.map((loop) => loop.map(({ x, y }): HandleVector => [axis + x * halfWidth, low + y * (high - low), 0])),
 				),
 		};
 	};

@@ -2,7 +2,7 @@
 import { svg, type TemplateResult } from "lit";
 import type { TrailPlant } from "../../trails";
 import { AboveView } from "./above_view";
-import { type Frame, frameAbout, toScreen } from "./frame";
+import { type BoundaryFrame, frameAbout, toScreen } from "./frame";
 
 /** Elevations of the rings, degrees. */
 const RINGS = [0, 30, 60];
@@ -19,11 +19,11 @@ export class SunView extends AboveView {
 	protected readonly help =
 		"Where it shines from, branches and leaves gather; the picture’s own lamp stays where it is. Drag, or use the arrow keys: left and right turn the sun about the tree, up and down raise and lower it by five degrees, with Shift by fifteen. Escape calls off a drag.";
 
-	protected fit(): Frame {
+	protected fit(): BoundaryFrame {
 		return frameAbout({ halfWidth: 1.12, low: -1.12, high: 1.12 }, this.size.width, this.size.height);
 	}
 
-	protected drawing(frame: Frame): TemplateResult {
+	protected drawing(frame: BoundaryFrame): TemplateResult {
 		const middle = toScreen(frame, { x: 0, y: 0 });
 		const sun = this.pose && toScreen(frame, this.pose.grips[0].at);
 		return svg`${RINGS.map((height) => svg`<circle class=${height === 0 ? "outer" : "ring"} cx=${middle.x} cy=${middle.y} r=${frame.scale * (1 - height / 90)}></circle>`)}
@@ -35,7 +35,7 @@ export class SunView extends AboveView {
 			})}`;
 	}
 
-	protected ground(): Frame {
+	protected ground(): BoundaryFrame {
 		const { grown, frame } = this;
 		return { ...frame, scale: (REACH * frame.scale) / (grown ? reachOf(grown) : 1) };
 	}
