@@ -6,7 +6,7 @@ import { endsStuckRuns } from "./tests/stuck_tests.mjs";
 
 const at = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
-const TESTS = ["tests/{web,golden,fuzz,tools,toy,package,docs}/**/*.test.ts", "tests/*.test.ts"];
+const TESTS = ["tests/{web,golden,fuzz,tools,toy,package,docs,language}/**/*.test.ts", "tests/*.test.ts"];
 
 /** Files that replace modules or add models: what they change would stay for the next file of the thread. */
 const CHANGES_MODULES = /\bvi\.(?:mock|doMock|resetModules)\(|\baddModel\(/;

@@ -13,7 +13,7 @@ import { foldersIn, isOfCore } from "./changed.mjs";
 const WEB = ["tests/web", "tests/web/models"];
 const CORE = ["tests/core", "tests/core/models"];
 /** Other folders of vitest's tests. */
-const OTHER = ["docs", "fuzz", "golden", "package", "tools", "toy"];
+const OTHER = ["docs", "fuzz", "golden", "language", "package", "tools", "toy"];
 /** Tests of every model: a model's name chooses them too. */
 const OF_ALL_MODELS = "tests/golden/native_wasm.test.ts";
 /** Stages that need the results of others. */

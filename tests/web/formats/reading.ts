@@ -78,7 +78,7 @@ const UNKNOWN = ["EXT_mesh_gpu_instancing", "KHR_materials_diffuse_transmission"
 
 /**
  * Issues of the Khronos validator, except those that every such file has: hardly anything is textured (the
- * texture coordinates are for people who paint the bunch), it does not know KHR_materials_diffuse_transmission, and it does not look
+ * texture coordinates are for people painting the bunch), it does not know KHR_materials_diffuse_transmission, and it does not look
  * inside EXT_mesh_gpu_instancing, so data that is used only there seems unused. Errors and warnings are never left out.
  */
 export async function complaints(glb: Uint8Array): Promise<Issue[]> {

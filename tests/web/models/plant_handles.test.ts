@@ -3,7 +3,7 @@ import { modelNamed, modelNames } from "../../../web/src/models/index";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
 import type { Specimen } from "../../../web/src/specimen/specimen";
 import { apply } from "../../../web/src/ui/change";
-import type { PlantHandle, PlantHandles, HandleVector } from "../../../web/src/ui/handles/plant_handle";
+import type { HandleVector, PlantHandle, PlantHandles } from "../../../web/src/ui/handles/plant_handle";
 import { inRun } from "../../long_run.mjs";
 
 const models = (await Promise.all(modelNames().map(modelNamed))).filter(({ handles }) => handles);

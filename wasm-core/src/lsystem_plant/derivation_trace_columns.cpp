@@ -60,7 +60,7 @@ Result<std::optional<lsystem::TraceRequest>> read_trace_request(Request& request
   if (trace.count > TraceRequest::most)
     return Diagnostic{
         Reason::bad_request,
-        "At most " + std::to_string(TraceRequest::most) + " modules of a derivation are entry at once; ask for fewer.",
+        "At most " + std::to_string(TraceRequest::most) + " modules of a derivation are told at once; ask for fewer.",
         0, 0};
   return std::optional(trace);
 }

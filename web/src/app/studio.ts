@@ -243,7 +243,7 @@ export class Studio implements EditorContext {
 		return apply(model, specimen, whole ?? change);
 	}
 
-	#applyStep(history: histories.History): void {
+	#applyStep(history: histories.SpecimenHistory): void {
 		this.#applyHistory(history);
 		this.#reportSettled();
 	}
@@ -252,7 +252,7 @@ export class Studio implements EditorContext {
 		this.#services.settled(this.#state.model, this.#state.specimen);
 	}
 
-	#applyHistory(history: histories.History): void {
+	#applyHistory(history: histories.SpecimenHistory): void {
 		const { specimen: before, model: left } = this.#state;
 		const { present } = history;
 		if (history === this.#state.history) return;

@@ -2,7 +2,7 @@
 import type { PageModel } from "../models/page_model";
 import { loadRenderer, loadScene } from "../models/renderers";
 import type { Plant } from "../plant/plant";
-import type { Ray } from "../render/model_renderer";
+import type { ViewRay } from "../render/model_renderer";
 import { turnedBy } from "../render/orbit_keys";
 import type { Viewer } from "../render/viewer";
 import type { Specimen } from "../specimen/specimen";
@@ -130,7 +130,7 @@ export class SpecimenView {
 	}
 
 	/** The line of sight through a point of the canvas (CSS pixels), in metres. */
-	rayThrough(x: number, y: number): Ray {
+	rayThrough(x: number, y: number): ViewRay {
 		return this.#viewer.rayThrough(x, y);
 	}
 

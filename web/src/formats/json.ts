@@ -12,7 +12,7 @@ import { type WrittenSpecimen, writtenSpecimen } from "../specimen/written";
 import { classesOf, type WrittenClass } from "./classes";
 import { GENERATOR } from "./generator";
 import { measuresOf, type WrittenMeasures } from "./measures";
-import { floats, integers, CsvRows, recordRows, vectors, words } from "./rows";
+import { CsvRows, floats, integers, recordRows, vectors, words } from "./rows";
 import { TextBuffer } from "./text_buffer";
 
 /** A point in metres, +Y up. */
@@ -92,7 +92,9 @@ export interface Recorded<S extends Specimen, G extends Plant, R extends object>
 }
 
 /** CsvRows as the lists of records that a document has. */
-export type RecordedRows<R> = { [Key in keyof R]: Exclude<R[Key], undefined> extends CsvRows<infer Row> ? Row[] : R[Key] };
+export type RecordedRows<R> = {
+	[Key in keyof R]: Exclude<R[Key], undefined> extends CsvRows<infer Row> ? Row[] : R[Key];
+};
 
 /** The document; `grown` and `specimen` are only read. Needs no meshes. */
 export function exportJson<S extends Specimen, G extends Plant, R extends object>(

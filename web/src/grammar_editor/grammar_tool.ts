@@ -112,7 +112,7 @@ function editorTool<S extends Specimen & WithGrammar, G extends Plant>(
 		name: "grammar",
 		initial: { open: false, indents: false },
 		recall: (stored) => ({ open: false, indents: (stored as Partial<GrammarState> | undefined)?.indents === true }),
-		press: (context) => (context.toolState(tool).open ? close(context, tool, source.noun) : show(context, tool)),
+		press: (context) => (context.toolState(tool).open ? closeEditor(context, tool, source.noun) : show(context, tool)),
 		button: { icon: GRAMMAR, label: "Grammar", pressed: (context) => context.toolState(tool).open },
 		key: { letter: "g", does: "The grammar as text, and back" },
 		keys: [
@@ -129,7 +129,7 @@ function editorTool<S extends Specimen & WithGrammar, G extends Plant>(
 			open: (context) => context.toolState(tool).open,
 			report: (context, fault) => reportFault(context, tool, source.noun, fault),
 			draw: (context) => html`<panicle-grammar
-				.context=${context} .source=${source} .tool=${tool} .stepped=${stepped} .close=${() => close(context, tool, source.noun)}
+				.context=${context} .source=${source} .tool=${tool} .stepped=${stepped} .close=${() => closeEditor(context, tool, source.noun)}
 			></panicle-grammar>`,
 		},
 	};
@@ -142,7 +142,7 @@ function show<S extends Specimen, G extends Plant>(context: EditorContext<S, G>,
 }
 
 /** Closes the pane; a fault that the text no longer shows becomes a notice. */
-function close<S extends Specimen, G extends Plant>(
+function closeEditor<S extends Specimen, G extends Plant>(
 	context: EditorContext<S, G>,
 	tool: Tool<S, G, GrammarState>,
 	noun: string,

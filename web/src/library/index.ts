@@ -5,7 +5,7 @@
  */
 export { CoreError, type CoreReason, CoreTrap, UnsupportedError } from "../core/errors";
 export type { FileOptions } from "../formats/file_options";
-export type { OrganRecord, SegmentRecord, FileVector as Vector } from "../formats/json";
+export type { FileVector as Vector, OrganRecord, SegmentRecord } from "../formats/json";
 export type { Colour } from "../plant/colour";
 export type {
 	Chance,

@@ -9,7 +9,7 @@ import type { WindUniforms } from "./wind";
 export type SceneVector = readonly [x: number, y: number, z: number];
 
 /** A ray. */
-export interface Ray {
+export interface ViewRay {
 	origin: SceneVector;
 	/** Of any length. */
 	direction: SceneVector;
@@ -46,7 +46,7 @@ export interface ModelRenderer<S, G> {
 	/** Updates the parts that depend on the camera; called before each drawing, after the light is aimed. */
 	prepare(camera: PerspectiveCamera): void;
 	/** Returns the pick id of the first part along a ray; undefined if the ray hits nothing. */
-	pick(ray: Ray): number | undefined;
+	pick(ray: ViewRay): number | undefined;
 	/**
 	 * Marks the part with a pick id, and softly the group that it belongs to, if the renderer supports this; undefined
 	 * removes the mark.

@@ -17,7 +17,7 @@ import type { Sway } from "../plant/sway";
 import type { Bodies } from "./camera_fit";
 import { MaterialCache, type TextureKind } from "./material_cache";
 import { MeshShadow } from "./mesh_shadow";
-import type { ModelRenderer, Ray, RendererFactory, RendererStage } from "./model_renderer";
+import type { ModelRenderer, RendererFactory, RendererStage, ViewRay } from "./model_renderer";
 import { ballOf, boundsOf, joined } from "./part_bounds";
 import { PartMeshes, type PartObject } from "./part_meshes";
 import { StandardLights } from "./standard_lights";
@@ -116,7 +116,7 @@ export class PartRenderer<S, G> implements ModelRenderer<S, G> {
 		this.#lights.aim(this.#stage.light, camera, this.#stage.wind);
 	}
 
-	pick({ origin, direction }: Ray): number | undefined {
+	pick({ origin, direction }: ViewRay): number | undefined {
 		const ray = new Raycaster(new Vector3(...origin), new Vector3(...direction).normalize());
 		const [hit] = ray.intersectObjects(this.#shown.objects, false);
 		if (!hit) return undefined;

@@ -2,7 +2,7 @@ import { Group, type PerspectiveCamera, Scene, type WebGLRenderer } from "three"
 import { Backdrop } from "./backdrop";
 import type { Bodies } from "./camera_fit";
 import type { Theme } from "./light";
-import type { ModelRenderer, Ray, RendererFactory } from "./model_renderer";
+import type { ModelRenderer, RendererFactory, ViewRay } from "./model_renderer";
 import { PaperShadow } from "./paper_shadow";
 import type { Drawable } from "./renderer";
 import { StageLight } from "./stage_light";
@@ -77,7 +77,7 @@ export class Stage<S, G> implements Drawable {
 		return this.#renderer.bounds();
 	}
 
-	pick(ray: Ray): number | undefined {
+	pick(ray: ViewRay): number | undefined {
 		return this.#filled ? this.#renderer?.pick(ray) : undefined;
 	}
 

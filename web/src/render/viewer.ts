@@ -3,7 +3,7 @@ import { CameraController, type Gaze, type ViewName } from "./camera_controller"
 import { type BoundingProfile, boundingProfileOf } from "./camera_fit";
 import { type Frame, FrameLoop } from "./frame_loop";
 import type { Theme } from "./light";
-import type { Ray, RendererFactory } from "./model_renderer";
+import type { RendererFactory, ViewRay } from "./model_renderer";
 import { type Drawable, Renderer } from "./renderer";
 import type { Size } from "./size";
 import { Stage } from "./stage";
@@ -276,7 +276,7 @@ export class Viewer<S, G> {
 	};
 
 	/** Returns the ray through a point of the canvas, CSS pixels from its top left corner. */
-	rayThrough(x: number, y: number): Ray {
+	rayThrough(x: number, y: number): ViewRay {
 		this.camera.updateMatrixWorld();
 		const { width, height } = this.#size;
 		const eye = this.camera.position;

@@ -32,7 +32,12 @@ export function startHistory<S extends Specimen>(present: S): SpecimenHistory<S>
  * @param gesture names a drag; consecutive changes of one gesture are one step. Without it every change is a step.
  * @param run names a sequence that spans several gestures
  */
-export function change<S extends Specimen>(history: SpecimenHistory<S>, next: S, gesture?: string, run?: string): SpecimenHistory<S> {
+export function change<S extends Specimen>(
+	history: SpecimenHistory<S>,
+	next: S,
+	gesture?: string,
+	run?: string,
+): SpecimenHistory<S> {
 	if (gesture !== undefined && gesture === history.gesture) return { ...history, present: next, run };
 	const settled = settle(history);
 	if (run !== undefined && run === settled.run) return { ...settled, present: next, gesture };

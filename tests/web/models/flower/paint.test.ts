@@ -3,7 +3,13 @@ import { aboutPlant } from "../../../../web/src/formats/about_plant";
 import { exportGlb } from "../../../../web/src/formats/glb";
 import { readFlowerPlant } from "../../../../web/src/models/flower/flower_plant";
 import { model } from "../../../../web/src/models/flower/index";
-import { colourAt, colourFromAfar, type FlowerPaint, paintsOf, pictureOf } from "../../../../web/src/models/flower/paint";
+import {
+	colourAt,
+	colourFromAfar,
+	type FlowerPaint,
+	paintsOf,
+	pictureOf,
+} from "../../../../web/src/models/flower/paint";
 import { fetchTexts } from "../../../../web/src/models/flower/texts";
 import type { Part } from "../../../../web/src/plant/part";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";

@@ -3,7 +3,7 @@
  * metres.
  */
 import { shortFloat } from "../../formats/numbers";
-import { floats, integers, type CsvRows, recordRows, vectors, words } from "../../formats/rows";
+import { type CsvRows, floats, integers, recordRows, vectors, words } from "../../formats/rows";
 import {
 	type Berries,
 	type BerryForm,

@@ -3,7 +3,7 @@ import type { Colour } from "../../plant/colour";
 import { type Material, standardMaterial } from "../../plant/material";
 import type { Part, PartMesh } from "../../plant/part";
 import type { FlowerPlant } from "./flower_plant";
-import { colourAt, isFine, type FlowerPaint, paintsOf, pictureOf } from "./paint";
+import { colourAt, type FlowerPaint, isFine, paintsOf, pictureOf } from "./paint";
 
 /** Material properties that differ from the standard material of the kind (plant/material.ts). */
 const OWN: Readonly<Record<string, Partial<Material>>> = {

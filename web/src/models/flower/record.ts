@@ -4,7 +4,7 @@
  */
 import { type CsvValue, writeCsv } from "../../formats/csv";
 import { shortFloat } from "../../formats/numbers";
-import { gathered, integers, lists, CsvRows, vectors } from "../../formats/rows";
+import { CsvRows, gathered, integers, lists, vectors } from "../../formats/rows";
 import type { FlowerPlant } from "./flower_plant";
 
 export interface FlowerRecord {

@@ -1,7 +1,7 @@
 /** Record of a text's plant in the JSON document, besides and in place of that of every plant. */
 import type { OrganRecord, SegmentRecord } from "../../formats/json";
 import { shortFloat } from "../../formats/numbers";
-import { floats, integers, type CsvRows, recordRows, vectors, words } from "../../formats/rows";
+import { type CsvRows, floats, integers, recordRows, vectors, words } from "../../formats/rows";
 import type { Area } from "./areas/area";
 import type { GrammarPlant } from "./grammar_plant";
 

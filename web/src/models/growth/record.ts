@@ -1,6 +1,6 @@
 /** Record of a tree in the JSON document, besides and in place of that of every plant. */
 import type { SegmentRecord } from "../../formats/json";
-import { floats, integers, type CsvRows, recordRows, vectors, words } from "../../formats/rows";
+import { type CsvRows, floats, integers, recordRows, vectors, words } from "../../formats/rows";
 import type { GrowthPlant } from "./growth_plant";
 import type { GrowthVolume } from "./volumes/volume";
 

@@ -1,6 +1,6 @@
 /** The trails in the JSON document, in place of the common record of segments. */
 import { shortFloat } from "../../formats/numbers";
-import { floats, integers, type CsvRows, recordRows, vectors, words } from "../../formats/rows";
+import { type CsvRows, floats, integers, recordRows, vectors, words } from "../../formats/rows";
 import type { TrailPlant } from "./trails";
 
 type Vector = [x: number, y: number, z: number];

@@ -3,7 +3,7 @@ import { Mesh, type PerspectiveCamera } from "three";
 import { linear } from "../../plant/colour";
 import type { Bodies } from "../../render/camera_fit";
 import { MaterialCache } from "../../render/material_cache";
-import type { ModelRenderer, Ray, RendererFactory, RendererStage } from "../../render/model_renderer";
+import type { ModelRenderer, RendererFactory, RendererStage, ViewRay } from "../../render/model_renderer";
 import { boxOf, joined } from "../../render/part_bounds";
 import { PartMeshes } from "../../render/part_meshes";
 import { PartRenderer } from "../../render/part_renderer";
@@ -80,7 +80,7 @@ class CutRenderer implements ModelRenderer<RootSpecimen, WoodenPlant> {
 		this.#roots.prepare(camera);
 	}
 
-	pick(ray: Ray): number | undefined {
+	pick(ray: ViewRay): number | undefined {
 		return this.#roots.pick(ray);
 	}
 

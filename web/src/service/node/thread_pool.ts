@@ -33,10 +33,10 @@ const ABANDONED_TIMEOUT = 500;
 const CLOSING = "the service is shutting down";
 const RETRY = { "retry-after": "5" };
 
-type Request = Omit<ThreadRequest, "id">;
+type NewRequest = Omit<ThreadRequest, "id">;
 
 interface Job {
-	readonly request: Request;
+	readonly request: NewRequest;
 	readonly resolve: (response: ThreadResponse) => void;
 	readonly reject: (error: Error) => void;
 	/** Removes a job that waits too long. */
@@ -73,7 +73,7 @@ export class ThreadPool {
 	 * @param signal aborted when the client has left: the request leaves the queue, or its growth is ended soon
 	 * @throws Refused where the queue is full, the request waits or takes too long, or its thread fails
 	 */
-	run(request: Request, signal?: AbortSignal): Promise<ThreadResponse> {
+	run(request: NewRequest, signal?: AbortSignal): Promise<ThreadResponse> {
 		const response = new Promise<ThreadResponse>((resolve, reject) => {
 			if (this.#closed) throw new Refused(503, CLOSING, RETRY);
 			if (this.#queue.length >= this.#options.queueLength)

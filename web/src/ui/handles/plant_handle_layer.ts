@@ -4,8 +4,8 @@
  */
 import type { Change } from "../editor_context";
 import { EscapeKey } from "./escape_key";
-import { placeUnder, type PointerRay, visibleWays } from "./handle_ways";
-import type { PlantHandle, PlantHandles, HandleVector } from "./plant_handle";
+import { type PointerRay, placeUnder, visibleWays } from "./handle_ways";
+import type { HandleVector, PlantHandle, PlantHandles } from "./plant_handle";
 import { HANDLES_STYLE } from "./plant_handles_style";
 import { ARROWS, nearest, type Point } from "./point";
 

@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import type { BerrySurfaces, BunchPlant, Fruit } from "../../../../../web/src/models/bunch/bunch_plant";
 import { paintedBerries, scarShare } from "../../../../../web/src/models/bunch/parts/berry_colour";
 import { FRUIT_SKINS } from "../../../../../web/src/models/bunch/parts/fruit_skin";
-import { bunchSkin, type BunchDress } from "../../../../../web/src/models/bunch/parts/skin";
+import { type BunchDress, bunchSkin } from "../../../../../web/src/models/bunch/parts/skin";
 import type { Look } from "../../../bunch";
 import { type PressedOptions, pressedBunch } from "../pressed_bunch";
 import { LOOK } from "../sample_bunch";

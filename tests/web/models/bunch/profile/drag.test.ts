@@ -10,12 +10,12 @@ import {
 	straightened,
 } from "../../../../../web/src/models/bunch/profile/drag";
 import {
+	type BunchShape,
 	type Handle,
 	handleKeys,
 	handleLabel,
 	handlePosition,
 	isSide,
-	type BunchShape,
 	type ShapeKey,
 	SIDES,
 } from "../../../../../web/src/models/bunch/profile/handles";

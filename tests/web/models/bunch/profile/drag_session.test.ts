@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { profileDrags } from "../../../../../web/src/models/bunch/profile/drag_session";
-import type { Handle, Locks, BunchShape } from "../../../../../web/src/models/bunch/profile/handles";
+import type { BunchShape, Handle, Locks } from "../../../../../web/src/models/bunch/profile/handles";
 import { DEFAULTS } from "./shape";
 
 /** A view that records its events, with frames that the test triggers. */

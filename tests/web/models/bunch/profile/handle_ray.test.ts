@@ -2,10 +2,10 @@ import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { dragHandle } from "../../../../../web/src/models/bunch/profile/drag";
 import {
-	handleVector,
-	type HandleRay,
-	rayToView,
 	type BunchVector,
+	type HandleRay,
+	handleVector,
+	rayToView,
 	visibleFreedom,
 } from "../../../../../web/src/models/bunch/profile/handle_ray";
 import { handlePosition, metresPerPixel } from "../../../../../web/src/models/bunch/profile/handles";

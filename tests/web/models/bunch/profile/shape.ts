@@ -1,7 +1,7 @@
 /** Profiles and parameters for the tests in this folder. */
 
 import fc from "fast-check";
-import type { Handle, BunchShape, ShapeKey } from "../../../../../web/src/models/bunch/profile/handles";
+import type { BunchShape, Handle, ShapeKey } from "../../../../../web/src/models/bunch/profile/handles";
 import { HANDLES, handleKeys } from "../../../../../web/src/models/bunch/profile/handles";
 import type { Specimen } from "../../../bunch";
 import { CORE_ENTRIES } from "../../../bunch";

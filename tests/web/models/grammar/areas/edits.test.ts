@@ -16,7 +16,7 @@ import type { GrammarSpecimen } from "../../../../../web/src/models/grammar/spec
 import { fromPreset } from "../../../../../web/src/specimen/from_preset";
 import { apply } from "../../../../../web/src/ui/change";
 import type { Change } from "../../../../../web/src/ui/editor_context";
-import type { PlantHandle, HandleVector } from "../../../../../web/src/ui/handles/plant_handle";
+import type { HandleVector, PlantHandle } from "../../../../../web/src/ui/handles/plant_handle";
 
 const area = (kind: Area["kind"], centre: Triple, size: Triple = [1, 1, 1], rotation = UNTURNED): Area => ({
 	kind,

@@ -11,7 +11,7 @@ import { flowersOf } from "./flowers";
 import { flowerColours } from "./foliage_colour";
 import { FLOWERS, naturalSkin, plainSkin } from "./materials";
 import { berryName, pieceName, pieceTitle } from "./names";
-import { bunchSkin, type BunchDress } from "./skin";
+import { type BunchDress, bunchSkin } from "./skin";
 
 const GROUP = "Berries";
 /** Step of ripeness, percent, in formats without colours of vertices. */

@@ -7,12 +7,12 @@ import type { CoreEntry } from "../../../specimen/table";
 import { ARROWS, type Point } from "../../../ui/handles/point";
 import { BUNCH_TABLE } from "../table";
 import {
+	type BunchShape,
 	type Handle,
 	handleKeys,
 	handlePosition,
 	isSide,
 	type Locks,
-	type BunchShape,
 	type ShapeKey,
 	SIDE_HANDLES,
 	SIDES,
@@ -64,7 +64,12 @@ export function withOpposites<C extends Partial<BunchShape>>(changed: C, locks?:
  * of a side may pass the tip: the table allows it and rd is limited to m − 1 (section 4.2). A coordinate of NaN leaves
  * its number unchanged.
  */
-export function dragHandle<P extends BunchShape>(parameters: P, handle: Handle, { x, y }: Point, options?: DragOptions): P {
+export function dragHandle<P extends BunchShape>(
+	parameters: P,
+	handle: Handle,
+	{ x, y }: Point,
+	options?: DragOptions,
+): P {
 	if (!isSide(handle)) return setShapeValue(parameters, "l", y, options);
 	const widened = setShapeValue(parameters, `${handle}w`, SIDES[handle].sign * x, options);
 	return setShapeValue(widened, `${handle}r`, y, options);

@@ -1,7 +1,7 @@
 /** Drags of the profile's handles, in a flat view or in 3-D: positions are pixels of the handle's flat view. */
 import { DragSession } from "../../../ui/handles/drag_session";
 import { type DragOptions, dragHandle, sameShape, straightened } from "./drag";
-import { type Handle, handleKeys, handlePosition, type Locks, type BunchShape } from "./handles";
+import { type BunchShape, type Handle, handleKeys, handlePosition, type Locks } from "./handles";
 
 export interface ProfileHost<P extends BunchShape> {
 	/** Handles whose numbers a drag may change. */

@@ -4,7 +4,7 @@
  * that drag.ts serves both.
  */
 import type { Point } from "../../../ui/handles/point";
-import { type Handle, handlePosition, isSide, metresPerPixel, type BunchShape, SIDES } from "./handles";
+import { type BunchShape, type Handle, handlePosition, isSide, metresPerPixel, SIDES } from "./handles";
 
 export type BunchVector = readonly [x: number, y: number, z: number];
 
@@ -29,7 +29,7 @@ const GRAZING = 0.17;
  */
 const END_ON = 0.02;
 
-const length = ([x, y, z]: BunchVector): number => Math.hypot(x, y, z);
+const lengthOf = ([x, y, z]: BunchVector): number => Math.hypot(x, y, z);
 const dot = (a: BunchVector, b: BunchVector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
 /** Returns the rightward axis of a handle's view: +X in front, +Z at the side. */
@@ -51,7 +51,7 @@ export function handleVector(shape: BunchShape, handle: Handle, unit: number): B
  */
 export function visibleFreedom(handle: Handle, { direction }: HandleRay): Freedom {
 	if (!isSide(handle)) return "plumb";
-	const size = length(direction);
+	const size = lengthOf(direction);
 	const [ax, , az] = across(handle);
 	// The plane's normal is horizontal and perpendicular to its axis.
 	if (Math.abs(direction[0] * az - direction[2] * ax) > GRAZING * size) return "plane";
@@ -62,7 +62,13 @@ export function visibleFreedom(handle: Handle, { direction }: HandleRay): Freedo
  * Returns the point where the ray meets the handle's plane, or comes nearest to its line; undefined if there is none
  * (seen end-on, or behind the camera).
  */
-export function rayToView(shape: BunchShape, handle: Handle, freedom: Freedom, ray: HandleRay, unit: number): Point | undefined {
+export function rayToView(
+	shape: BunchShape,
+	handle: Handle,
+	freedom: Freedom,
+	ray: HandleRay,
+	unit: number,
+): Point | undefined {
 	const at = handleVector(shape, handle, unit);
 	const pixel = metresPerPixel(unit);
 	const axis = across(handle);
@@ -84,7 +90,7 @@ export function rayToView(shape: BunchShape, handle: Handle, freedom: Freedom, r
 
 /** Returns the position along a line (through `point`, unit `line`) where it is nearest to the ray. */
 function nearestOnLine(point: BunchVector, line: BunchVector, { origin, direction }: HandleRay): number | undefined {
-	const size = length(direction);
+	const size = lengthOf(direction);
 	const towards = direction.map((value) => value / size) as [number, number, number];
 	const between = origin.map((value, i) => value - point[i]) as [number, number, number];
 	const slant = dot(line, towards);

@@ -7,7 +7,7 @@ import { EscapeKey } from "../../../ui/handles/escape_key";
 import { nearest, type Point } from "../../../ui/handles/point";
 import type { BunchSpecimen as Specimen } from "../specimen";
 import { type ProfileDrags, profileDrags } from "./drag_session";
-import { type Freedom, handleVector, type HandleRay, rayToView, visibleFreedom } from "./handle_ray";
+import { type Freedom, type HandleRay, handleVector, rayToView, visibleFreedom } from "./handle_ray";
 import { HANDLES, type Handle, type Locks } from "./handles";
 import { type OctahedronColours, OctahedronRenderer } from "./octahedron_renderer";
 

@@ -13,7 +13,7 @@ import {
 	SphereGeometry,
 } from "three";
 import { handleVector } from "./handle_ray";
-import { HANDLES, type Handle, type BunchShape } from "./handles";
+import { type BunchShape, HANDLES, type Handle } from "./handles";
 
 export interface OctahedronColours {
 	line: ColorRepresentation;

@@ -1,6 +1,6 @@
 /** The octahedron's handles on the bunch itself. */
 import type { Change } from "../../../ui/editor_context";
-import type { HandlesOf, PlantHandle, HandleVector } from "../../../ui/handles/plant_handle";
+import type { HandlesOf, HandleVector, PlantHandle } from "../../../ui/handles/plant_handle";
 import type { BunchSpecimen } from "../specimen";
 import { dragHandle } from "./drag";
 import { across, handleVector } from "./handle_ray";

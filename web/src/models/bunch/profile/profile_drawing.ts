@@ -6,12 +6,12 @@ import type { OwnProfile } from "../bunch_plant";
 import type { BunchSpecimen as Specimen } from "../specimen";
 import { envelopePath } from "./envelope";
 import {
+	type BunchShape,
 	type Handle,
 	handlePosition,
 	inMillimetres,
 	isSide,
 	type ScaledShape,
-	type BunchShape,
 	type ShapeKey,
 	SIDES,
 	VIEW_SIDES,

@@ -2,14 +2,14 @@ import type { PerspectiveCamera } from "three";
 import { type Sway, swayOf } from "../../../plant/sway";
 import type { Bodies } from "../../../render/camera_fit";
 import { CapsuleShadow } from "../../../render/capsule_shadow";
-import type { ModelRenderer, Ray, RendererStage } from "../../../render/model_renderer";
+import type { ModelRenderer, RendererStage, ViewRay } from "../../../render/model_renderer";
 import { RecordTexture } from "../../../render/record_texture";
 import { StandardLights } from "../../../render/standard_lights";
 import { standardMaterial } from "../../../render/standard_material";
 import type { BunchPlant } from "../bunch_plant";
 import { tintOf } from "../parts/berry_tint";
 import { FLOWERS, foliageMaterials, stemMaterial } from "../parts/materials";
-import { bunchSkin, type BunchDress } from "../parts/skin";
+import { type BunchDress, bunchSkin } from "../parts/skin";
 import { berryMaterial, NONE, setSkin } from "./berry_material";
 import { BunchSurface, type PartMaterials } from "./bunch_surface";
 import { CachedSky } from "./cached_sky";
@@ -128,7 +128,7 @@ export class BunchRenderer implements ModelRenderer<BunchDress, BunchPlant> {
 	}
 
 	/** Returns the id of the nearest berry along a ray. Stems do not occlude. */
-	pick(ray: Ray): number | undefined {
+	pick(ray: ViewRay): number | undefined {
 		if (!this.#grown || this.#mode !== "whole") return undefined;
 		const { berries } = this.#grown;
 		const index = pickBerry(berries, ray);

@@ -1,4 +1,4 @@
-import type { Ray, SceneVector } from "../../../render/model_renderer";
+import type { SceneVector, ViewRay } from "../../../render/model_renderer";
 import type { Berries } from "../bunch_plant";
 import { halvesOf } from "../traits";
 
@@ -6,7 +6,7 @@ import { halvesOf } from "../traits";
  * Returns the index of the nearest berry along a ray; undefined if there is none. Berries are treated as ellipsoids of
  * their width and length about their direction, as before contacts flatten them.
  */
-export function pickBerry(berries: Berries, ray: Ray): number | undefined {
+export function pickBerry(berries: Berries, ray: ViewRay): number | undefined {
 	let best: number | undefined;
 	let least = Infinity;
 	for (let i = 0; i < berries.count; i++) {
@@ -17,11 +17,15 @@ export function pickBerry(berries: Berries, ray: Ray): number | undefined {
 }
 
 /** Returns the ray parameter of the first intersection with berry `i`, in lengths of its direction. */
-function meeting(berries: Berries, i: number, { origin, direction }: Ray): number | undefined {
+function meeting(berries: Berries, i: number, { origin, direction }: ViewRay): number | undefined {
 	const { spheres, directions } = berries;
 	const [width, length] = halvesOf(berries, i);
 	const axis: SceneVector = [directions[3 * i], directions[3 * i + 1], directions[3 * i + 2]];
-	const from: SceneVector = [origin[0] - spheres[4 * i], origin[1] - spheres[4 * i + 1], origin[2] - spheres[4 * i + 2]];
+	const from: SceneVector = [
+		origin[0] - spheres[4 * i],
+		origin[1] - spheres[4 * i + 1],
+		origin[2] - spheres[4 * i + 2],
+	];
 	// In the space where the berry is the unit ball: lengths along the axis shrink by more than those across it.
 	const shrink = width / length - 1;
 	const scaled = (v: SceneVector) => v.map((value, k) => (value + dot(v, axis) * shrink * axis[k]) / width);

@@ -1,7 +1,7 @@
 import { html } from "lit";
 import { icon } from "../../../ui/icons";
 import { mirrorFrontBack, mirrorLeftRight, withOpposites } from "../profile/drag";
-import { type Locks, type BunchShape, SIDES } from "../profile/handles";
+import { type BunchShape, type Locks, SIDES } from "../profile/handles";
 import type { BunchSpecimen } from "../specimen";
 import type { BunchContext, BunchTool } from "./context";
 import { MIRROR } from "./icons";

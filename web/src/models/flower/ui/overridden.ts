@@ -3,7 +3,7 @@
  * them.
  */
 import type { Token } from "../../../grammar_editor/scan";
-import { type FlowerEntry, entriesOf, inFields } from "./statements";
+import { entriesOf, type FlowerEntry, inFields } from "./statements";
 
 /**
  * Returns the overridden numbers as indices into N, T, atx, aty, atz, H, L, W, m. Productions whose predecessor has

@@ -94,7 +94,10 @@ export function entriesOf(pieces: readonly Token[], open: number): { entries: Fl
  * Assigns a list's entries to N, T, atx, aty, atz, H, L, W, m; undefined for numbers that the list lacks.
  * @param translated whether the volume's lists have a translation
  */
-export function inFields(entries: readonly FlowerEntry[], translated: boolean | undefined): (FlowerEntry | undefined)[] {
+export function inFields(
+	entries: readonly FlowerEntry[],
+	translated: boolean | undefined,
+): (FlowerEntry | undefined)[] {
 	// Lists of ten numbers have one angle too many (docs/models/flower/language.md).
 	const listed = entries.filter((_, i) => entries.length !== 10 || i !== 5);
 	const whole = listed.length === 9 || (listed.length !== 8 && translated);

@@ -6,7 +6,7 @@ import type { Token } from "../../../grammar_editor/scan";
 import { canGrowOnFace } from "./faces";
 import { scan } from "./language";
 import { overridden } from "./overridden";
-import { bare, type FlowerEntry, entriesOf, formsOf, inFields, statementsOf } from "./statements";
+import { bare, entriesOf, type FlowerEntry, formsOf, inFields, statementsOf } from "./statements";
 
 /** A number in the text. */
 export interface NumberToken {

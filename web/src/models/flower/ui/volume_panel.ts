@@ -10,7 +10,7 @@ import { sliderRow } from "../../../ui/slider_row";
 import { readTyped } from "../../../ui/typed";
 import type { FlowerPlant } from "../flower_plant";
 import type { FlowerSpecimen } from "../specimen";
-import { type TokenRange, rangeFor, statedRange, within } from "./number_range";
+import { rangeFor, statedRange, type TokenRange, within } from "./number_range";
 import { describeNumber, FIELDS } from "./number_words";
 import { footOf, organOf, placeOfVolume, titleOfVolume } from "./organ";
 import { source } from "./text";

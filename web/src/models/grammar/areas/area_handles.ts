@@ -3,7 +3,7 @@
  * a drawn path.
  */
 import type { Change } from "../../../ui/editor_context";
-import type { PlantHandle, PlantHandles, HandleVector } from "../../../ui/handles/plant_handle";
+import type { HandleVector, PlantHandle, PlantHandles } from "../../../ui/handles/plant_handle";
 import {
 	type Area,
 	degreesOf,
@@ -134,7 +134,11 @@ function sides(specimen: WithAreas, area: Area, index: number): PlantHandle[] {
  * Returns the rotation handles about the area's own axes, each on an arm across its axis, with an arc that shows its
  * direction.
  */
-function turns(specimen: WithAreas, area: Area, index: number): { handle: PlantHandle; arc: readonly HandleVector[] }[] {
+function turns(
+	specimen: WithAreas,
+	area: Area,
+	index: number,
+): { handle: PlantHandle; arc: readonly HandleVector[] }[] {
 	return AXES.map((own, k) => {
 		const axis = turned(own, area.rotation);
 		const at = placeIn(area, ARMS[k]);

@@ -7,10 +7,10 @@ import { onStep } from "../../../specimen/table";
 import {
 	AREA_KINDS,
 	type Area,
+	type AreaRotation,
 	FARTHEST,
 	MOST_AREAS,
 	MOST_PATH,
-	type AreaRotation,
 	SMALLEST,
 	type Triple,
 	UNTURNED,

@@ -1,6 +1,6 @@
 /** Handles of growth volumes in the 3-D view: each volume's position, and the chosen one's height, lean and widths. */
 import type { Change } from "../../../ui/editor_context";
-import type { PlantHandle, PlantHandles, HandleVector } from "../../../ui/handles/plant_handle";
+import type { HandleVector, PlantHandle, PlantHandles } from "../../../ui/handles/plant_handle";
 import { acrossOf, axisOf, type GrowthVolume, meanWidth, placeIn, radiusAt } from "./volume";
 
 /** Metres that an arrow key moves, alone and with Shift; degrees of a lean. */

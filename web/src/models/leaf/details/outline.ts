@@ -4,7 +4,15 @@ import type { Field } from "../../../specimen/model_schema";
 import { type Notes, quote } from "../../../specimen/notes";
 import { isRecord, readNumber } from "../../../specimen/read_values";
 import { packOutline, unpackOutline } from "../outline/packed";
-import { doubleArea, FEWEST_POINTS, KINDS, type LeafKind, MOST_POINTS, type OutlinePoint, placed } from "../outline/points";
+import {
+	doubleArea,
+	FEWEST_POINTS,
+	KINDS,
+	type LeafKind,
+	MOST_POINTS,
+	type OutlinePoint,
+	placed,
+} from "../outline/points";
 import { enclosesBlade } from "../outline/spline";
 import type { LeafSpecimen } from "../specimen";
 

@@ -7,7 +7,7 @@ import type { PerspectiveCamera } from "three";
 import type { Picture } from "../../../plant/material";
 import { type Sway, swayOf } from "../../../plant/sway";
 import type { Bodies } from "../../../render/camera_fit";
-import type { ModelRenderer, Ray, RendererFactory, RendererStage } from "../../../render/model_renderer";
+import type { ModelRenderer, RendererFactory, RendererStage, ViewRay } from "../../../render/model_renderer";
 import { PartRenderer } from "../../../render/part_renderer";
 import type { Leaf } from "../grown";
 import { FacePictures, type FaceTextures, FLAT_PICTURE, PREVIEW_SIDE } from "../parts/face_pictures";
@@ -88,7 +88,7 @@ export class LeafRenderer implements ModelRenderer<LeafSpecimen, Leaf> {
 		this.#parts.prepare(camera);
 	}
 
-	pick(ray: Ray): number | undefined {
+	pick(ray: ViewRay): number | undefined {
 		return this.#parts.pick(ray);
 	}
 

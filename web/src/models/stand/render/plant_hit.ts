@@ -1,5 +1,5 @@
 /** Finds the first plant of a stand that a ray hits; crowns are approximated by upright ellipsoids. */
-import type { Ray } from "../../../render/model_renderer";
+import type { ViewRay } from "../../../render/model_renderer";
 import type { StandPlant } from "../stand_plant";
 
 /** Factor of the ellipsoid's radius: some twigs reach beyond the visible crown. */
@@ -7,7 +7,7 @@ const LEANER = 0.8;
 
 export function firstPlantHit(
 	{ places, memberOf, members }: Pick<StandPlant, "places" | "memberOf" | "members">,
-	{ origin, direction }: Ray,
+	{ origin, direction }: ViewRay,
 ): number | undefined {
 	let nearest = Number.POSITIVE_INFINITY;
 	let found: number | undefined;

@@ -3,7 +3,7 @@ import { type PerspectiveCamera, Vector3 } from "three";
 import type { Sway } from "../../../plant/sway";
 import type { Bodies } from "../../../render/camera_fit";
 import { MaterialCache } from "../../../render/material_cache";
-import type { ModelRenderer, Ray, RendererStage } from "../../../render/model_renderer";
+import type { ModelRenderer, RendererStage, ViewRay } from "../../../render/model_renderer";
 import { ballOf } from "../../../render/part_bounds";
 import { PartMeshes } from "../../../render/part_meshes";
 import { StandardLights } from "../../../render/standard_lights";
@@ -14,7 +14,7 @@ import { Crowd } from "./crowd";
 import { GroundRenderer } from "./ground_renderer";
 import { MarkRing } from "./mark_ring";
 import { firstPlantHit } from "./plant_hit";
-import { type StandBall, isWalking, shadedBall } from "./shaded";
+import { isWalking, type StandBall, shadedBall } from "./shaded";
 
 export class StandRenderer implements ModelRenderer<StandSpecimen, StandPlant> {
 	readonly modes = ["whole"];
@@ -87,7 +87,7 @@ export class StandRenderer implements ModelRenderer<StandSpecimen, StandPlant> {
 		this.#ring.aim(camera);
 	}
 
-	pick(ray: Ray): number | undefined {
+	pick(ray: ViewRay): number | undefined {
 		return this.#stand && firstPlantHit(this.#stand, ray);
 	}
 
