@@ -20,12 +20,12 @@ export function run(command, args, { cwd, env = process.env, show } = {}) {
 		const child = spawn(command, args, { cwd, env, stdio: ["ignore", "pipe", "pipe"] });
 		/** @type {Buffer[]} */
 		const pieces = [];
-		const observation_begins = (piece) => {
+		const collect = (piece) => {
 			pieces.push(piece);
 			show?.write(piece);
 		};
-		child.stdout.on("data", observation_begins);
-		child.stderr.on("data", observation_begins);
+		child.stdout.on("data", collect);
+		child.stderr.on("data", collect);
 		child.on("error", (error) => resolve({ status: 127, output: error.message }));
 		child.on("close", (status) => resolve({ status: status ?? 1, output: Buffer.concat(pieces).toString("utf8") }));
 	});
