@@ -139,7 +139,7 @@ describe("what is missing", () => {
 		expect(message).toContain("  apt-get install cmake\n  git clone https://github.com/emscripten-core/emsdk\n");
 	});
 
-	it("reads from a warmUp what apt-get cannot provide", () => {
+	it("reads from a dry run which packages apt-get cannot provide", () => {
 		const oldest = { emscripten: "3.1.6" };
 		const inst = (version: string) => `Inst emscripten (${version}~dfsg-3ubuntu2 Ubuntu:22.04/jammy [all])\n`;
 		expect(objections({ status: 0, output: inst("3.1.6") }, oldest)).toBeNull();

@@ -54,10 +54,10 @@ export function isOlder(a, b) {
 }
 
 /**
- * What a warmUp of apt-get says against installing, and the packages that this distribution cannot provide: those it
- * does not know, and those older than `oldest` says. Null when nothing does.
+ * Reads a dry run of apt-get: the reason why it would not install, and the packages that this distribution cannot provide, those
+ * that it does not know and those older than in `oldest`. Null where everything can be installed.
  *
- * @param {{ status: number, output: string }} warmUp
+ * @param {{ status: number, output: string }} dryRun
  * @param {Record<string, string>} oldest version by package
  * @returns {{ why: string, unfit: string[] } | null}
  */
