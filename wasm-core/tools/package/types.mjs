@@ -14,7 +14,7 @@ const DOORS = { panicle: "library/index", three: "library/three", element: "elem
 const declarations = join(buildFolder, "package/declarations");
 
 /** What the sources' comments do not follow of TSDoc's rules, and what is none of ours. */
-const HIDDEN_WHEN = ["ae-missing-release-tag", "ae-forgotten-export", "tsdoc-param-tag-missing-hyphen"];
+const IGNORED_MESSAGES = ["ae-missing-release-tag", "ae-forgotten-export", "tsdoc-param-tag-missing-hyphen"];
 
 /**
  * Writes a file of types for each front door into a folder.
@@ -39,7 +39,7 @@ export async function writeTypes(folder) {
 			messageCallback: (message) => {
 				message.handled = true;
 				const { messageId, text, logLevel } = message;
-				if (["error", "warning"].includes(logLevel) && !HIDDEN_WHEN.includes(messageId)) problems.push(text);
+				if (["error", "warning"].includes(logLevel) && !IGNORED_MESSAGES.includes(messageId)) problems.push(text);
 			},
 		});
 		if (problems.length > 0) throw new ToolchainError(`${source}.ts:\n${problems.join("\n")}`);
