@@ -48,12 +48,12 @@ export function isQueryWhole<S extends Specimen>(species: ModelSchema<S>, specim
 	return textsOf(species, specimen).length === 0;
 }
 
-/** The texts that its fragment carries, by their keys, not packed. */
+/** The long texts of a specimen's link, uncompressed, by their keys in its fragment. Texts that equal the preset's are left out. */
 export function textsOf<S extends Specimen>(species: ModelSchema<S>, specimen: S): [key: string, text: string][] {
-	return packedOf(species).flatMap(({ link, textOf }) => {
+	return packedOf(species).flatMap(({ link: fragmentKey, textOf }) => {
 		const text = textOf(specimen);
 		const same = text === undefined || text === textOf(fromPreset(species, specimen.preset));
-		return same ? [] : [[link, text]];
+		return same ? [] : [[fragmentKey, text]];
 	});
 }
 

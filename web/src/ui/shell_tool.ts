@@ -17,7 +17,7 @@ export interface ShellDrawing {
 	dispose(): void;
 }
 
-export interface ShownShells<S extends Specimen, G extends Plant = Plant> {
+export interface ShellToolOptions<S extends Specimen, G extends Plant = Plant> {
 	/** Name of the tool. */
 	readonly name: string;
 	readonly icon: SVGTemplateResult;
@@ -41,15 +41,18 @@ export interface ShownShells<S extends Specimen, G extends Plant = Plant> {
 	applies?(specimen: S): boolean;
 }
 
-export function shownShells<S extends Specimen, G extends Plant>(shown: ShownShells<S, G>): Tool<S, G, boolean> {
-	const { name, icon, label, initial = false, applies } = shown;
+/** Creates a tool whose button shows or hides closed surfaces (shells) beside the plant. */
+export function createShellTool<S extends Specimen, G extends Plant>(
+	options: ShellToolOptions<S, G>,
+): Tool<S, G, boolean> {
+	const { name, icon, label, initial = false, applies } = options;
 	const tool: Tool<S, G, boolean> = {
 		name,
 		initial,
 		...(applies ? { applies } : {}),
 		press: (context) => context.setToolState(tool, !context.toolState(tool)),
 		button: { icon, label, pressed: (context) => context.toolState(tool) },
-		interaction: (view, context) => new ShellInteraction(view, context, shown, tool),
+		interaction: (view, context) => new ShellInteraction(view, context, options, tool),
 	};
 	return tool;
 }
@@ -57,14 +60,19 @@ export function shownShells<S extends Specimen, G extends Plant>(shown: ShownShe
 class ShellInteraction<S extends Specimen, G extends Plant> implements ToolInteraction<S, G> {
 	readonly #view: ToolView;
 	readonly #context: EditorContext<S, G>;
-	readonly #options: ShownShells<S, G>;
+	readonly #options: ShellToolOptions<S, G>;
 	readonly #tool: Tool<S, G, boolean>;
 	/** Loaded on first use. */
 	#renderer: Promise<ShellDrawing | undefined> | undefined;
 	#shown: { readonly specimen: S; readonly dark: boolean; readonly grown: G | undefined } | undefined;
 	#disposed = false;
 
-	constructor(view: ToolView, context: EditorContext<S, G>, options: ShownShells<S, G>, tool: Tool<S, G, boolean>) {
+	constructor(
+		view: ToolView,
+		context: EditorContext<S, G>,
+		options: ShellToolOptions<S, G>,
+		tool: Tool<S, G, boolean>,
+	) {
 		this.#view = view;
 		this.#context = context;
 		this.#options = options;

@@ -15,7 +15,7 @@ TEST_CASE("an axis begins at its foot, strays by the given length, and each seed
   const glm::vec3 foot(1, 0, 2);
   const Axis upright(foot);
   CHECK(upright.at(5) == glm::vec3(1, 5, 2));
-  CHECK(upright.along({0, 0, 0}, {4, 0, 0}, 1) == glm::vec3(4, 0, 0));
+  CHECK(upright.step_towards({0, 0, 0}, {4, 0, 0}, 1) == glm::vec3(4, 0, 0));
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
     const Axis axis(foot, 10, 0.5f, seed);
     CHECK(axis.at(0) == foot);
@@ -25,7 +25,7 @@ TEST_CASE("an axis begins at its foot, strays by the given length, and each seed
     CHECK(farthest < 1.2f);
     CHECK(axis.distance(axis.at(3)) == 0);
     // A place that follows the axis stays on it.
-    CHECK(axis.distance(axis.along(axis.at(4), axis.at(2), 0.5f)) < 1e-4f);
+    CHECK(axis.distance(axis.step_towards(axis.at(4), axis.at(2), 0.5f)) < 1e-4f);
     CHECK(glm::distance(Axis(foot, 10, 0.5f, seed + 1).at(8), axis.at(8)) > 0.05f);
   }
 }

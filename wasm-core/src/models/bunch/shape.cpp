@@ -29,15 +29,15 @@ Result<Shape> requested_shape(const BunchRequest& request, const Profile& profil
 
 }  // namespace
 
-Shape shape_of(const Profile& profile, float fit) {
+Shape shape_of(const Profile& profile, float fit_amount) {
   Plan plan = make_plan(profile);
-  const Fit lengths = make_fit(profile, plan, fit);
+  const Fit lengths = make_fit(profile, plan, fit_amount);
   return {std::move(plan), lengths};
 }
 
-Result<Shape> shape_for(const BunchRequest& request, const Profile& profile, float fit) {
+Result<Shape> shape_for(const BunchRequest& request, const Profile& profile, float fit_amount) {
   const bool has_segments = request.m != 0 || !request.n.empty();
-  return has_segments ? requested_shape(request, profile) : Result<Shape>(shape_of(profile, fit));
+  return has_segments ? requested_shape(request, profile) : Result<Shape>(shape_of(profile, fit_amount));
 }
 
 // The paper counts axes from the tip, n_k = n(m − 1 − k).

@@ -41,10 +41,10 @@ glm::vec3 Axis::at(float y) const {
   return {foot_.x + offset.x, y, foot_.z + offset.z};
 }
 
-glm::vec3 Axis::along(const glm::vec3& from, const glm::vec3& to, float far) const {
+glm::vec3 Axis::step_towards(const glm::vec3& from, const glm::vec3& to, float most) const {
   const float length = glm::distance(from, to);
-  if (!(piece_ > 0) || !(length > far)) return to;
-  const float share = far / length;
+  if (!(piece_ > 0) || !(length > most)) return to;
+  const float share = most / length;
   const glm::vec3 straight = from + share * (to - from), chord = at(from.y) + share * (at(to.y) - at(from.y));
   return straight + at(straight.y) - chord;
 }

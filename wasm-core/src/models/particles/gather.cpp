@@ -10,33 +10,34 @@
 namespace panicle::particles {
 namespace {
 
-// The trails with other links, in the order of the tree, without places that carry no energy.
-Trails linked(const Trails& trails, std::vector<std::int32_t> next, float stride) {
+// The same places, in the order of the tree, each now leading to next[i]. Recomputes the energy that flows through and the
+// step at which each place was first left, and drops places through which no particle passes.
+Trails relinked(const Trails& trails, std::vector<std::int32_t> next, float stride) {
   const std::size_t count = trails.size();
   const std::vector<std::uint32_t> order = tree_order(next);
 
   // The energy of each place itself, then the energy that flows in; from the ends on.
   std::vector<double> energy = trails.energy;
-  std::vector<float> left(trails.born.begin(), trails.born.end());
+  std::vector<float> first_left(trails.born.begin(), trails.born.end());
   for (std::size_t i = 1; i < count; ++i) energy[static_cast<std::size_t>(trails.next[i])] -= trails.energy[i];
   for (std::size_t i = 0; i < count; ++i)
     if (trails.particle[i] < 0) energy[i] = 0;
-  std::vector<std::uint8_t> passed(count, 0);
+  std::vector<std::uint8_t> on_the_way(count, 0);
   for (std::size_t at = order.size(); at-- > 1;) {
     const std::uint32_t i = order[at];
     const auto to = static_cast<std::size_t>(next[i]);
-    if (trails.particle[i] < 0 && !passed[i]) continue;
-    passed[to] = 1;
+    if (trails.particle[i] < 0 && !on_the_way[i]) continue;
+    on_the_way[to] = 1;
     energy[to] += energy[i];
     if (to > 0 && next[i] != trails.next[i])
-      left[to] = std::min(left[to], left[i] + glm::distance(trails.places[i], trails.places[to]) / stride);
+      first_left[to] = std::min(first_left[to], first_left[i] + glm::distance(trails.places[i], trails.places[to]) / stride);
   }
   Trails made;
-  std::vector<std::int32_t> number(count, -1);
+  std::vector<std::int32_t> new_index(count, -1);
   for (const std::uint32_t i : order) {
-    if (i > 0 && trails.particle[i] < 0 && !passed[i]) continue;
-    const std::int32_t to = i == 0 ? -1 : number[static_cast<std::size_t>(next[i])];
-    number[i] = made.add(trails.places[i], to, energy[i], static_cast<std::uint32_t>(left[i]), trails.particle[i]);
+    if (i > 0 && trails.particle[i] < 0 && !on_the_way[i]) continue;
+    const std::int32_t to = i == 0 ? -1 : new_index[static_cast<std::size_t>(next[i])];
+    new_index[i] = made.add(trails.places[i], to, energy[i], static_cast<std::uint32_t>(first_left[i]), trails.particle[i]);
   }
   // The target is as old as the last arrival at the axis.
   made.born[0] = 0;
@@ -66,7 +67,7 @@ Trails gathered(const Trails& trails, const Axis& axis, const Guide& guide, floa
                                        line.begin() + static_cast<std::ptrdiff_t>(end));
     for (std::size_t k = first; line[k] != *exit; ++k) next[line[k]] = static_cast<std::int32_t>(line[k + 1]);
   }
-  return linked(trails, std::move(next), stride);
+  return relinked(trails, std::move(next), stride);
 }
 
 }  // namespace panicle::particles

@@ -49,10 +49,10 @@ glm::vec3 Trunk::aim(const glm::vec3& p) const {
   const float near = nearer * habit_.ahead;
   const glm::vec3 to = straight - p;
   const float length = glm::length(to);
-  if (habit_.bend == glm::vec3(0) || !(length > habit_.ahead)) return axis_.along(p, straight, near);
+  if (habit_.bend == glm::vec3(0) || !(length > habit_.ahead)) return axis_.step_towards(p, straight, near);
   const glm::vec3 way = to / length + glm::min(axis_.distance(p) / habit_.reach, 1.0f) * habit_.bend;
   const glm::vec3 bent = p + way * (habit_.ahead / glm::length(way));
-  return axis_.along(p, passes(p, bent) ? bent : straight, near);
+  return axis_.step_towards(p, passes(p, bent) ? bent : straight, near);
 }
 
 float Trunk::way(const glm::vec3& p) const {

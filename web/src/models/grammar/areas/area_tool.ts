@@ -3,7 +3,7 @@ import { svg } from "lit";
 import type { EditorContext } from "../../../ui/editor_context";
 import { LazyInteraction } from "../../../ui/handles/lazy_interaction";
 import { sameDocument } from "../../../ui/same_document";
-import { shownShells } from "../../../ui/shell_tool";
+import { createShellTool } from "../../../ui/shell_tool";
 import { FILE_TOPIC, type Tool } from "../../../ui/tool";
 import type { GrammarPlant } from "../grammar_plant";
 import type { GrammarSpecimen } from "../specimen";
@@ -32,7 +32,7 @@ const HANDLES = svg`<path d="M10 3l6 3.2v7.600L10 17l-6-3.200V6.200z"/><circle c
 export const hasAreas = ({ areas = [] }: GrammarSpecimen): boolean => areas.length > 0;
 
 /** Translucent shells, visible by default. */
-const areaGlass = shownShells<GrammarSpecimen, GrammarPlant>({
+const areaGlass = createShellTool<GrammarSpecimen, GrammarPlant>({
 	name: "glass",
 	icon: GLASS,
 	label: "Growth areas as glass",

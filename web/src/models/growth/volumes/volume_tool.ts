@@ -2,7 +2,7 @@
 import { svg } from "lit";
 import type { Change, EditorContext } from "../../../ui/editor_context";
 import { LazyInteraction } from "../../../ui/handles/lazy_interaction";
-import { shownShells } from "../../../ui/shell_tool";
+import { createShellTool } from "../../../ui/shell_tool";
 import type { Tool } from "../../../ui/tool";
 import type { GrowthPlant } from "../growth_plant";
 import type { GrowthSpecimen } from "../specimen";
@@ -35,7 +35,7 @@ export function put(specimen: GrowthSpecimen, volumes: readonly GrowthVolume[]):
 	return text === undefined ? {} : { details: { grammar: withVolumes(text, volumes) } };
 }
 
-const volumeGlass = shownShells<GrowthSpecimen, GrowthPlant>({
+const volumeGlass = createShellTool<GrowthSpecimen, GrowthPlant>({
 	name: "glass",
 	icon: GLASS,
 	label: "Growth volumes as glass",

@@ -36,12 +36,17 @@ export function bladeMaterial(look: Look, side: Side): Material {
 	};
 }
 
-/** Transmission for files, whose materials have a volume: its largest thickness, and the mean free path of light. */
-export function fleshOf({ green, glow }: Look, thickest: number, thickness: number): Pick<Material, "flesh"> {
+/**
+ * Transmission of the blade, for files whose materials have a volume; none where the leaf does not glow. Transmitted light is
+ * brighter and more saturated than the green of the surface.
+ * @param thickest largest thickness of the blade, metres
+ * @param meanFreePath distance after which light has the transmitted colour, metres
+ */
+export function fleshOf({ green, glow }: Look, thickest: number, meanFreePath: number): Pick<Material, "flesh"> {
 	const share = MOST_PASSING * (glow as number);
 	if (share <= 0) return {};
 	const colour = linear(green as string).map((value) => Math.min(1, 0.25 + 2.5 * value)) as Colour;
-	return { flesh: { factor: share, thickness: thickest, colour, distance: thickness } };
+	return { flesh: { factor: share, thickness: thickest, colour, distance: meanFreePath } };
 }
 
 export function petioleMaterial({ stalk }: Look): Material {

@@ -5,7 +5,7 @@ import { boundaryTool } from "../../particles/boundary/boundary_tool";
 import { meshTool } from "../../particles/boundary/mesh_tool";
 import { planTool } from "../../particles/boundary/plan_tool";
 import { readout } from "../../particles/boundary/readout";
-import { shellTool } from "../../particles/boundary/shell_tool";
+import { boundaryShellTool } from "../../particles/boundary/shell_tool";
 import type { WoodenPlant } from "../../particles/boundary/wooden_plant";
 import { watchingEither } from "../../particles/watch";
 import { rootLayout } from "../layout";
@@ -16,7 +16,7 @@ export const face: ModelUi<RootSpecimen, WoodenPlant> = {
 	tools: [
 		boundaryTool(rootLayout, "volume"),
 		planTool(rootLayout),
-		shellTool(rootLayout),
+		boundaryShellTool(rootLayout),
 		meshTool("volume", "reach"),
 		...watchingEither<RootSpecimen, WoodenPlant>(ROOT_TABLE),
 	],

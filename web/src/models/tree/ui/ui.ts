@@ -5,7 +5,7 @@ import { boundaryTool } from "../../particles/boundary/boundary_tool";
 import { meshTool } from "../../particles/boundary/mesh_tool";
 import { planTool } from "../../particles/boundary/plan_tool";
 import { readout } from "../../particles/boundary/readout";
-import { shellTool } from "../../particles/boundary/shell_tool";
+import { boundaryShellTool } from "../../particles/boundary/shell_tool";
 import { watchingEither } from "../../particles/watch";
 import { treeLayout } from "../layout";
 import { lightTool } from "../light/light_tool";
@@ -18,7 +18,7 @@ export const face: ModelUi<TreeSpecimen, TreePlant> = {
 	tools: [
 		boundaryTool(treeLayout, "crown"),
 		planTool(treeLayout),
-		shellTool(treeLayout),
+		boundaryShellTool(treeLayout),
 		sun,
 		lightTool,
 		meshTool("crown", "height"),

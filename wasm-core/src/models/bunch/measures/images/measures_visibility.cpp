@@ -47,7 +47,7 @@ class VisibilityRenderer {
   // Renders the view from the direction `towards`.
   void look(glm::vec3 towards, bool at_pedicels) {
     const View view = view_from(towards);
-    gather(view, at_pedicels);
+    prepare(view, at_pedicels);
     std::uint32_t seen = 0;
     float length = 0;
     for (const Entry& entry : entries_) {
@@ -67,7 +67,9 @@ class VisibilityRenderer {
   float pedicels() const { return pedicels_; }
 
  private:
-  void gather(const View& view, bool at_pedicels) {
+  // Projects all berries and, `with_pedicels`, points along the pedicels; sorts them by depth; clears an image that holds
+  // them all.
+  void prepare(const View& view, bool with_pedicels) {
     projected_.clear();
     entries_.clear();
     glm::vec2 low(1e30f), high(-1e30f);
@@ -77,7 +79,7 @@ class VisibilityRenderer {
       high = {std::max(high.x, one.centre.x + one.half.x), std::max(high.y, one.centre.y + one.half.y)};
       entries_.push_back({one.depth, one.centre, static_cast<std::uint32_t>(projected_.size() - 1), true});
     }
-    for (std::uint32_t i = 0; at_pedicels && i < subject_.pedicels.size(); ++i) {
+    for (std::uint32_t i = 0; with_pedicels && i < subject_.pedicels.size(); ++i) {
       const Stem& stem = subject_.pedicels[i];
       for (std::size_t k = 0; k < points; ++k) {
         const glm::vec3 p = stem.start + (static_cast<float>(k) + 0.5f) / points * (stem.end - stem.start);

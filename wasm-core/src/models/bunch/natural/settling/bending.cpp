@@ -98,7 +98,7 @@ class Bending {
       const glm::vec3 grown = internodes_[parent].end - foot;
       if (outcomes_[f].state == FlowerState::berry) seats_[parent] = 1;
       for (std::size_t i = parent;; i = static_cast<std::size_t>(internodes_[i].parent)) {
-        add(i, outcomes_[f].state, place(outcomes_[f], moved, internodes_[i].end - foot, grown, i == parent));
+        add(i, outcomes_[f].state, moved_point(outcomes_[f], moved, internodes_[i].end - foot, grown, i == parent));
         if (i == first) break;
       }
     }
@@ -111,9 +111,9 @@ class Bending {
     return stem < 0 ? internode.start : ends_[static_cast<std::size_t>(stem)];
   }
 
-  // The new place of a point of a stalk, `along` from its foot where it grew; the stalk is `grown` long, and its foot
-  // now at `foot`.
-  glm::vec3 place(const FlowerOutcome& outcome, const glm::vec3& foot, const glm::vec3& along, const glm::vec3& grown,
+  // The new place of a point of a stalk. `along` and `grown` are vectors from the foot where it grew: to the point, and to
+  // the stalk's end. `foot` is the foot's new place. `tip`: the point is the stalk's end, so it goes exactly to the seat.
+  glm::vec3 moved_point(const FlowerOutcome& outcome, const glm::vec3& foot, const glm::vec3& along, const glm::vec3& grown,
                   bool tip) const {
     if (outcome.state == FlowerState::stub) return foot + along * stub_length;
     if (outcome.state == FlowerState::flower) return foot + along * stalk_at(size_);

@@ -25,8 +25,8 @@ struct Hung {
   std::size_t axis;
 };
 
-// The first branch of each branch's axis.
-std::vector<std::size_t> axes_of(std::span<const Branch> branches) {
+// Per branch, the index of the first branch of its axis. An axis is a chain of sagging branches, each the child of the last.
+std::vector<std::size_t> first_branches(std::span<const Branch> branches) {
   std::vector<std::size_t> axes(branches.size());
   for (std::size_t k = 0; k < branches.size(); ++k) {
     const auto parent = static_cast<std::size_t>(branches[k].parent);
@@ -44,7 +44,7 @@ std::vector<Hung> hung_alone(std::span<const Branch> branches, std::span<const S
     const glm::vec3 start = branch.parent < 0 ? branch.start : ends[static_cast<std::size_t>(branch.parent)];
     ends[k] = start + turned[k] * (branch.end - branch.start);
   }
-  const std::vector<std::size_t> axes = axes_of(branches);
+  const std::vector<std::size_t> axes = first_branches(branches);
   std::vector<Hung> all;
   all.reserve(berries.size());
   for (const Swelling& berry : berries) {
