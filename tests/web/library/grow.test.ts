@@ -57,9 +57,9 @@ describe("a grown specimen", () => {
 		expect(got.bunch_length).toBeCloseTo(160, -1);
 		expect(notes).toEqual([]);
 		const far = await grow(SMALL, { meshes: false, targets: { bunch_weight: 1e6 } });
-		expect(far.notes.join()).toMatch(/1000000 g requested, /);
+		expect(far.notes.join()).toMatch(/1000000 g asked, /);
 		await expect(grow(SMALL, { targets: { beauty: 1 } })).rejects.toThrow(
-			/^beauty: no measure of this bunch that can be requested for; there are bunch_length, /,
+			/^beauty: no measure of this bunch that can be asked for; there are bunch_length, /,
 		);
 		await expect(grow(SMALL, { targets: { bunch_length: -1 } })).rejects.toThrow(
 			"bunch_length: -1 is no number from 0 on",
