@@ -200,7 +200,7 @@ export class SavedDialog extends StudioPart {
 		await this.updateComplete;
 		const list = this.querySelector<SavedList>("panicle-saved-list");
 		await list?.updateComplete;
-		if (step.kind === "deletion") await list?.goTo(step.specimens[0].id);
+		if (step.kind === "deletion") await list?.goToFirst(step.specimens.map(({ id }) => id));
 		else this.querySelector<HTMLElement>(".choices .button")?.focus();
 	};
 

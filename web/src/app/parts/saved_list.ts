@@ -156,6 +156,11 @@ export class SavedList extends StudioPart {
 			?.focus();
 	}
 
+	/** Moves the focus to the first of some cards, in the order of the list. */
+	async goToFirst(ids: readonly string[]): Promise<void> {
+		await this.goTo(this.#found().find(({ id }) => ids.includes(id))?.id);
+	}
+
 	protected override firstUpdated(): void {
 		const cards = this.querySelector(".cards");
 		if (cards) this.#resized.observe(cards);
