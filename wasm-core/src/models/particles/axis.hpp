@@ -17,8 +17,8 @@ class Axis {
   const glm::vec3& foot() const { return foot_; }
   // The point at the height y.
   glm::vec3 at(float y) const;
-  // The point at most `most` from `from` towards `to`, displaced sideways as the axis is from its own chord; `to` itself where
-  // it is nearer, without displacement where the axis is straight.
+  // The point at most `most` from `from` towards `to`, displaced sideways as the axis is from its own chord; `to`
+  // itself where it is nearer, without displacement where the axis is straight.
   glm::vec3 step_towards(const glm::vec3& from, const glm::vec3& to, float most) const;
   // Distance from the axis at the place's height.
   float distance(const glm::vec3& p) const;

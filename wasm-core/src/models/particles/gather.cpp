@@ -10,8 +10,8 @@
 namespace panicle::particles {
 namespace {
 
-// The same places, in the order of the tree, each now leading to next[i]. Recomputes the energy that flows through and the
-// step at which each place was first left, and drops places through which no particle passes.
+// The same places, in the order of the tree, each now leading to next[i]. Recomputes the energy that flows through and
+// the step at which each place was first left, and drops places through which no particle passes.
 Trails relinked(const Trails& trails, std::vector<std::int32_t> next, float stride) {
   const std::size_t count = trails.size();
   const std::vector<std::uint32_t> order = tree_order(next);
@@ -30,14 +30,16 @@ Trails relinked(const Trails& trails, std::vector<std::int32_t> next, float stri
     on_the_way[to] = 1;
     energy[to] += energy[i];
     if (to > 0 && next[i] != trails.next[i])
-      first_left[to] = std::min(first_left[to], first_left[i] + glm::distance(trails.places[i], trails.places[to]) / stride);
+      first_left[to] =
+          std::min(first_left[to], first_left[i] + glm::distance(trails.places[i], trails.places[to]) / stride);
   }
   Trails made;
   std::vector<std::int32_t> new_index(count, -1);
   for (const std::uint32_t i : order) {
     if (i > 0 && trails.particle[i] < 0 && !on_the_way[i]) continue;
     const std::int32_t to = i == 0 ? -1 : new_index[static_cast<std::size_t>(next[i])];
-    new_index[i] = made.add(trails.places[i], to, energy[i], static_cast<std::uint32_t>(first_left[i]), trails.particle[i]);
+    new_index[i] =
+        made.add(trails.places[i], to, energy[i], static_cast<std::uint32_t>(first_left[i]), trails.particle[i]);
   }
   // The target is as old as the last arrival at the axis.
   made.born[0] = 0;

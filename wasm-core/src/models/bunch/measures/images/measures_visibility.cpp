@@ -67,8 +67,8 @@ class VisibilityRenderer {
   float pedicels() const { return pedicels_; }
 
  private:
-  // Projects all berries and, `with_pedicels`, points along the pedicels; sorts them by depth; clears an image that holds
-  // them all.
+  // Projects all berries and, `with_pedicels`, points along the pedicels; sorts them by depth; clears an image that
+  // holds them all.
   void prepare(const View& view, bool with_pedicels) {
     projected_.clear();
     entries_.clear();

@@ -111,10 +111,11 @@ class Bending {
     return stem < 0 ? internode.start : ends_[static_cast<std::size_t>(stem)];
   }
 
-  // The new place of a point of a stalk. `along` and `grown` are vectors from the foot where it grew: to the point, and to
-  // the stalk's end. `foot` is the foot's new place. `tip`: the point is the stalk's end, so it goes exactly to the seat.
-  glm::vec3 moved_point(const FlowerOutcome& outcome, const glm::vec3& foot, const glm::vec3& along, const glm::vec3& grown,
-                  bool tip) const {
+  // The new place of a point of a stalk. `along` and `grown` are vectors from the foot where it grew: to the point, and
+  // to the stalk's end. `foot` is the foot's new place. `tip`: the point is the stalk's end, so it goes exactly to the
+  // seat.
+  glm::vec3 moved_point(const FlowerOutcome& outcome, const glm::vec3& foot, const glm::vec3& along,
+                        const glm::vec3& grown, bool tip) const {
     if (outcome.state == FlowerState::stub) return foot + along * stub_length;
     if (outcome.state == FlowerState::flower) return foot + along * stalk_at(size_);
     return tip ? outcome.seat : foot + turned_onto(along, grown, outcome.seat - foot);

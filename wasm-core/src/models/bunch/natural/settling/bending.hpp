@@ -30,9 +30,9 @@ struct BentSkeleton {
 };
 
 // Moves the stems to where the swollen berries hang, shortens stubs, and drops stems that have lost all their flowers.
-// `outcomes` are the flowers', `ends` those of the hanging's branches after all berries have swollen (millimetres), `size`
-// the berries' width now over the ripe one. Stems that have lost all their flowers fall, except the rachis; stems that
-// never had a flower stay, as the text draws them.
+// `outcomes` are the flowers', `ends` those of the hanging's branches after all berries have swollen (millimetres),
+// `size` the berries' width now over the ripe one. Stems that have lost all their flowers fall, except the rachis;
+// stems that never had a flower stay, as the text draws them.
 BentSkeleton bend_skeleton(std::span<const Internode> internodes, std::span<const Flower> flowers,
                            const Hanging& hanging, std::span<const FlowerOutcome> outcomes,
                            std::span<const glm::vec3> ends, float size);

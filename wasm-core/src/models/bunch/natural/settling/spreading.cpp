@@ -25,7 +25,8 @@ struct Hung {
   std::size_t axis;
 };
 
-// Per branch, the index of the first branch of its axis. An axis is a chain of sagging branches, each the child of the last.
+// Per branch, the index of the first branch of its axis. An axis is a chain of sagging branches, each the child of the
+// last.
 std::vector<std::size_t> first_branches(std::span<const Branch> branches) {
   std::vector<std::size_t> axes(branches.size());
   for (std::size_t k = 0; k < branches.size(); ++k) {
