@@ -1,6 +1,8 @@
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
 import { core } from "./wasm-core/tools/vite_plugin.mjs";
+import { MODEL_RENDERER, MODEL_UI, without } from "./wasm-core/tools/without_pages.mjs";
+import { docsSite } from "./web/docs_site.mjs";
 import { handsFiles } from "./web/hands_files.mjs";
 import { leanThree } from "./web/lean_three.mjs";
 import { offlineApp } from "./web/offline_app.mjs";
@@ -12,8 +14,9 @@ export default defineConfig({
 	publicDir: at("public"),
 	// Use relative addresses, so that dist/ works from any path.
 	base: "./",
-	plugins: [core(), leanThree(), offlineApp(), handsFiles()],
-	worker: { format: "es" },
+	plugins: [core(), leanThree(), offlineApp(), handsFiles(), docsSite()],
+	// Workers draw nothing: without the pages' part of models, their bundles have no second copy of it.
+	worker: { format: "es", plugins: () => [without(MODEL_UI, MODEL_RENDERER)] },
 	build: {
 		outDir: at("dist"),
 		emptyOutDir: true,

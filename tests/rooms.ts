@@ -24,6 +24,7 @@ export const coreModelUses: Record<string, string> = { leaf: "particles", root: 
 
 /** Folders that a model's folder may import. */
 export const beforeModels = [
+	"locale",
 	"core",
 	"specimen",
 	"targets",
@@ -40,24 +41,38 @@ export const beforeModels = [
  * and the index.
  */
 export const webRooms: Record<string, string[]> = {
-	core: [],
-	specimen: ["core"],
-	plant: ["core"],
-	targets: ["specimen"],
-	formats: ["plant", "specimen"],
-	render: ["plant"],
-	ui: ["core", "plant", "specimen"],
-	grammar_editor: ["core", "plant", "specimen", "ui"],
-	import: ["core", "specimen", "ui"],
+	locale: [],
+	core: ["locale"],
+	specimen: ["core", "locale"],
+	plant: ["core", "locale"],
+	targets: ["locale", "specimen"],
+	formats: ["locale", "plant", "specimen"],
+	render: ["locale", "plant"],
+	ui: ["core", "locale", "plant", "specimen"],
+	grammar_editor: ["core", "locale", "plant", "specimen", "ui"],
+	import: ["core", "locale", "specimen", "ui"],
 	models: beforeModels,
-	generate: ["core", "formats", "models", "plant", "specimen"],
-	batch: ["formats", "generate", "models", "plant", "specimen", "targets"],
-	service: ["batch", "core", "formats", "generate", "models", "plant", "specimen"],
-	library: ["batch", "core", "formats", "generate", "models", "plant", "render", "specimen", "targets"],
-	offline: ["core", "service"],
-	cli: ["batch", "core", "formats", "generate", "library", "models", "plant", "specimen", "targets"],
-	element: ["core", "formats", "generate", "models", "plant", "render", "specimen", "ui"],
-	app: ["batch", "core", "formats", "generate", "models", "offline", "plant", "render", "specimen", "targets", "ui"],
+	generate: ["core", "formats", "locale", "models", "plant", "specimen"],
+	batch: ["formats", "generate", "locale", "models", "plant", "specimen", "targets"],
+	service: ["batch", "core", "formats", "generate", "locale", "models", "plant", "specimen"],
+	library: ["batch", "core", "formats", "generate", "locale", "models", "plant", "render", "specimen", "targets"],
+	offline: ["core", "locale", "service"],
+	cli: ["batch", "core", "formats", "generate", "library", "locale", "models", "plant", "specimen", "targets"],
+	element: ["core", "formats", "generate", "locale", "models", "plant", "render", "specimen", "ui"],
+	app: [
+		"batch",
+		"core",
+		"formats",
+		"generate",
+		"locale",
+		"models",
+		"offline",
+		"plant",
+		"render",
+		"specimen",
+		"targets",
+		"ui",
+	],
 };
 
 /** Models of the page that are built on another's folder. */

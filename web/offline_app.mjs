@@ -3,6 +3,7 @@ import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { MODEL_RENDERER, MODEL_UI, without, withoutPreloading } from "../wasm-core/tools/without_pages.mjs";
+import { DOCS } from "./docs_site.mjs";
 import { HANDS } from "./hands_files.mjs";
 
 const SCRIPT = "service-worker.js";
@@ -31,7 +32,7 @@ async function bundle(name, define = {}) {
 
 /**
  * Lists the files of a folder of the built app: `integrity` by path, the page itself as "", in alphabetical order. The files for hand
- * tracking are left out: only the camera needs them, and they are larger than all others together.
+ * tracking are left out, which only the camera needs and which are larger than all others together, and so is the documentation.
  * @param {string} folder
  */
 export function listFiles(folder) {
@@ -42,7 +43,7 @@ export function listFiles(folder) {
 				.slice(folder.length + 1)
 				.replaceAll("\\", "/"),
 		)
-		.filter((path) => !path.startsWith(`${HANDS}/`))
+		.filter((path) => ![HANDS, DOCS].includes(path.split("/")[0]))
 		.sort();
 	const integrity = (path) => `sha256-${digest(readFileSync(join(folder, path))).toString("base64")}`;
 	return Object.fromEntries(paths.map((path) => [path === "index.html" ? "" : path, integrity(path)]));

@@ -29,13 +29,13 @@ const PAPER = 1; // links of version 1 mean the paper's procedure
 /** @param {{ core: any, instance: any, source: (path: string) => Promise<any> }} bench the bench core, the same with the API of the app, and modules of the app */
 export async function benchBunch({ core, instance, source }) {
 	const { writeContainer } = await source("web/src/core/container.ts");
-	const { readGrown } = await source("web/src/models/bunch/read_bunch_plant.ts");
+	const { readBunchPlant } = await source("web/src/models/bunch/read_bunch_plant.ts");
 	const { encodeRequest: blocksOf } = await source("web/src/models/bunch/request.ts");
 	const { PRESETS } = await source("web/src/models/bunch/presets/presets.ts");
 	const { specimenFromPreset } = await source("web/src/models/bunch/schema.ts");
 	/** A request as the bytes that the core receives. */
 	const encodeRequest = (specimen, options) => writeContainer(blocksOf(specimen, options));
-	const reader = { grow: (request) => readGrown(instance.growBytes(request)) };
+	const reader = { grow: (request) => readBunchPlant(instance.growBytes(request)) };
 	const ratios = [];
 
 	ratios.push(...benchNatural({ core, reader, encodeRequest, presets: PRESETS, specimenFromPreset }));

@@ -1,7 +1,7 @@
 /**
  * `npm run bench -- fit`: how closely bunches follow the outline that the handles draw: the nine grape shapes of the paper's
  * Table 3 and fifty random profiles, grown by the natural procedure and by the paper's, and the octahedron by itself.
- * `npm run docs -- fit` writes the table into docs/fit.md.
+ * `npm run docs -- fit` writes the table into docs/measuring.md.
  */
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -16,7 +16,7 @@ const AIMS = { mean: { coverage: 0.92, spill: 0.03 }, worst: { coverage: 0.85, s
 
 const source = async (path) => (await runnerImport(join(repository, path))).module;
 const { encodeRequest } = await source("web/src/models/bunch/request.ts");
-const { readGrown } = await source("web/src/models/bunch/read_bunch_plant.ts");
+const { readBunchPlant } = await source("web/src/models/bunch/read_bunch_plant.ts");
 const { Core } = await source("web/src/core/core.ts");
 const { PROCEDURES } = await source("web/src/models/bunch/bunch_plant.ts");
 const { PRESETS } = await source("web/src/models/bunch/presets/presets.ts");
@@ -78,7 +78,7 @@ function measured({ title, specimen }) {
 }
 
 function grownFit(specimen) {
-	const { measures, berries } = readGrown(core.grow(encodeRequest(specimen, { meshes: false })));
+	const { measures, berries } = readBunchPlant(core.grow(encodeRequest(specimen, { meshes: false })));
 	const of = (key) => measureOf(measures, key);
 	return { coverage: of("coverage"), spill: of("spill"), berries: berries.count };
 }
@@ -149,7 +149,8 @@ function verdict(rows) {
 	const spill = rows.map(({ natural }) => natural.spill);
 	const reached = mean(coverage) >= AIMS.mean.coverage && mean(spill) <= AIMS.mean.spill && !rows.some(misses);
 	return (
-		`Over all ${rows.length}, natural: coverage ${mean(coverage).toFixed(3)} on average and ${Math.min(...coverage).toFixed(3)} at the least, ` +
-		`spill ${mean(spill).toFixed(3)} on average and ${Math.max(...spill).toFixed(3)} at the most. The aims are ${reached ? "reached." : "not reached:\n"}`
+		`For all ${rows.length} outlines, bunches of the natural procedure have a mean coverage of ${mean(coverage).toFixed(3)} ` +
+		`(at least ${Math.min(...coverage).toFixed(3)})\nand a mean spill of ${mean(spill).toFixed(3)} ` +
+		`(at most ${Math.max(...spill).toFixed(3)}). The aims are ${reached ? "reached." : "not reached:\n"}`
 	);
 }

@@ -7,7 +7,7 @@ import { microseconds, printTable } from "./statistics.mjs";
 
 const SIZES = [1_000, 10_000, 100_000];
 /** Most particles of the brute-force search, which takes too long for more. */
-const MOST_BRUTE = 10_000;
+const MAX_BRUTE = 10_000;
 const PLANTS = [
 	["leaf", 2_000, 50],
 	["tree", 20_000, 300],
@@ -39,7 +39,7 @@ function benchCrowds(core) {
 				milliseconds(wasm),
 				milliseconds(native),
 				(wasm / native).toFixed(2),
-				size <= MOST_BRUTE ? milliseconds(timed("brute")) : "–",
+				size <= MAX_BRUTE ? milliseconds(timed("brute")) : "–",
 				milliseconds(timed("colonise")),
 				work("colonise"),
 			]);

@@ -87,7 +87,7 @@ const RUNS = {
 		run: async () => (await import("./stand.mjs")).benchStand(),
 	},
 	fit: {
-		about: "how closely bunches follow their handles (`npm run docs -- fit` writes docs/fit.md)",
+		about: "how closely bunches follow their handles (`npm run docs -- fit` writes docs/measuring.md)",
 		run: async () => console.log((await import("./fit.mjs")).fitTable()),
 	},
 	soak: {

@@ -176,8 +176,8 @@ async function viewOf(browser, address, preset, wasm) {
 		window.standBench.frames.length = 0;
 	});
 	for (let i = 0; i < FRAMES; i++) await page.keyboard.press("ArrowLeft");
-	await page.getByRole("button", { name: "Walk through it" }).click();
-	for (let i = 0; i < FRAMES; i++) await page.getByRole("button", { name: "Walk forward" }).click();
+	await page.getByRole("button", { name: "Walk through" }).click();
+	for (let i = 0; i < FRAMES; i++) await page.getByRole("button", { name: "Walk forwards" }).click();
 	const { frames, buffers } = await page.evaluate(() => window.standBench);
 	// Those that are needed no more end after a rest; the spare has grown nothing.
 	await page.waitForTimeout(6000);

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "foundation/english.hpp"
 #include "foundation/result.hpp"
 
 namespace panicle::tests {
@@ -43,12 +44,13 @@ void check_mistakes(const Mistakes& mistakes, Trouble trouble) {
     CAPTURE(text);
     const Diagnostic place = place_in(text);
     const Diagnostic error = trouble(text);
-    CAPTURE(error.message);
+    const std::string sentence = english(error.message);
+    CAPTURE(sentence);
     CHECK(error.reason != Reason::none);
     CHECK(error.line == place.line);
     CHECK(error.column == place.column);
     std::istringstream all(mistake.advice);
-    for (std::string part; std::getline(all, part, '|');) CHECK(error.message.find(part) != std::string::npos);
+    for (std::string part; std::getline(all, part, '|');) CHECK(sentence.find(part) != std::string::npos);
   }
 }
 

@@ -5,13 +5,14 @@
 
 #include <utility>
 
+#include "foundation/english.hpp"
 #include "foundation/result.hpp"
 
 namespace panicle::tests {
 
 template <class Value>
 Value sound(Result<Value> result) {
-  if (!result) FAIL(result.error().line << ":" << result.error().column << " " << result.error().message);
+  if (!result) FAIL(result.error().line << ":" << result.error().column << " " << english(result.error().message));
   return std::move(result.value());
 }
 

@@ -9,7 +9,7 @@ import { fetchTexts } from "../../web/src/models/grammar/texts";
 import { fromPreset } from "../../web/src/specimen/from_preset";
 import { freshCore } from "../web/core/wasm";
 
-const page = ["docs/language.md", "docs/models/grammar/grammar.md"]
+const page = ["docs/language.md", "docs/models/grammar/grammar.md", "docs/quick-start.md"]
 	.map((file) => readFileSync(join(repository, file), "utf8"))
 	.join("\n");
 const examples = [...page.matchAll(/^```lsys\n([\s\S]*?)^```$/gm)].map((found) => found[1] as string);
@@ -20,7 +20,7 @@ beforeAll(async () => {
 	core = await freshCore("grammar.wasm");
 });
 
-describe("docs/language.md and the model's page", () => {
+describe("docs/language.md, the model's page and the quick start", () => {
 	it("has an example for each section that needs one", () => expect(examples.length).toBeGreaterThanOrEqual(6));
 
 	it.each(examples.map((text) => [text.trim().split("\n")[0], text]))("grows %s", (_, text) => {

@@ -1,4 +1,5 @@
 /** Links of a Markdown file, and its anchors. */
+import { anchorMaker } from "../../wasm-core/tools/site/anchors.mjs";
 
 export interface Target {
 	/** As it is written, without the anchor; empty: the same file. */
@@ -22,13 +23,7 @@ export function targetsOf(text: string): Target[] {
 
 /** Anchors of a text's headings, as GitHub makes them. */
 export function anchorsOf(text: string): Set<string> {
-	const anchors = new Set<string>();
-	for (const [, heading] of text.replace(/^```[\s\S]*?^```$/gm, "").matchAll(/^#{1,6} +(.*?) *$/gm)) {
-		const plain = heading.replace(/\[([^\]]*)\]\([^)]*\)/g, "$1").toLowerCase();
-		const slug = plain.replace(/[^\p{L}\p{N}\p{M}_ -]/gu, "").replaceAll(" ", "-");
-		let anchor = slug;
-		for (let again = 1; anchors.has(anchor); again++) anchor = `${slug}-${again}`;
-		anchors.add(anchor);
-	}
-	return anchors;
+	const anchor = anchorMaker();
+	const headings = text.replace(/^```[\s\S]*?^```$/gm, "").matchAll(/^#{1,6} +(.*?) *$/gm);
+	return new Set([...headings].map(([, heading]) => anchor(heading)));
 }

@@ -46,7 +46,7 @@ test("an age is one step, in the address and in the history, by stage, key and n
 	await field.fill("200");
 	await field.press("Enter");
 	await expect(field).toHaveValue("125");
-	await expect(studio.notices).toContainText("200 became 125");
+	await expect(studio.notices).toContainText("200 was changed to 125");
 	await age.focus();
 	await studio.regrown(() => page.keyboard.press("Delete"));
 	await expect(studio.fingerprint).toHaveText(first);

@@ -18,6 +18,7 @@ test("a flower is designed: choices, the diagram and the outline write its text,
 	tag: "@long",
 }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&model=flower&preset=designed-buttercup");
+	await studio.openAdvanced();
 	const before = page.url();
 	await expect(page.getByText("K5 C5 A12+12+12 G14")).toBeVisible();
 	await expect(page.getByRole("slider", { name: /^Steps/ })).toHaveAttribute("aria-valuetext", "auto");
@@ -29,7 +30,7 @@ test("a flower is designed: choices, the diagram and the outline write its text,
 	await expect(page.getByText(/within 1\.\d % of its width/)).toBeVisible();
 
 	// The diagram: the handle of how many is drawn from a fifth to a third of the way round, in one step.
-	const count = page.getByRole("button", { name: /^Petals, how many in a whorl/ });
+	const count = page.getByRole("button", { name: /^Petals per whorl/ });
 	await expect(count).toHaveAccessibleName(/: 5$/);
 	const grip = await studio.grip("Diagram", "petal-count");
 	const radius = await studio.grip("Diagram", "petal-radius");
@@ -71,13 +72,14 @@ test("a flower is designed: choices, the diagram and the outline write its text,
 	await expect(count).toHaveAccessibleName(/: 3$/);
 	await expect(page.getByRole("combobox", { name: "Outline" })).toHaveValue("drawn");
 	// It is still the preset, altered, though its whole text came by the link.
-	await expect(page).toHaveTitle(/^Buttercup by choices, altered/);
+	await expect(page).toHaveTitle(/^Buttercup by choices \(edited\)/);
 });
 
 test("edits by hand survive a choice elsewhere; those that cannot are listed, and can be kept", {
 	tag: "@long",
 }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&model=flower&preset=designed-tulip");
+	await studio.openAdvanced();
 	await page.getByLabel("Stamen", { exact: true }).check();
 	const text = page.getByRole("region", { name: "Grammar" }).locator(".cm-content");
 	await studio.button("Grammar").click();
@@ -87,7 +89,7 @@ test("edits by hand survive a choice elsewhere; those that cannot are listed, an
 	await written(page, () => page.keyboard.insertText("STYLE -> STYLE[LOBE]_{C2}\n"));
 	await studio.button("Close the grammar").click();
 	await page.getByLabel("Pistil", { exact: true }).check();
-	await expect(page.getByText("Its grammar was edited by hand")).toBeVisible();
+	await expect(page.getByText("You edited this grammar by hand")).toBeVisible();
 	// By keys alone: digits on the slider go to its field, Enter brings them back.
 	const length = studio.slider("Ovary");
 	await length.focus();
@@ -99,10 +101,10 @@ test("edits by hand survive a choice elsewhere; those that cannot are listed, an
 	await expect(length).toBeFocused();
 	await expect(length).toHaveValue("30");
 	await expect(length).toHaveAttribute("aria-valuetext", "30 mm");
-	await expect(page.getByText("Its grammar was edited by hand")).toBeVisible();
-	await expect(studio.notices).not.toContainText("gave way");
-	await written(page, () => studio.button("Write its grammar anew").click());
-	await expect(page.getByText("Its grammar was edited by hand")).toHaveCount(0);
+	await expect(page.getByText("You edited this grammar by hand")).toBeVisible();
+	await expect(studio.notices).not.toContainText("replaced lines");
+	await written(page, () => studio.button("Rebuild grammar").click());
+	await expect(page.getByText("You edited this grammar by hand")).toHaveCount(0);
 	// A line that a choice writes, too.
 	await page.getByLabel("Stem", { exact: true }).check();
 	await studio.button("Grammar").click();
@@ -119,8 +121,8 @@ test("edits by hand survive a choice elsewhere; those that cannot are listed, an
 	});
 	await expect(studio.notices).toContainText("#define thick=9");
 	const lost = page.url();
-	await written(page, () => studio.button("Keep the edited lines").click());
-	await expect(page.getByText("Its grammar was edited by hand")).toBeVisible();
+	await written(page, () => studio.button("Restore my lines").click());
+	await expect(page.getByText("You edited this grammar by hand")).toBeVisible();
 	await studio.button("Undo").click();
 	await expect(page).toHaveURL(lost);
 });
@@ -129,10 +131,11 @@ test("a picture that is dropped is traced as the chosen organ; a handle of the d
 	tag: "@long",
 }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&model=flower&preset=designed-buttercup");
+	await studio.openAdvanced();
 	const [outline, width] = [page.getByRole("combobox", { name: "Outline" }), studio.slider("Width")];
 	const [before, length] = [page.url(), Number(await studio.slider("Length").inputValue())];
 	await written(page, async () => studio.drop("petal.png", await drawnBlade(page)));
-	await expect(studio.notices).toContainText("The outline of a petal was traced");
+	await expect(studio.notices).toContainText("Traced the outline of a petal");
 	await expect(outline).toHaveValue("drawn");
 	// 100 of 160 wide, without its stalk.
 	expect(Number(await width.inputValue()) / length).toBeCloseTo(100 / 160, 1);
@@ -141,15 +144,15 @@ test("a picture that is dropped is traced as the chosen organ; a handle of the d
 	await expect(outline).not.toHaveValue("drawn");
 	await page.getByLabel("Sepal", { exact: true }).check();
 	await written(page, async () => studio.drop("sepal.png", await drawnBlade(page)));
-	await expect(studio.notices).toContainText("The outline of a sepal was traced");
+	await expect(studio.notices).toContainText("Traced the outline of a sepal");
 	await expect(outline).toHaveValue("drawn");
 	const traced = page.url();
 	await studio.drop("no.png", Buffer.from("no picture"));
-	await expect(studio.notices).toContainText("The file is no picture that this browser reads");
+	await expect(studio.notices).toContainText("The file is not a picture that this browser can read");
 	await expect(page).toHaveURL(traced);
 
 	await page.getByLabel("Petal", { exact: true }).check();
-	const whorls = page.getByRole("button", { name: /^Petals, whorls/ });
+	const whorls = page.getByRole("button", { name: /^Whorls of petals/ });
 	await expect(whorls).toHaveAccessibleName(/: 1$/);
 	await whorls.focus();
 	await written(page, () => whorls.press("ArrowUp"));
@@ -159,7 +162,8 @@ test("a picture that is dropped is traced as the chosen organ; a handle of the d
 
 test("a text without descriptions says so, and a design begins", async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&model=flower&preset=table-3");
-	await expect(page.getByText("has no descriptions of its organs")).toBeVisible();
+	await studio.openAdvanced();
+	await expect(page.getByText("does not describe its organs")).toBeVisible();
 	await expect(page.getByRole("region", { name: "Diagram view" })).toHaveCount(0);
 	await studio.button("Open Tulip by choices").click();
 	await expect(page.getByRole("region", { name: "Diagram view" })).toBeVisible();
@@ -168,8 +172,8 @@ test("a text without descriptions says so, and a design begins", async ({ page }
 	await expect(page.getByText("P5 A5 G(3)")).toBeVisible();
 	const count = page.getByRole("textbox", { name: "Count, typed" });
 	for (const [typed, message] of [
-		["abc", "“abc” is not a number; Count stays 5."],
-		["99", "99 became 21."],
+		["abc", "“abc” is not a number. Count is still 5."],
+		["99", "99 was changed to 21."],
 	]) {
 		await count.fill(typed);
 		await count.press("Enter");
@@ -184,7 +188,7 @@ test("on a phone the diagram and the outline are views of their own, whose handl
 	await page.setViewportSize({ width: 390, height: 844 });
 	await new StudioPage(page).open("?v=2&model=flower&preset=designed-violet");
 	await page.getByRole("radio", { name: "Diagram" }).check({ force: true });
-	const radius = page.getByRole("button", { name: /^Petals, radius of the whorl/ });
+	const radius = page.getByRole("button", { name: /^Radius of the petal whorl/ });
 	await radius.focus();
 	await written(page, () => radius.press("Shift+ArrowUp"));
 	await expect(radius).toHaveAccessibleName(/2\.9 mm$/);

@@ -9,21 +9,21 @@ test("the bunch's own text opens beside it, and what is typed grows: a step to u
 	const studio = await new EditorPage(page).edit(PAPER);
 	const first = await studio.fingerprint.innerText();
 	await expect(studio.text).toContainText("L-system 3");
-	await expect(page.getByText("Built in; a change makes it this plant’s own")).toBeVisible();
+	await expect(page.getByText("Built-in grammar. Editing makes a copy.")).toBeVisible();
 	await studio.endOf("#define r_p 1.5");
 	await studio.line("#define r_p 1.5").locator(".cm-number").click();
 	await page.keyboard.press("Alt+ArrowUp");
 	await expect(studio.line("#define r_p 1.6")).toBeVisible();
 	await expect(studio.fingerprint).not.toHaveText(first);
 	await expect(page).toHaveURL(/#/);
-	await expect(page.getByText("This bunch’s own", { exact: true })).toBeVisible();
+	await expect(page.getByText("Edited grammar", { exact: true })).toBeVisible();
 	await page.keyboard.press("Control+z");
 	await expect(studio.line("#define r_p 1.5")).toBeVisible();
 	await expect(studio.fingerprint).toHaveText(first);
-	await expect(page.getByText("Built in; a change makes it this plant’s own")).toBeVisible();
+	await expect(page.getByText("Built-in grammar. Editing makes a copy.")).toBeVisible();
 	await page.keyboard.press("Control+Shift+Z");
 	await expect(studio.line("#define r_p 1.6")).toBeVisible();
-	await studio.button("Use the built-in grammar").first().click();
+	await studio.button("Discard my edits").first().click();
 	await expect(studio.fingerprint).toHaveText(first);
 });
 
@@ -40,7 +40,7 @@ test("a mistake is shown where it stands, and the last bunch stays until it is m
 	await expect(studio.text.locator(".cm-error")).toHaveCount(1);
 	await expect(studio.text).toHaveAttribute("aria-invalid", "true");
 	await expect(studio.canvas).toHaveAccessibleName(/\d+ berries/);
-	await expect(studio.notices).not.toContainText("cannot be grown");
+	await expect(studio.notices).not.toContainText("can’t be grown");
 	await page.getByRole("checkbox", { name: "Tab indents" }).focus();
 	await studio.details.getByRole("button").click();
 	await expect(studio.text).toBeFocused();
@@ -83,7 +83,7 @@ test("a remark of the core stands in its line", { tag: "@long" }, async ({ page 
 	const studio = await new EditorPage(page).edit(PAPER);
 	await studio.endOf("Ap(l,w) -->");
 	await page.keyboard.type(" F1");
-	await expect(studio.details.getByRole("button", { name: /F1 is one symbol/ })).toBeVisible();
+	await expect(studio.details.getByRole("button", { name: /“F1” is read as a single symbol/ })).toBeVisible();
 	await expect(studio.text.locator(".cm-remark")).toHaveText("F1");
 });
 
@@ -113,6 +113,7 @@ test("constants of a text of one's own are sliders that write into it", { tag: "
 	await studio.endOf("#define l_i 50");
 	await page.keyboard.press("Enter");
 	await page.keyboard.type("#define bend 12 /* 0 … 90 step 3, of everything */");
+	await studio.openAdvanced();
 	const slider = studio.slider("bend");
 	await expect(slider).toHaveValue("12");
 	await expect(slider).toHaveAttribute("max", "90");
@@ -133,10 +134,10 @@ test("words are completed and explained", { tag: "@long" }, async ({ page }) => 
 	await page.keyboard.type(" F(cl");
 	await page.getByRole("option", { name: /^clamp/ }).click();
 	await expect(studio.line("Ap(l,w) -->")).toContainText("F(clamp");
-	await expect(page.locator(".pane-hint")).toContainText("no less than low");
+	await expect(page.locator(".pane-hint")).toContainText("limited to the range from low to high");
 	await studio.see("#define r_p");
 	await studio.line("#define r_p").locator(".cm-statement").hover();
-	await expect(page.locator(".cm-help")).toContainText("A constant.");
+	await expect(page.locator(".cm-help")).toContainText("Defines a constant.");
 });
 
 test("Tab goes on and Escape leaves, unless Tab is set to indent", { tag: "@long" }, async ({ page }) => {
@@ -162,6 +163,7 @@ test("curves are drawn, and their points are moved, added and removed", { tag: "
 	await studio.endOf("#define l_i 50");
 	await page.keyboard.press("Enter");
 	await page.keyboard.type("#curve taper (0, 0) (1, 1)");
+	await studio.openAdvanced();
 	const curve = page.getByRole("group", { name: "Curve taper" });
 	await curve.getByRole("button", { name: "Add a point" }).click();
 	await expect(studio.line("#curve taper")).toHaveText("#curve taper (0, 0) (0.5, 0.5) (1, 1)");

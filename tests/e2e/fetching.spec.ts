@@ -25,8 +25,8 @@ for (const script of ["viewer", "bunch_figure"]) {
 		const scene = await failing(page, new RegExp(`assets/${script}-`));
 		const studio = await new StudioPage(page).open();
 		const trouble = page.getByRole("alert");
-		await expect(trouble).toContainText("Part of the page could not be fetched.");
-		await expect(trouble).toContainText("Check the connection and try again, or load the page again");
+		await expect(trouble).toContainText("Part of the app failed to load.");
+		await expect(trouble).toContainText("Check your connection and try again, or reload.");
 		scene.allow();
 		await trouble.getByRole("button", { name: "Try again" }).click();
 		await studio.stands();
@@ -43,9 +43,9 @@ test("leaves are fetched when a bunch has some; where they did not come, a note 
 	const studio = await new StudioPage(page).open("?v=2&preset=riesling");
 	await page.waitForLoadState("networkidle");
 	expect(leaf.failed()).toBe(0);
-	await studio.button("On the vine").click();
+	await studio.button("Show cane and leaves").click();
 	await expect(note.first()).toBeVisible();
-	await expect(studio.button("On the vine")).toHaveAttribute("aria-pressed", "true");
+	await expect(studio.button("Show cane and leaves")).toHaveAttribute("aria-pressed", "true");
 	expect(leaf.failed()).toBeGreaterThan(0);
 	leaf.allow();
 	await page.getByRole("button", { name: "New variation" }).click();
@@ -58,13 +58,13 @@ test.describe("to the eye", () => {
 	test("the octahedron comes with the next press, where its script did not", { tag: "@long" }, async ({ page }) => {
 		const handles = await failing(page, /assets\/octahedron-/);
 		const studio = await new StudioPage(page).open();
-		await studio.button("Octahedron").click();
-		await expect(studio.notices).toContainText("The octahedron could not be fetched");
-		await expect(studio.button("Octahedron")).toHaveAttribute("aria-pressed", "false");
+		await studio.button("Outline in 3D").click();
+		await expect(studio.notices).toContainText("The 3D outline could not be loaded");
+		await expect(studio.button("Outline in 3D")).toHaveAttribute("aria-pressed", "false");
 		handles.allow();
-		await studio.button("Octahedron").click();
+		await studio.button("Outline in 3D").click();
 		await expect.poll(() => studio.lowestHandle()).toBeDefined();
-		await expect(studio.button("Octahedron")).toHaveAttribute("aria-pressed", "true");
+		await expect(studio.button("Outline in 3D")).toHaveAttribute("aria-pressed", "true");
 		expect(handles.failed()).toBe(1);
 	});
 });
@@ -86,7 +86,7 @@ test("Back to a tree whose scripts cannot be fetched fetches each of them once",
 		return route.abort();
 	});
 	await page.goBack();
-	await expect(studio.notices).toContainText("The tree cannot be drawn");
+	await expect(studio.notices).toContainText("This plant cannot be drawn yet");
 	// Without end, they would be hundreds in so many frames.
 	await page.evaluate(async () => {
 		for (let frame = 0; frame < 60; frame++) await new Promise(requestAnimationFrame);
@@ -99,8 +99,8 @@ test("Back to a tree whose scripts cannot be fetched fetches each of them once",
 test("the tools come when asked again, where their script did not", async ({ page }) => {
 	const tools = await failing(page, /assets\/ui-/);
 	const studio = new StudioPage(page);
-	await page.goto("./");
-	await expect(studio.notices).toContainText("The tools of the bunch could not be fetched");
+	await page.goto("./?v=2");
+	await expect(studio.notices).toContainText("This plant’s tools could not be loaded");
 	tools.allow();
 	await studio.notices.getByRole("button", { name: "Try again" }).click();
 	await expect(studio.slider("Age")).toBeVisible();
@@ -112,15 +112,14 @@ test("a file is made when asked again, where the script that writes it did not c
 }) => {
 	const exporter = await failing(page, /assets\/file_worker-/);
 	const studio = await new StudioPage(page).open("?v=2&preset=lychee");
-	await studio.button("Download").click();
-	await page.locator("[data-format=obj]").click();
-	await expect(studio.notices).toContainText("The OBJ with MTL could not be made");
-	await expect(studio.notices).toContainText("Check the connection and try again");
+	await studio.chooseFormat("obj");
+	await expect(studio.notices).toContainText("Could not create this file: OBJ with MTL");
+	await expect(studio.notices).toContainText("Check your connection and try again");
 	exporter.allow();
 	const downloading = page.waitForEvent("download");
 	await studio.notices.getByRole("button", { name: "Try again" }).click();
 	expect((await downloading).suggestedFilename()).toBe("lychee-1-obj.zip");
-	// For the file, and perhaps before it for the sizes in the menu.
+	// For the file, and perhaps before it for the sizes in the sheet.
 	expect(exporter.failed()).toBeLessThanOrEqual(2);
 });
 
@@ -136,23 +135,22 @@ test("a file that takes its time says so, can be cancelled, and holds nothing el
 		await held;
 		await route.abort();
 	});
-	await studio.button("Download").click();
-	await page.locator("[data-format=glb]").click();
-	await expect(page.getByRole("progressbar", { name: "Making the file" })).toBeVisible();
-	await expect(page.getByText("Making the GLB")).toBeVisible();
+	await studio.chooseFormat("glb");
+	await expect(page.getByRole("progressbar", { name: "Preparing the file" })).toBeVisible();
+	await expect(page.getByText("Preparing GLB…")).toBeVisible();
 	const { width, height } = page.viewportSize() ?? { width: 800, height: 500 };
 	for (const size of [
 		{ width: 320, height: 568 },
 		{ width, height },
 	]) {
 		await page.setViewportSize(size);
-		await expect(page.getByText("Making the GLB")).toBeInViewport({ ratio: 0.99 });
+		await expect(page.getByText("Preparing GLB…")).toBeInViewport({ ratio: 0.99 });
 		await expect(studio.button("Cancel the download")).toBeInViewport({ ratio: 0.99 });
 	}
 	await studio.regrown(() => studio.slider("Length").press("PageDown"));
 	await studio.button("Cancel the download").click();
-	await expect(page.getByRole("progressbar", { name: "Making the file" })).toHaveCount(0);
-	await expect(studio.notices).not.toContainText("could not be made");
+	await expect(page.getByRole("progressbar", { name: "Preparing the file" })).toHaveCount(0);
+	await expect(studio.notices).not.toContainText("Could not create");
 	release();
 	await page.context().unrouteAll({ behavior: "ignoreErrors" });
 	const { bytes } = await studio.download("glb");

@@ -1,6 +1,5 @@
 import { readFileSync } from "node:fs";
 import { inflateRawSync } from "node:zlib";
-import { strFromU8, unzipSync } from "fflate";
 import { validateBytes } from "gltf-validator";
 import { expect, test } from "./fixtures";
 import { StudioPage } from "./studio_page";
@@ -22,15 +21,16 @@ test("GLB: valid, and dropped back it restores its bunch", async ({ page }) => {
 
 test("a natural bunch's GLB is valid, and brings its age and thinning back", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=pinot-noir&age=90");
+	await studio.openAdvanced();
 	await studio.slider("Berry").focus();
 	await studio.regrown(() => page.keyboard.press("Delete"));
 	const first = await studio.fingerprint.innerText();
 	const { bytes } = await studio.download("glb");
 	const { issues } = await validateBytes(new Uint8Array(bytes));
 	expect(issues).toMatchObject({ numErrors: 0, numWarnings: 0 });
-	// The menu shows a file's size before it is chosen; simplified files come from a worker with its own wasm.
-	await studio.button("Download").click();
-	const sizeOf = (format: string) => page.locator(`[data-format=${format}] .size`);
+	// The sheet shows a file's size before it is chosen; simplified files come from a worker with its own wasm.
+	const sheet = await studio.openDownloads();
+	const sizeOf = (format: string) => sheet.locator(`[data-format=${format}] .size`);
 	for (const format of ["glb", "glb-web", "glb-low"])
 		await expect(sizeOf(format)).toHaveText(/^[\d.]+ (k|M)B$/, { timeout: 60_000 });
 	const web = await sizeOf("glb-web").innerText();
@@ -71,7 +71,7 @@ test("JSON: the numbers of the page, and it restores its bunch from the picker",
 	await expect(studio.fingerprint).toHaveText(first);
 });
 
-test("OBJ with its MTL in one archive, and a series of plants in one", { tag: "@long" }, async ({ page }) => {
+test("OBJ with its MTL in one archive", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=lychee");
 	const { name, bytes } = await studio.download("obj");
 	expect(name).toBe("lychee-1-obj.zip");
@@ -80,35 +80,6 @@ test("OBJ with its MTL in one archive, and a series of plants in one", { tag: "@
 	const obj = inflateRawSync(bytes.subarray(start, start + packed)).toString();
 	expect(obj).toContain("mtllib lychee-1.mtl");
 	expect(obj.match(/^v /gm)?.length).toBeGreaterThan(1000);
-
-	// Batch export: invalid input is reported at its field, a long series is cancelled, a short one gives one archive.
-	await studio.button("Download").click();
-	await page.locator("[data-format=many]").click();
-	const dialog = page.getByRole("dialog", { name: "Many in one ZIP" });
-	const grow = async (numbers: string, vary: string) => {
-		await dialog.getByLabel("Plants").fill(numbers);
-		await dialog.getByLabel("Vary").fill(vary);
-		await dialog.getByRole("button", { name: "Grow them" }).click();
-	};
-	await dialog.getByLabel("Files").selectOption("JSON");
-	await grow("1-2", "age=60..900");
-	await expect(dialog.getByRole("alert")).toHaveText("age: 900 is above the greatest value, 125.");
-	await grow("1-1000", "age=60..110");
-	await expect(dialog.getByRole("progressbar", { name: "Growing the series" })).toBeVisible();
-	await expect(dialog.getByRole("status")).toContainText(/[1-9]\d* of 1000/);
-	await dialog.getByRole("button", { name: /^Cancel/ }).click();
-	await expect(dialog.getByRole("progressbar")).toHaveCount(0);
-	await expect(dialog.getByRole("alert")).toHaveCount(0);
-	const downloading = page.waitForEvent("download");
-	await grow("1-2", "age=60..110");
-	const download = await downloading;
-	expect(download.suggestedFilename()).toBe("lychee-1-2.zip");
-	const files = unzipSync(new Uint8Array(readFileSync(await download.path())));
-	expect(Object.keys(files)).toEqual(["lychee-1.json", "lychee-2.json", "plants.csv", "series.json"]);
-	const [header, first] = strFromU8(files["plants.csv"]).split("\r\n");
-	expect(header).toMatch(/^number,seed,file,bytes,crc32,fingerprint,link,set_age,/);
-	expect(first).toContain(JSON.parse(strFromU8(files["lychee-1.json"])).fingerprint);
-	await expect(dialog).toBeHidden();
 });
 
 test.describe("to the eye", () => {
@@ -127,16 +98,31 @@ test.describe("to the eye", () => {
 		await studio.drop("lychee.png", bytes);
 		await expect(studio.fingerprint).toHaveText(first);
 	});
+
+	test("the picture leaves out the growth volume that the view shows", async ({ page }) => {
+		const studio = await new StudioPage(page).open("?v=2&model=growth&preset=figure-10&steps=3");
+		const volume = page.getByRole("button", { name: "Show growth volumes as glass" });
+		await expect(volume).toHaveAttribute("aria-pressed", "true");
+		const view = page.getByRole("application");
+		const withVolume = await studio.pixels(view);
+		const first = await studio.download("png");
+		await volume.click();
+		// More pixels change than those of the button, which is over the view.
+		const changed = async () => (await studio.pixels(view)).data.filter((value, at) => value !== withVolume.data[at]);
+		await expect.poll(async () => (await changed()).length).toBeGreaterThan(20_000);
+		const second = await studio.download("png");
+		expect(second.bytes.equals(first.bytes)).toBe(true);
+	});
 });
 
 test("a file that is none of ours is refused with a word and the bunch stays", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open();
 	const first = await studio.fingerprint.innerText();
 	await studio.drop("holiday.doc", readFileSync("public/icons/panicle-180.png"));
-	await expect(studio.notices).toContainText("holiday.doc is a picture without a link");
+	await expect(studio.notices).toContainText("holiday.doc has no link to a plant");
 	await studio.drop("holiday.txt", Buffer.from("grapes"));
 	await expect(studio.notices).toContainText("holiday.txt is neither a GLB nor readable JSON");
 	await studio.drop("other.json", Buffer.from('{"specimen": 3}'));
-	await expect(studio.notices).toContainText("other.json holds no specimen");
+	await expect(studio.notices).toContainText("other.json wasn’t made by Panicle");
 	await expect(studio.fingerprint).toHaveText(first);
 });

@@ -12,7 +12,7 @@ test.describe("to the eye", () => {
 
 	test("the first load shows a bunch, its numbers and its marks", async ({ page }) => {
 		const studio = await new StudioPage(page).open();
-		await expect(studio.canvas).toHaveAccessibleName(/^Grape bunch: \d+ berries, 2[23] cm long$/);
+		await expect(studio.canvas).toHaveAccessibleName(/^Grape bunch: 2[23] cm long, with \d+ berries$/);
 		await expect.poll(() => page.evaluate(() => performance.getEntriesByName("first-bunch").length)).toBe(1);
 		await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
 		await expect(studio.readout("Rachis segments")).toHaveText("18");
@@ -49,12 +49,15 @@ for (const { model, tag = "@sizes" } of [
 	test(`the first load of a ${model} fetches one core, and is not over 2 % larger than in the last release`, {
 		tag,
 	}, async ({ page }) => {
-		await new StudioPage(page).open(`?v=2&model=${model}`);
+		const studio = await new StudioPage(page).open(`?v=2&model=${model}`);
 		// Once the plant is drawn, the gallery fetches the presets of every model; each has a picture.
 		const presets = readdirSync(join(dist, "gallery"), { recursive: true }).filter((file) =>
 			/-light\.webp$/.test(`${file}`),
 		);
-		await expect(page.locator("[data-preset]")).toHaveCount(presets.length);
+		const dialog = await studio.browse();
+		await dialog.getByRole("button", { name: "All", exact: true }).click();
+		await expect(dialog.locator("[data-preset]")).toHaveCount(presets.length);
+		await page.keyboard.press("Escape");
 		await page.waitForLoadState("networkidle");
 		const requested = await page.evaluate(() => {
 			const [{ startTime: first }] = performance.getEntriesByName("first-bunch");
@@ -83,7 +86,8 @@ test("everything that can be worked has a name, and the page its landmarks", asy
 	for (const landmark of ["banner", "main", "complementary", "navigation"] as const) {
 		await expect(page.getByRole(landmark)).toHaveCount(1);
 	}
-	for (const name of ["Variation", "Notices"]) await expect(page.getByRole("region", { name })).toHaveCount(1);
+	await expect(page.getByRole("region", { name: "Notices" })).toHaveCount(1);
+	await studio.openAdvanced();
 	const names = ["Length", ...["Right", "Left", "Front", "Back"].flatMap((side) => [`${side} width`, `${side} drop`])];
 	for (const name of names) await expect(page.getByRole("slider", { name, exact: true })).toHaveCount(1);
 	for (const summary of await page.locator(".group > summary").all()) {
@@ -94,15 +98,15 @@ test("everything that can be worked has a name, and the page its landmarks", asy
 		const controls = await page.getByRole(role).count();
 		await expect(page.getByRole(role, { name: /\S/ }), `each ${role} has a name`).toHaveCount(controls);
 	}
-	await expect(studio.canvas).toHaveAccessibleDescription(/Arrow keys orbit/);
+	await expect(studio.canvas).toHaveAccessibleDescription(/Arrow keys rotate/);
 	for (const slider of await page.locator("input[type=range]").all()) {
 		await expect(slider).toHaveAccessibleDescription(/\S+ … \S+/);
 	}
 });
 
-test("few stops of the Tab key come before the sliders, and each parameter is one", { tag: "@long" }, async ({
-	page,
-}) => {
+test("few stops of the Tab key come before the sliders, and each parameter is two: its slider and its explanation", {
+	tag: "@long",
+}, async ({ page }) => {
 	await new StudioPage(page).open();
 	const focused = () =>
 		page.evaluate(() => {
@@ -111,11 +115,11 @@ test("few stops of the Tab key come before the sliders, and each parameter is on
 			return `${inner?.tagName.toLowerCase()} ${inner?.closest("[data-key]")?.getAttribute("data-key") ?? ""}`;
 		});
 	const stops: string[] = [];
-	while (stops.length < 60 && stops.at(-1) !== "input p3w") {
+	while (stops.length < 60 && stops.at(-1) !== "input count") {
 		await page.keyboard.press("Tab");
 		stops.push(await focused());
 	}
-	expect(stops.slice(-3)).toEqual(["summary ", "input l", "input p3w"]);
+	expect(stops.slice(-4)).toEqual(["summary ", "input l", "button l", "input count"]);
 	expect(stops.length, stops.join(", ")).toBeLessThanOrEqual(25);
 	await test.step("and the first of all skips those before", async () => {
 		expect(stops[0]).toBe("a ");
@@ -146,7 +150,7 @@ test("the app works from a sub-path of any host", async ({ page }) => {
 		if (!request.url().startsWith(server.address) && !/^(blob|data):/.test(request.url())) foreign.push(request.url());
 	});
 	await page.goto(`${server.address}?v=2&preset=lychee`);
-	await expect(page.getByRole("application", { name: /^Grape bunch: \d+ berries/ })).toBeVisible();
+	await expect(page.getByRole("application", { name: /^Grape bunch: .+ with \d+ berries/ })).toBeVisible();
 	await expect(page.locator("[data-preset=lychee]")).toHaveAttribute("aria-current", "true");
 	expect(foreign).toEqual([]);
 	await page.goto("about:blank");
@@ -167,11 +171,12 @@ test("the theme is the system's until it is chosen, and the choice is remembered
 });
 
 test("closed groups stay closed", { tag: "@long" }, async ({ page }) => {
-	await new StudioPage(page).open();
+	await (await new StudioPage(page).open()).openAdvanced();
 	const shape = page.locator("details[data-group=shape]");
 	await shape.locator("summary").click();
 	await expect(shape).not.toHaveAttribute("open");
 	await page.reload();
 	await expect(page.locator("details[data-group=numbers]")).toHaveAttribute("open");
+	await expect(page.locator("details[data-group=advanced]")).toHaveAttribute("open");
 	await expect(shape).not.toHaveAttribute("open");
 });

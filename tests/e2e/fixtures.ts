@@ -1,5 +1,6 @@
 import { test as base, expect, type Page } from "@playwright/test";
 import { withoutDrawing } from "./without_drawing.mjs";
+import { withoutHints } from "./without_hints.mjs";
 
 /** Errors of a page, and the errors that a test expects. */
 export class Complaints {
@@ -37,6 +38,8 @@ interface Fixtures {
 	complaints: Complaints;
 	/** Whether pages draw: `test.use({ drawn: true })` for tests that check the 3-D picture. */
 	drawn: boolean;
+	/** Whether pages show the hints of a first visit: `test.use({ hints: true })` for tests of the hints. */
+	hints: boolean;
 }
 
 /**
@@ -45,7 +48,9 @@ interface Fixtures {
  */
 export const test = base.extend<Fixtures>({
 	drawn: [false, { option: true }],
-	context: async ({ context, drawn }, use) => {
+	hints: [false, { option: true }],
+	context: async ({ context, drawn, hints }, use) => {
+		if (!hints) await context.addInitScript(withoutHints);
 		if (!drawn) await context.addInitScript(withoutDrawing);
 		await use(context);
 	},

@@ -18,7 +18,7 @@ test("a flower's text is edited: it regrows, a mistake is told, undo and the lin
 	await expect(page).toHaveURL(/#g=/);
 	const [more, link] = [await studio.fingerprint.textContent(), page.url()];
 	await page.keyboard.insertText("p0 PETAL -> PETAL[SEPAL]_{E}\n");
-	await expect(page.getByText("Nothing says what 'SEPAL' is").first()).toBeVisible();
+	await expect(page.getByText(/“SEPAL” is not defined/).first()).toBeVisible();
 	expect(await studio.fingerprint.textContent()).toBe(more);
 	await page.goto("about:blank");
 	await page.goto(link);
@@ -26,7 +26,7 @@ test("a flower's text is edited: it regrows, a mistake is told, undo and the lin
 	await page.goto("?v=2&model=flower&preset=table-3");
 	await expect(studio.fingerprint).toHaveText(grown ?? "");
 	// Another preset differs in nothing but its text.
-	await studio.regrown(() => page.locator("[data-preset=figure-16]").click());
+	await studio.regrown(() => studio.choosePreset("flower", "figure-16"));
 	await expect(words).not.toContainText("4 organs");
 	await studio.regrown(() => studio.button("Undo").click());
 	await expect(studio.fingerprint).toHaveText(grown ?? "");
@@ -88,14 +88,17 @@ test("a chosen volume is let go with the flower that it was of; its sliders are 
 		await expect(name).toBeVisible();
 	};
 	await choose("1500");
-	await page.getByRole("slider", { name: /^N, / }).first().hover();
-	await expect(page.locator(".explain")).toHaveText(/^N: sides\. \d+ … \d+\./);
+	await page
+		.getByRole("button", { name: /^About N, / })
+		.first()
+		.click();
+	await expect(page.getByRole("note")).toHaveText(/^sides\. \d+ … \d+\./);
 	await studio.regrown(() => page.locator("[data-preset=poppy]").click());
-	await expect(page.getByText("None is chosen.")).toBeVisible();
+	await expect(page.getByText("Nothing selected")).toBeVisible();
 	// A design has fewer volumes than that number.
 	await choose("3000");
 	await studio.regrown(() => studio.button("Design a new flower").click());
-	await expect(page.getByText("None is chosen.")).toBeVisible();
+	await expect(page.getByText("Nothing selected")).toBeVisible();
 });
 
 test("a grammar as XML is dropped and grows; a mistake in one is reported with its place", { tag: "@long" }, async ({
@@ -139,7 +142,7 @@ test("a flower's life is played from the bud, by stages and by numbers; undo and
 	await field.fill("3");
 	await studio.regrown(() => field.press("Enter"));
 	await expect(age).toHaveAttribute("aria-valuetext", "Wilted, 2");
-	await expect(studio.notices).toContainText("Age takes 0 … 2");
+	await expect(studio.notices).toContainText("Age must be from 0 to 2");
 	await studio.regrown(() => studio.button("Undo").click());
 	await expect(studio.fingerprint).toHaveText(shut);
 	// A text without age has no animation.

@@ -2,113 +2,130 @@ import type { Page } from "@playwright/test";
 import { expect, test } from "./fixtures";
 import { StudioPage } from "./studio_page";
 
+const dialogOf = (page: Page) => page.getByRole("dialog", { name: "Presets" });
 const search = (page: Page) => page.getByRole("searchbox", { name: "Search presets" });
-const kind = (page: Page) => page.getByRole("combobox", { name: "Kind of preset" });
-const count = (page: Page) => page.locator(".find [role=status]");
-const shown = (page: Page) => page.locator(".preset");
+const count = (page: Page) => dialogOf(page).getByRole("status");
+const cards = (page: Page) => dialogOf(page).locator(".preset");
+const chip = (page: Page, name: string) => dialogOf(page).getByRole("button", { name, exact: true });
+const strip = (page: Page) => page.locator(".strip");
 
-/** The app with every model's presets in its gallery. */
-async function opened(page: Page, search?: string): Promise<StudioPage> {
-	const studio = await new StudioPage(page).open(search);
-	await expect(page.locator("[data-preset=twin]")).toBeAttached();
-	return studio;
-}
-
-test("presets are searched by what they are called and said to be, and the count is told", async ({ page }) => {
-	const studio = await opened(page);
-	const all = await shown(page).count();
-	await expect(count(page)).toHaveText(`${all} presets`);
-	await search(page).fill("gewurz");
-	await expect(shown(page)).toHaveText(["Gewürztraminer"]);
-	await expect(count(page)).toHaveText("1 preset");
-	await search(page).fill("blue-black cone");
-	await expect(count(page)).not.toHaveText(`${all} presets`);
-	for (const preset of await shown(page).all()) await expect(preset).toHaveAttribute("title", /blue-black|cone/);
-	await studio.regrown(() => shown(page).first().click());
-	await expect(page).toHaveURL(/preset=/);
-	await expect(search(page)).toHaveValue("blue-black cone");
+test("the bar names family and preset, and a family grows its first plant, one step to undo", async ({ page }) => {
+	await page.setViewportSize({ width: 1280, height: 700 });
+	const studio = await new StudioPage(page).open("?v=2&preset=lychee");
+	const family = page.getByRole("banner").getByRole("combobox", { name: "Family" });
+	await expect(family).toHaveValue("grapes");
+	await expect(page.getByRole("banner").getByRole("button", { name: "Lychee" })).toBeVisible();
+	await expect(page.getByText("edited", { exact: true })).toHaveCount(0);
+	await studio.regrown(() => studio.slider("Length").press("PageDown"));
+	await expect(page.getByText("edited", { exact: true })).toBeVisible();
+	await studio.button("Undo").click();
+	await studio.regrown(() => family.selectOption("Leaves"));
+	await expect(page).toHaveURL(/model=leaf/);
+	await studio.presetsListed();
+	await expect(strip(page).locator("section[data-model=bunch]")).toHaveCount(0);
+	await studio.regrown(() => studio.button("Undo").click());
+	await expect(page).toHaveURL(/preset=lychee/);
+	await expect(family).toHaveValue("grapes");
+	await expect(strip(page).getByRole("group", { name: "Other fruits" })).toBeVisible();
 });
 
-test("nothing found says so, and Escape or a button brings all of them back", { tag: "@long" }, async ({ page }) => {
-	await opened(page);
-	const all = await shown(page).count();
-	await search(page).fill("plum pudding");
-	await expect(shown(page)).toHaveCount(0);
-	await expect(count(page)).toHaveText("No preset found");
-	await expect(page.getByText("No preset has that in its name or description.")).toBeVisible();
-	await page.getByRole("button", { name: "Show all" }).click();
-	await expect(shown(page)).toHaveCount(all);
-	await expect(search(page)).toBeFocused();
-	await search(page).fill("pudding");
-	await search(page).press("Escape");
-	await expect(search(page)).toHaveValue("");
-	await expect(shown(page)).toHaveCount(all);
-});
-
-test("one kind is shown alone, and searched alone", { tag: "@long" }, async ({ page }) => {
-	await opened(page);
-	await expect(page.locator("section[data-model=leaf] h2").first()).toContainText("preview");
-	await expect(page.locator("section[data-model=bunch] h2").first()).not.toContainText("preview");
-	await kind(page).selectOption("Other fruits");
-	await expect(shown(page)).toHaveCount(5);
-	await expect(page.getByRole("region", { name: "Varieties" })).toHaveCount(0);
-	await search(page).fill("lych");
-	await expect(shown(page)).toHaveText([/^\s*Lychee\s*Fig\. 16\(c\)\s*$/]);
-	await kind(page).press("Escape");
-	await expect(kind(page)).toHaveValue("");
-	await expect(search(page)).toHaveValue("");
-});
-
-test("the keyboard goes from the field to the presets and from one to the next; the strip is one stop", async ({
+test("the strip holds one family without the papers’ figures, moves by wheel, and is one stop of the keyboard", async ({
 	page,
 }) => {
-	const studio = await opened(page);
-	await search(page).focus();
-	await page.keyboard.press("Tab");
-	await page.keyboard.press("Tab");
-	await expect(page.locator("[data-preset=long-conical]")).toBeFocused();
+	const studio = await new StudioPage(page).open("?v=2&model=growth&preset=oak");
+	await studio.presetsListed();
+	await expect(strip(page).getByRole("group", { name: "Species" })).toBeVisible();
+	await expect(strip(page).getByRole("group", { name: /Table 1|Figures/ })).toHaveCount(0);
+	await expect(strip(page).locator("[data-model=growth] [data-preset=oak]")).toHaveAttribute("aria-current", "true");
+	const before = await strip(page).evaluate((element) => element.scrollLeft);
+	await strip(page).hover();
+	await page.mouse.wheel(0, 400);
+	await expect.poll(() => strip(page).evaluate((element) => element.scrollLeft)).toBeGreaterThan(before + 100);
+	await strip(page).locator("[data-model=growth] [data-preset=oak]").focus();
 	await page.keyboard.press("ArrowRight");
-	await expect(page.locator("[data-preset=cylindrical]")).toBeFocused();
-	await page.keyboard.press("End");
-	await expect(shown(page).last()).toBeFocused();
-	await page.keyboard.press("Home");
-	await expect(shown(page).first()).toBeFocused();
+	await expect(strip(page).locator("[data-model=growth] [data-preset=olive]")).toBeFocused();
 	await page.keyboard.press("Escape");
+	await expect(studio.button("Browse presets")).toBeFocused();
+});
+
+test("the gallery is searched, best match first; Escape empties the search, and Enter chooses the first", async ({
+	page,
+}) => {
+	const studio = await new StudioPage(page).open();
+	await studio.presetsListed();
+	await page.keyboard.press("/");
 	await expect(search(page)).toBeFocused();
-	await page.keyboard.type("duku");
-	await page.keyboard.press("ArrowDown");
-	await expect(page.locator("[data-preset=duku]")).toBeFocused();
-	await studio.regrown(() => page.keyboard.press("Enter"));
-	await expect(page).toHaveURL(/preset=duku/);
+	await search(page).fill("gewurz");
+	await expect(cards(page)).toHaveText([/Gewürztraminer/]);
+	await expect(count(page)).toHaveText("1 preset");
+	await search(page).press("Escape");
+	await expect(search(page)).toHaveValue("");
+	await expect(dialogOf(page)).toBeVisible();
+	await search(page).fill("figure 11");
+	await expect(cards(page).first()).toHaveText(/Long conical/);
+	await search(page).fill("plum pudding");
+	await expect(cards(page)).toHaveCount(0);
+	await expect(page.getByText(/^No presets match “/)).toBeVisible();
+	await page.getByRole("button", { name: "Show all" }).click();
+	await expect(cards(page).first()).toBeVisible();
 	await search(page).fill("riesling");
 	await studio.regrown(() => search(page).press("Enter"));
+	await expect(dialogOf(page)).toBeHidden();
 	await expect(page).toHaveURL(/preset=riesling/);
 });
 
-test("typing in the field is typing: no letter is a shortcut, and undo is the field's", { tag: "@long" }, async ({
-	page,
-}) => {
-	const studio = await opened(page);
-	await search(page).pressSequentially("snot");
-	await expect(studio.button("Show stems only")).toHaveAttribute("aria-pressed", "false");
-	await expect(studio.button("Undo")).toBeDisabled();
-	await expect(page).not.toHaveURL(/seed=/);
+test("families, methods, favourites and recent presets filter the gallery; papers are folded", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?v=2&model=growth&preset=oak");
+	await studio.browse();
+	await expect(chip(page, "Trees")).toHaveAttribute("aria-pressed", "true");
+	await expect(dialogOf(page).locator("[data-preset=oak][aria-current=true]")).toBeInViewport();
+	await expect(dialogOf(page).locator("[data-preset=table-1-hat]")).toBeHidden();
+	await dialogOf(page).getByText("From research papers").click();
+	await expect(dialogOf(page).locator("[data-preset=table-1-hat]")).toBeVisible();
+	await chip(page, "Particle systems").click();
+	await expect(dialogOf(page).locator("section:not([data-model=tree])")).toHaveCount(0);
+	await chip(page, "Flowers").click();
+	await dialogOf(page).getByRole("button", { name: "Add Poppy to the favourites" }).click();
+	await studio.regrown(() => dialogOf(page).locator("[data-preset=tulip]").click());
+	await page.reload();
+	await studio.browse();
+	await chip(page, "Favourites").click();
+	await expect(cards(page)).toHaveText([/Poppy/]);
+	await chip(page, "Recent").click();
+	await expect(cards(page).first()).toHaveText(/Tulip/);
+	await chip(page, "Favourites").click();
+	await dialogOf(page).getByRole("button", { name: "Remove Poppy from the favourites" }).click();
+	await expect(chip(page, "Favourites")).toHaveCount(0);
 });
 
 for (const [words, width, height] of [
 	["on a phone", 390, 844],
 	["at 200 %", 640, 400],
 ] as const) {
-	test(`presets are found ${words}`, { tag: "@long" }, async ({ page }) => {
+	test(`a family and a preset are found ${words}`, { tag: "@long" }, async ({ page }) => {
 		await page.setViewportSize({ width, height });
-		const studio = await opened(page);
+		const studio = await new StudioPage(page).open();
+		await studio.browse();
 		await search(page).fill("syrah");
-		await expect(shown(page)).toHaveText(["Syrah"]);
-		await studio.regrown(() => shown(page).first().click());
+		await expect(cards(page)).toHaveText([/Syrah/]);
+		await studio.regrown(() => cards(page).first().click());
 		await expect(page).toHaveURL(/preset=syrah/);
+		await studio.regrown(() => page.locator(".find").getByRole("combobox", { name: "Family" }).selectOption("Roots"));
+		await expect(page).toHaveURL(/model=root/);
 		expect(await studio.overflow()).toBeLessThanOrEqual(0);
 	});
 }
+
+test("letters typed into a field are no shortcuts, and undo there is the field’s", { tag: "@long" }, async ({
+	page,
+}) => {
+	const studio = await new StudioPage(page).open();
+	await page.getByRole("textbox", { name: "Seed" }).focus();
+	await page.keyboard.type("snot/");
+	await expect(dialogOf(page)).toBeHidden();
+	await expect(studio.button("Undo")).toBeDisabled();
+	await expect(page).not.toHaveURL(/seed=/);
+});
 
 test("pictures come when they are near to being seen", async ({ page }) => {
 	const requested = new Set<string>();
@@ -116,8 +133,9 @@ test("pictures come when they are near to being seen", async ({ page }) => {
 		if (/\/gallery\//.test(request.url())) requested.add(request.url());
 	});
 	await page.setViewportSize({ width: 390, height: 844 });
-	await opened(page);
+	const studio = await new StudioPage(page).open();
+	await studio.presetsListed();
 	await page.waitForLoadState("networkidle");
 	expect(requested.size).toBeGreaterThan(0);
-	expect(requested.size).toBeLessThan(await shown(page).count());
+	expect(requested.size).toBeLessThan(await page.locator(".strip .preset").count());
 });

@@ -46,12 +46,12 @@ test("a hand drives the two numbers, and a pinch brings the next two, which wait
 	const put = (hand: unknown) => page.evaluate((there) => Object.assign(globalThis, { hand: there }), hand);
 	const bar = page.getByRole("group", { name: "Gestures" });
 	await studio.button("Gestures").click();
-	await bar.getByLabel("By").selectOption("Hand before the camera");
+	await bar.getByLabel("Control with").selectOption("Hand (webcam)");
 	await expect(bar.getByText("neither sent nor kept")).toBeVisible();
-	await expect(bar.getByRole("status")).toContainText("No hand is seen");
+	await expect(bar.getByRole("status")).toContainText("No hand detected");
 	const before = await circle(page).getAttribute("aria-label");
 	await put(handAt(0.7, 0.4));
-	await expect(bar.getByRole("status")).toContainText("A hand is seen");
+	await expect(bar.getByRole("status")).toContainText("Hand detected");
 	await expect(circle(page)).not.toHaveAccessibleName(before ?? "");
 	const left = await circle(page).evaluate((element) => Number.parseFloat(element.style.left));
 	expect(left).toBeLessThan(35);
@@ -62,7 +62,7 @@ test("a hand drives the two numbers, and a pinch brings the next two, which wait
 	await put(handAt(0.71, 0.41));
 	expect(await next.getAttribute("aria-label")).toBe(waiting);
 	await put(undefined);
-	await expect(bar.getByRole("status")).toContainText("No hand is seen");
+	await expect(bar.getByRole("status")).toContainText("No hand detected");
 	await page.keyboard.press("ControlOrMeta+z");
 	await bar.getByLabel("Across").selectOption("bend");
 	await bar.getByLabel("Up").selectOption("length");
@@ -78,8 +78,8 @@ test("what finds hands is the app's own, finds none in a picture without, and le
 	expect(requested.filter((url) => url.includes("/hands"))).toEqual([]);
 	const bar = page.getByRole("group", { name: "Gestures" });
 	await studio.button("Gestures").click();
-	await bar.getByLabel("By").selectOption("Hand before the camera");
-	await expect(bar.getByRole("status")).toContainText("No hand is seen", { timeout: 60_000 });
+	await bar.getByLabel("Control with").selectOption("Hand (webcam)");
+	await expect(bar.getByRole("status")).toContainText("No hand detected", { timeout: 60_000 });
 	const found = requested.filter((url) => /hands/.test(url)).map((url) => new URL(url));
 	expect(found.length).toBeGreaterThan(4);
 	expect(found.every(({ origin }) => origin === new URL(page.url()).origin)).toBe(true);
@@ -92,9 +92,9 @@ test("what finds hands is the app's own, finds none in a picture without, and le
 		for (const track of (srcObject as MediaStream).getTracks()) track.dispatchEvent(new Event("ended"));
 	});
 	await expect(bar.getByRole("status")).toContainText("The camera has gone");
-	await expect(bar.getByLabel("By")).toHaveValue("pointer");
-	await bar.getByLabel("By").selectOption("Hand before the camera");
-	await expect(bar.getByRole("status")).toContainText("No hand is seen", { timeout: 60_000 });
+	await expect(bar.getByLabel("Control with")).toHaveValue("pointer");
+	await bar.getByLabel("Control with").selectOption("Hand (webcam)");
+	await expect(bar.getByRole("status")).toContainText("No hand detected", { timeout: 60_000 });
 	await studio.button("Gestures").click();
 	expect(await live()).toBe(false);
 });

@@ -40,11 +40,12 @@ test("a wrong text is reported with its place, and the plant stays; a bunch's te
 	await expect(page).toHaveURL(/\?v=2#g=/);
 });
 
-test("the gallery has a section of grammars", { tag: "@long" }, async ({ page }) => {
+test("the strip of trees has the L-systems, and the method filters it", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&model=grammar");
-	const kinds = page.getByRole("combobox", { name: "Kind of preset" });
-	await expect(kinds.locator("optgroup[label=Grammars] option").first()).toBeAttached();
+	await studio.presetsListed();
+	await page.getByRole("combobox", { name: "Method" }).selectOption("L-systems");
+	await expect(page.locator(".strip section:not([data-model=grammar])")).toHaveCount(0);
 	await expect(page.locator(".preset[data-preset=shrub]")).toHaveAttribute("aria-current", "true");
-	await studio.regrown(() => studio.slider("Unit").fill("20"));
+	await studio.regrown(() => studio.slider("Unit length").fill("20"));
 	await expect(page).toHaveURL(/unit=20/);
 });

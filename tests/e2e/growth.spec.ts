@@ -23,7 +23,7 @@ test("a growth volume is stretched by its handle: the text follows, undo and the
 		"footprint -> GrowVol(1, 1, 8, 11, 5, 0, towards(0), at(0, 0))",
 	);
 	// The model has no derivation steps.
-	await expect(page.getByRole("button", { name: "Steps" })).toHaveCount(0);
+	await expect(page.getByRole("button", { name: "Steps", exact: true })).toHaveCount(0);
 	await studio.button("Close the grammar").click();
 	const grown = await studio.fingerprint.textContent();
 	const link = page.url();

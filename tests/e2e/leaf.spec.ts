@@ -53,10 +53,10 @@ test("Escape calls off a drag, and the lock lets go of the other side", { tag: "
 	await expect(studio.fingerprint).toHaveText(published);
 	await expect(studio.button("Undo")).toBeDisabled();
 
-	await studio.button("Both sides alike").click();
+	await studio.button("Keep both sides symmetrical").click();
 	await studio.regrown(() => page.locator('panicle-outline [data-handle="4"]').press("Shift+ArrowLeft"));
 	await expect(page).toHaveURL(/preset=lime&o=[\w-]+$/);
-	await studio.regrown(() => studio.button("Both sides alike").click());
+	await studio.regrown(() => studio.button("Keep both sides symmetrical").click());
 	await expect(page).toHaveURL(/preset=lime&o=~[\w-]+$/);
 });
 
@@ -77,13 +77,14 @@ test("a leaf is downloaded as GLB, JSON and SVG", { tag: "@long" }, async ({ pag
 test("a picture's leaf is traced, and what is none is refused in plain words", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?model=leaf");
 	const picture = await drawnBlade(page);
+	await studio.openAdvanced();
 	const [chooser] = await Promise.all([page.waitForEvent("filechooser"), studio.button("Trace a picture…").click()]);
 	await studio.regrown(() => chooser.setFiles({ name: "leaf.png", mimeType: "image/png", buffer: picture }));
-	await expect(studio.notices).toContainText(/An outline of \d+ points was traced/);
+	await expect(studio.notices).toContainText(/Traced an outline of \d+ points/);
 	await expect(studio.notices).toContainText("Teeth is 0 now");
 	await expect(studio.notices).toContainText("The stalk in the picture is the petiole");
 	await expect(studio.measure("slenderness")).toContainText(/1\.[56]\d/);
 
 	await studio.drop("no.png", Buffer.from("no picture"));
-	await expect(studio.notices).toContainText("The file is no picture that this browser reads");
+	await expect(studio.notices).toContainText("The file is not a picture that this browser can read");
 });

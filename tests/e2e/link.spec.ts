@@ -7,10 +7,14 @@ import { StudioPage } from "./studio_page";
 test("the copied link brings the same bunch back", async ({ page, context, complaints }) => {
 	await context.grantPermissions(["clipboard-read", "clipboard-write"]);
 	const studio = await new StudioPage(page).open("?v=2&preset=grape-15b");
+	await studio.openAdvanced();
 	await studio.slider("Right width").press("PageDown");
 	await studio.regrown(() => studio.button("New variation").click());
-	await studio.button("Copy link").click();
-	await expect(studio.notices).toContainText("Link copied");
+	const sheet = await studio.openShare();
+	// The button has the focus.
+	await expect(sheet.getByRole("button", { name: "Copy link" })).toBeFocused();
+	await page.keyboard.press("Enter");
+	await expect(sheet.getByRole("status")).toHaveText("Link copied");
 	const link = await page.evaluate(() => navigator.clipboard.readText());
 	expect(link).toBe(page.url());
 	expect(new URL(link).search.length).toBeLessThan(200);
@@ -18,25 +22,28 @@ test("the copied link brings the same bunch back", async ({ page, context, compl
 	complaints.listenTo(other);
 	await other.goto(link);
 	await expect(other.locator("[data-fingerprint]")).toHaveText(await studio.fingerprint.innerText());
-	await expect(other.locator("panicle-notices")).not.toContainText("could be used");
-	// A confirmation goes by itself.
-	await expect(studio.notices.getByRole("button", { name: "Dismiss" })).toHaveCount(0);
+	await expect(other.locator("panicle-notices")).not.toContainText("could not be read");
 });
 
-test("where copying is denied, the link is shown for copying by hand", { tag: "@long" }, async ({ page }) => {
+test("where copying is denied, the link is selected for copying by hand", { tag: "@long" }, async ({ page }) => {
 	await page.addInitScript(() => {
 		Object.defineProperty(navigator, "clipboard", { value: { writeText: () => Promise.reject(new Error("denied")) } });
 	});
 	const studio = await new StudioPage(page).open("?v=2&preset=duku");
-	await studio.button("Copy link").click();
-	await expect(page.getByRole("textbox", { name: "Link to copy" })).toHaveValue(/\?v=2&preset=duku$/);
+	const sheet = await studio.openShare();
+	await sheet.getByRole("button", { name: "Copy link" }).click();
+	const link = sheet.getByRole("textbox", { name: "Link", exact: true });
+	await expect(link).toBeFocused();
+	await expect(link).toHaveValue(/\?v=2&preset=duku$/);
+	await expect(sheet.getByRole("status")).toContainText("The link is selected");
+	expect(await page.evaluate(() => getSelection()?.toString())).toMatch(/preset=duku$/);
 });
 
 test("a malformed link opens what it can and says what it could not, until dismissed", async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=duku&l=9000&p3=abc&seed=-4&colour=red");
 	const { notices } = studio;
-	await expect(notices).toContainText("Not everything in the link could be used");
-	await expect(notices).toContainText("9000 is above the greatest value, 580");
+	await expect(notices).toContainText("Some of this link could not be read");
+	await expect(notices).toContainText("9000 is above the maximum, 580.");
 	for (const part of ["p3", "seed", "colour"]) await expect(notices).toContainText(`${part}:`);
 	await expect(studio.slider("Length")).toHaveValue("580");
 	await expect(page).toHaveURL(/\?v=2&preset=duku&seed=0&l=580$/);
@@ -61,7 +68,7 @@ test("a malformed link opens what it can and says what it could not, until dismi
 
 test("an unknown preset or a nonsense query still shows a bunch", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?preset=%3Cscript%3E&v=999&&&=%ff");
-	await expect(studio.notices).toContainText("is not a preset");
+	await expect(studio.notices).toContainText("There is no preset");
 	await expect(page.locator("[data-preset=long-conical]")).toHaveAttribute("aria-current", "true");
 });
 
@@ -132,9 +139,9 @@ test("a link of ours in the fragment opens, as a step that can be undone", { tag
 		location.hash = hash;
 	}, `g=${packed}`);
 	await studio.openGroup("Branching");
-	await expect(page.getByText("This bunch brings a grammar of its own.")).toBeVisible();
+	await expect(page.getByText("This plant has its own grammar.")).toBeVisible();
 	await studio.button("Undo").click();
-	await expect(page.getByText("This bunch brings a grammar of its own.")).toHaveCount(0);
+	await expect(page.getByText("This plant has its own grammar.")).toHaveCount(0);
 	await expect(page).not.toHaveURL(/#g=/);
 });
 
@@ -151,7 +158,8 @@ test("choosing a preset from the gallery is a link and one undo step", { tag: "@
 test("inputs that a link sets are shown, and can follow the profile again", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?m=3&n=1,2");
 	await expect(studio.readout("Rachis segments")).toHaveText("3");
-	await expect(page.getByText("in place of the profile: m = 3; n = 1, 2.")).toBeVisible();
+	await studio.openAdvanced();
+	await expect(page.getByText("Set by the link instead of the profile: m = 3; n = 1, 2.")).toBeVisible();
 	await studio.regrown(() => studio.button("Follow the profile").click());
 	await expect(studio.readout("Rachis segments")).toHaveText("18");
 	await expect(page).not.toHaveURL(/[?&]m=/);
@@ -163,11 +171,11 @@ test("a link with a grammar of its own opens without a step to undo, and grows b
 	const text = `/* mine */\n${readFileSync("wasm-core/grammars/bunch/grape-bunch-3.lsys", "utf8")}`;
 	const studio = await new StudioPage(page).open(`?preset=duku#g=${await compressText(text)}`);
 	await studio.openGroup("Branching");
-	await expect(page.getByText("This bunch brings a grammar of its own.")).toBeVisible();
+	await expect(page.getByText("This plant has its own grammar.")).toBeVisible();
 	await expect(page).toHaveURL(/#g=/);
 	await expect(studio.button("Undo")).toBeDisabled();
 	await studio.slider("Length").press("PageDown");
 	await studio.button("Undo").click();
-	await expect(page.getByText("This bunch brings a grammar of its own.")).toBeVisible();
+	await expect(page.getByText("This plant has its own grammar.")).toBeVisible();
 	await expect(studio.button("Undo")).toBeDisabled();
 });

@@ -10,9 +10,9 @@ test("of a topiary a text beside the picture lists missed areas and those that w
 }) => {
 	const studio = await new StudioPage(page).open(`${CUBES}&path=0,0,0,5,0.1,0,5,0.2,0`);
 	await studio.stands();
-	await expect(page.locator(over)).toContainText("Nothing grows in area 2: the main branch does not come there.");
+	await expect(page.locator(over)).toContainText("Area 2 stays empty, because the main branch does not reach it.");
 	await studio.openGroup("Growth areas");
-	await studio.button("From middle to middle").click();
+	await studio.button("Straight path").click();
 	await expect(page.locator(over)).toHaveText("");
 
 	// The handles are there from the first.
@@ -36,7 +36,7 @@ test("of a topiary a text beside the picture lists missed areas and those that w
 	const box = page.getByRole("complementary", { name: "Controls" }).getByRole("button", { name: "Box", exact: true });
 	for (const left of [1, 0]) {
 		await list.getByRole("button").last().click();
-		await studio.button("Remove the area").focus();
+		await studio.button("Remove area").focus();
 		await page.keyboard.press("Enter");
 		await expect(list.getByRole("button")).toHaveCount(left);
 		await expect(left > 0 ? list.getByRole("button") : box).toBeFocused();
@@ -45,26 +45,25 @@ test("of a topiary a text beside the picture lists missed areas and those that w
 	await expect(page.locator(over)).toContainText("There is no growth area");
 });
 
-test("the editor of a text that cannot be grown is offered where the plant would be, and said when its link is copied", async ({
+test("the editor of a text that cannot be grown is offered where the plant would be, and said where its link is shared", async ({
 	page,
 }) => {
-	await page.addInitScript(() => Object.assign(navigator.clipboard, { writeText: async () => {} }));
 	const packed = await compressText("axiom: F(\n");
 	await page.goto(`./?v=2&model=grammar#g=${packed}`);
 	const alert = page.getByRole("alert");
-	await expect(alert).toContainText("This cannot be grown");
+	await expect(alert).toContainText("The plant can’t be grown with this setting");
 	const studio = new StudioPage(page);
-	await studio.button("Copy link").click();
-	await expect(studio.notices).toContainText("Who opens it finds no plant");
+	await expect(await studio.openShare()).toContainText("so the link will not show it");
+	await page.keyboard.press("Escape");
 	await alert.getByRole("button", { name: "Edit the grammar" }).click();
 	const text = page.getByRole("textbox", { name: "Grammar" });
 	await expect(text).toBeFocused();
-	await expect(page.getByText("brings a grammar of its own")).toHaveCount(0);
+	await expect(page.getByText("has its own grammar")).toHaveCount(0);
 	// It was opened by a button that has gone; by its key it is left to the one that stands for it.
 	await page.keyboard.press("Escape");
 	await page.keyboard.press("Enter");
 	await expect(text).toHaveCount(0);
-	await expect(page.getByText("brings a grammar of its own")).toHaveCount(1);
+	await expect(page.getByText("has its own grammar")).toHaveCount(1);
 	await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
 	await page.keyboard.press("g");
 	await expect(text).toBeFocused();
@@ -77,8 +76,8 @@ test("a picture without a plant brings a message on what this model accepts", { 
 	const studio = await new StudioPage(page).open(CUBES);
 	const png = "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg==";
 	await studio.drop("a.png", Buffer.from(png, "base64"));
-	await expect(studio.notices).toContainText("(.lsys, .gl3, .xml) grows");
-	await expect(studio.notices).toContainText(/Grammar: a closed mesh .* becomes a growth area/);
+	await expect(studio.notices).toContainText(".xml) can be opened at any time");
+	await expect(studio.notices).toContainText(/Grammar: Drop a closed mesh .* to add it as a growth area/);
 });
 
 test("of very many remarks some are listed, and all are marked", { tag: "@long" }, async ({ page }) => {
@@ -90,8 +89,12 @@ test("of very many remarks some are listed, and all are marked", { tag: "@long" 
 	await page.keyboard.press("g");
 	const messages = page.locator(".pane-messages");
 	await expect(messages.getByRole("button")).toHaveCount(50);
-	await expect(messages).toContainText("250 more are marked in the text.");
-	await expect(messages).toContainText("The grammar draws nothing.");
-	await expect(page.locator(over)).toContainText("The grammar draws nothing.");
+	await expect(messages).toContainText("250 more problems are marked in the grammar.");
+	await expect(messages).toContainText(
+		"The grammar does not draw anything; add a symbol that draws, such as “F” for a line.",
+	);
+	await expect(page.locator(over)).toContainText(
+		"The grammar does not draw anything; add a symbol that draws, such as “F” for a line.",
+	);
 	await expect(studio.button("Grammar")).toHaveAttribute("aria-pressed", "true");
 });

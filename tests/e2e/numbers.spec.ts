@@ -12,7 +12,7 @@ test("measures are shown in words, with unit, descriptor and class, each explain
 	await studio.measure("bunch_length").locator("summary").click();
 	const sentence = page.getByText("the peduncle does not count");
 	await expect(sentence.first()).toBeVisible();
-	await expect(sentence.first()).toContainText("Not compared with its source: limits.");
+	await expect(sentence.first()).toContainText("Not yet checked against the OIV’s list: limits.");
 	await expect(page.getByText("NaN")).toHaveCount(0);
 });
 
@@ -20,7 +20,7 @@ test("a number is asked for where it stands, and the plant follows, as one step"
 	const studio = await new StudioPage(page).open("?v=2&preset=riesling");
 	const row = studio.measure("bunch_length");
 	await row.locator(".value").click();
-	const field = row.getByRole("textbox", { name: "Ask for" });
+	const field = row.getByRole("textbox", { name: "Set target" });
 	await expect(field).toBeFocused();
 	await studio.regrown(async () => {
 		await page.keyboard.type("160");
@@ -29,12 +29,12 @@ test("a number is asked for where it stands, and the plant follows, as one step"
 	await expect(studio.notices).toContainText(/Bunch length: 160 mm (reached|asked, 1\d\d(\.\d)? mm reached)/);
 	await expect(studio.notices).toContainText(/Length 115\.1 → 1\d\d(\.\d)? mm/);
 	await expect(row.locator(".value")).toHaveText(/^1(59|60|61) mm$/);
-	await expect(row).toContainText("160 mm asked");
+	await expect(row).toContainText("Target: 160 mm");
 	await studio.button("Undo").click();
 	await expect(studio.button("Undo")).toBeDisabled();
 	await field.fill("high");
 	await field.press("Enter");
-	await expect(row.getByRole("alert")).toHaveText("“high” is no number that can be asked for.");
+	await expect(row.getByRole("alert")).toHaveText("Enter a positive number.");
 });
 
 test("while a hand moves, what was last measured stays; it is measured anew on release", { tag: "@long" }, async ({
@@ -56,5 +56,5 @@ test("while a hand moves, what was last measured stays; it is measured anew on r
 
 test("missing measures are shown with their reason", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=long-conical&count=60");
-	await expect(studio.missing("not set")).toHaveText(/^\d+ flowers that set no berry$/);
+	await expect(studio.missing("not set")).toHaveText(/^\d+ flowers did not set fruit$/);
 });

@@ -19,6 +19,15 @@ test("the script that answers addresses of specimens draws nothing", () => {
 	expect(readFileSync(join(assets, answering[0]), "utf8")).not.toMatch(/webgl2|WebGLRenderer/);
 });
 
+test("the built app has each element of the page in one script, because workers have no copy of it", () => {
+	const scripts = readdirSync("dist/assets").filter((name) => name.endsWith(".js"));
+	const texts = scripts.map((name) => readFileSync(join("dist/assets", name), "utf8"));
+	for (const element of ["panicle-long-list", "panicle-constants", "panicle-number"]) {
+		const defining = texts.filter((script) => script.includes(`customElements.define(\`${element}\``));
+		expect(defining, element).toHaveLength(1);
+	}
+});
+
 test("after one visit the whole app works without its host", async ({ page, context, complaints }) => {
 	const site = new Site("offline");
 	const address = await site.start();
@@ -35,9 +44,12 @@ test("after one visit the whole app works without its host", async ({ page, cont
 	await expect(studio.fingerprint).toHaveText(/^[0-9a-f]{16}$/);
 	const { bytes } = await studio.download("glb");
 	expect((await validateBytes(bytes)).issues.numErrors).toBe(0);
-	for (const description of [/Quercus robur: rounded lobes/, /free-standing oak/])
-		await studio.regrown(() => page.getByRole("button", { name: "Oak", description }).click());
-	await studio.regrown(() => page.getByRole("button", { name: "Tulip", description: /three tepals/ }).click());
+	for (const [model, preset] of [
+		["leaf", "oak"],
+		["tree", "oak"],
+		["flower", "tulip"],
+	])
+		await studio.regrown(() => studio.choosePreset(model, preset));
 	// Nothing is left out: exporters, pictures, the other pages.
 	const files = Object.keys(listFiles(site.folder)).filter(
 		(path) => !/^(service-worker|assets\/specimens-)/.test(path),
@@ -73,7 +85,7 @@ test("a new version is offered, and old pages keep theirs until they are left", 
 	site.deploy("help");
 	await page.reload();
 	const fingerprint = await studio.fingerprint.innerText();
-	await expect(studio.notices).toContainText("A new version is here");
+	await expect(studio.notices).toContainText("An update is available");
 	expect(await page.evaluate(mainScript)).toBe(old);
 	await studio.notices.getByRole("button", { name: "Reload" }).click();
 	await expect.poll(() => page.evaluate(mainScript).catch(() => old)).not.toBe(old);
@@ -86,7 +98,7 @@ test("a new version is offered, and old pages keep theirs until they are left", 
 	await other.close();
 	await page.reload();
 	await expectStored(page);
-	await expect(studio.notices).not.toContainText("A new version is here");
+	await expect(studio.notices).not.toContainText("An update is available");
 	await page.goto("about:blank");
 	await site.stop();
 });
@@ -132,7 +144,7 @@ test.describe("without a service worker", () => {
 		site.deploy("help");
 		complaints.expect(/404/);
 		await studio.button("Help").click();
-		await expect(studio.notices).toContainText("The help could not be fetched");
+		await expect(studio.notices).toContainText("The help could not be loaded");
 		await studio.notices.getByRole("button", { name: "Reload" }).click();
 		await expect(studio.fingerprint).toHaveText(fingerprint);
 		await studio.button("Help").click();

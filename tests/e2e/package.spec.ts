@@ -38,7 +38,7 @@ test("bundled by Vite it grows in a page under a strict policy, in its own worke
 	page.on("worker", (worker) => workers.push(worker.url()));
 	await page.goto(new URL("index.html", host.address).href);
 	await expect(page.locator("#words")).toHaveText(
-		new RegExp(`^\\d+ berries, .*, ${fingerprint}, GLB, [1-9]\\d* meshes$`),
+		new RegExp(`^[\\d.]+ cm long, with \\d+ berries, ${fingerprint}, GLB, [1-9]\\d* meshes$`),
 	);
 	await expect(page.locator("#worker")).toHaveText(`${fingerprint}, model/vnd.usdz+zip`);
 	expect(workers.some((url) => /\/assets\/worker-[\w-]+\.js$/.test(url))).toBe(true);

@@ -6,6 +6,16 @@ test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true
 test.describe("to the eye", () => {
 	test.use({ drawn: true });
 
+	test("the picture keeps its proportions when the views beside it take up room", async ({ page }) => {
+		await new StudioPage(page).open("?v=2&model=growth&preset=figure-5");
+		const picture = page.locator("panicle-stage").getByRole("application");
+		const stretch = () =>
+			picture.evaluate(
+				(canvas: HTMLCanvasElement) => canvas.width / canvas.height / (canvas.clientWidth / canvas.clientHeight),
+			);
+		await expect.poll(stretch).toBeCloseTo(1, 1);
+	});
+
 	test("one flat view at a time, chosen by a switch, the plant beside it", { tag: "@long" }, async ({ page }) => {
 		const studio = await new StudioPage(page).open();
 		const front = page.getByRole("region", { name: "Front view" });
@@ -19,7 +29,7 @@ test.describe("to the eye", () => {
 		await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
 		await page.getByRole("radio", { name: "Side" }).check();
 		await expect(side).toBeVisible();
-		await page.getByRole("radio", { name: "3-D" }).check();
+		await page.getByRole("radio", { name: "3D" }).check();
 		await expect(studio.canvas).toBeVisible();
 		await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
 	});

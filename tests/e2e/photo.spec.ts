@@ -6,6 +6,7 @@ test("a photograph lies behind the front view, is shifted by hand and keys, and 
 }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical");
 	const address = page.url();
+	await studio.openAdvanced();
 	const picture = await page.evaluate(async () => {
 		const canvas = new OffscreenCanvas(100, 300);
 		const pen = canvas.getContext("2d") as OffscreenCanvasRenderingContext2D;
@@ -14,7 +15,7 @@ test("a photograph lies behind the front view, is shifted by hand and keys, and 
 		return [...new Uint8Array(await (await canvas.convertToBlob()).arrayBuffer())];
 	});
 	await studio.drop("bunch.png", Buffer.from(picture));
-	const photo = page.getByRole("application", { name: /^Photograph\./ });
+	const photo = page.getByRole("application", { name: /^Photo\./ });
 	await expect(photo).toBeVisible();
 	/** Where the picture begins and ends on its canvas, as shares of the canvas' width. */
 	const extent = () =>
@@ -43,14 +44,14 @@ test("a photograph lies behind the front view, is shifted by hand and keys, and 
 	const width = ([from, to]: number[]) => to - from;
 	await page.keyboard.press("Shift++");
 	await expect.poll(async () => width(await extent())).toBeGreaterThan(width(dragged));
-	await studio.button("Shift photograph").click();
+	await studio.button("Move photo").click();
 	await expect(photo).toHaveCount(0);
 	await studio.regrown(() => studio.slider("Right width").press("ArrowRight"));
 	await studio.button("Undo").click();
 	await expect(page.locator("panicle-photo")).toHaveCount(1);
 	expect(page.url()).toBe(address);
 	await studio.drop("no.png", Buffer.from("no picture"));
-	await expect(studio.notices).toContainText("The file is no picture that this browser reads");
-	await studio.button("Remove photograph").click();
+	await expect(studio.notices).toContainText("The file is not a picture that this browser can read");
+	await studio.button("Remove photo").click();
 	await expect(page.locator("panicle-photo")).toHaveCount(0);
 });

@@ -21,17 +21,18 @@ test("each procedure brings the controls that it uses", { tag: "@long" }, async 
 	const natural = await studio.fingerprint.innerText();
 	await expect(studio.slider("Density")).toBeVisible();
 	await expect(studio.slider("Age")).toBeVisible();
-	await expect(studio.button("Thin")).toBeVisible();
+	await expect(studio.button("Remove berries")).toBeVisible();
 	await expect(group(studio, "interaction")).toHaveCount(0);
-	await studio.openGroup("Procedure");
+	await studio.openGroup("Method");
 	await page.getByRole("radio", { name: "Paper" }).check();
 	await expect(studio.fingerprint).toHaveText(PAPER);
 	await expect(page.getByRole("radio", { name: "Paper" })).toBeFocused();
-	for (const name of ["Density", "Age", "Sunlight"]) await expect(studio.slider(name)).toHaveCount(0);
-	await expect(studio.button("Thin")).toHaveCount(0);
+	for (const name of ["Density", "Age", "Effect of sun"]) await expect(studio.slider(name)).toHaveCount(0);
+	await expect(studio.button("Remove berries")).toHaveCount(0);
 	await expect(group(studio, "age")).toHaveCount(0);
 	await studio.openGroup("Interaction");
-	await expect(studio.slider("Sag")).toBeVisible();
+	await expect(studio.slider("Attempts")).toBeVisible();
+	await expect(studio.slider("Sagging")).toBeVisible();
 	await expect(studio.slider("Smallest radius")).toBeVisible();
 	await page.getByRole("radio", { name: "Paper" }).press("ArrowRight");
 	await expect(studio.fingerprint).toHaveText(natural);
@@ -46,12 +47,12 @@ test("each procedure brings the controls that it uses", { tag: "@long" }, async 
 test("a choice drops down, is a link, and comes back by a double click or Delete", { tag: "@long" }, async ({
 	page,
 }) => {
-	await new StudioPage(page).open("?v=2&preset=short-conical");
-	const fruit = page.getByRole("combobox", { name: "Fruit" });
+	await (await new StudioPage(page).open("?v=2&preset=short-conical")).openAdvanced();
+	const fruit = page.getByRole("combobox", { name: "Type of fruit" });
 	await expect(fruit).toHaveAccessibleDescription(/skin and surface/);
 	await fruit.selectOption("Lychee");
 	await expect(page).toHaveURL(/[?&]fruit=lychee/);
-	await page.getByText("Fruit", { exact: true }).dblclick();
+	await page.getByText("Type of fruit", { exact: true }).dblclick();
 	await expect(fruit).toHaveValue("0");
 	await fruit.selectOption("Duku");
 	await fruit.press("Delete");
@@ -63,6 +64,6 @@ test("instances are offered of natural bunches, too, with their size before one 
 	page,
 }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=short-conical");
-	await studio.button("Download").click();
-	await expect(page.locator("[data-format=glb-instanced] .size")).toHaveText(/^[\d.]+ (k|M)B$/, { timeout: 60_000 });
+	const sheet = await studio.openDownloads();
+	await expect(sheet.locator("[data-format=glb-instanced] .size")).toHaveText(/^[\d.]+ (k|M)B$/, { timeout: 60_000 });
 });

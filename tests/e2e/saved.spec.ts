@@ -30,8 +30,8 @@ test("what is saved is there again: searched, opened as one step, renamed, delet
 }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=riesling&seed=4");
 	await openSaved(page);
-	await expect(dialog(page)).toContainText("Nothing is saved yet.");
-	await expect(dialog(page)).toContainText("Kept in this browser only; nothing is sent anywhere.");
+	await expect(dialog(page)).toContainText("No saved plants yet.");
+	await expect(dialog(page)).toContainText("Stored in this browser only; nothing is sent anywhere.");
 	await expect(inDialog(page, "Export all")).toBeDisabled();
 	const name = dialog(page).getByLabel("Name", { exact: true });
 	await expect(name).toBeFocused();
@@ -40,11 +40,11 @@ test("what is saved is there again: searched, opened as one step, renamed, delet
 	await expect(status(page)).toHaveText("Saved as “Riesling”.");
 	await expect(name).toHaveValue("Riesling 2");
 	await save(page, "Riesling");
-	await expect(status(page)).toHaveText("Saved as “Riesling 2”: there is a “Riesling” already.");
+	await expect(status(page)).toHaveText("Saved as “Riesling 2”, because there is already a plant named “Riesling”.");
 	const riesling = await studio.fingerprint.innerText();
 	await page.keyboard.press("Escape");
 	await expect(dialog(page)).toBeHidden();
-	await studio.regrown(() => page.getByRole("button", { name: "Crocus", description: /three stamens/ }).click());
+	await studio.regrown(() => studio.choosePreset("flower", "crocus"));
 	await page.locator("body").press("Control+s");
 	await expect(name).toHaveValue("Crocus");
 	await save(page, "  My\tfirst crocus ");
@@ -56,10 +56,10 @@ test("what is saved is there again: searched, opened as one step, renamed, delet
 	await expect(names(page)).toHaveText(["My first crocus", "Riesling 2", "Riesling"]);
 	await expect(cards(page).locator("canvas")).toHaveCount(3);
 	await expect(cards(page).first().locator(".about")).toHaveText(/^Flower\s*\d+ \w+ \d{4}$/);
-	const search = dialog(page).getByRole("searchbox", { name: "Search what is saved" });
+	const search = dialog(page).getByRole("searchbox", { name: "Search my plants" });
 	await search.fill("ries");
 	await expect(names(page)).toHaveText(["Riesling 2", "Riesling"]);
-	await expect(dialog(page).locator(".found")).toHaveText("2 of 3");
+	await expect(dialog(page).locator(".found")).toHaveText("2 of 3 plants");
 	await dialog(page).getByRole("combobox", { name: "Order" }).selectOption("By name");
 	await expect(names(page)).toHaveText(["Riesling", "Riesling 2"]);
 
@@ -73,7 +73,7 @@ test("what is saved is there again: searched, opened as one step, renamed, delet
 	await expect(dialog(page).getByLabel("New name of Riesling 2")).toBeFocused();
 	await page.keyboard.type("Twin ries");
 	await page.keyboard.press("Enter");
-	await expect(status(page)).toHaveText("“Riesling 2” is “Twin ries” now.");
+	await expect(status(page)).toHaveText("Renamed “Riesling 2” to “Twin ries”.");
 	await expect(inDialog(page, "Open Twin ries")).toBeFocused();
 	await page.keyboard.press("F2");
 	await page.keyboard.type("No");
@@ -83,10 +83,10 @@ test("what is saved is there again: searched, opened as one step, renamed, delet
 	await expect(names(page)).toHaveText(["Riesling"]);
 	await expect(inDialog(page, "Open Riesling")).toBeFocused();
 	await page.keyboard.press("Control+z");
-	await expect(status(page)).toHaveText("“Twin ries” is back.");
+	await expect(status(page)).toHaveText("Restored “Twin ries”.");
 	await expect(inDialog(page, "Open Twin ries")).toBeFocused();
 	await inDialog(page, "Delete Twin ries").click();
-	await inDialog(page, "Bring “Twin ries” back").click();
+	await inDialog(page, "Undo deleting “Twin ries”").click();
 	await expect(names(page)).toHaveText(["Riesling", "Twin ries"]);
 
 	// Opening is one step, as choosing a preset is; the plant is the one that was saved.
@@ -105,7 +105,7 @@ test("several are selected by hand, by a range or by a search, deleted as one st
 	await new StudioPage(page).open("?v=2&preset=lychee");
 	await openSaved(page);
 	await imported(page, "many.panicle.json", libraryOf(7));
-	await expect(status(page)).toHaveText("7 imported.");
+	await expect(status(page)).toHaveText("Plants imported: 7.");
 	const select = (name: string) => dialog(page).getByRole("checkbox", { name, exact: true });
 	const selected = dialog(page).getByRole("group", { name: "Selection" });
 	await select("Select Vine 6").click();
@@ -113,22 +113,22 @@ test("several are selected by hand, by a range or by a search, deleted as one st
 	await expect(selected).toContainText("4 selected");
 	await select("Select Vine 5").click();
 	await inDialog(page, "Delete 3").click();
-	await expect(status(page)).toHaveText("3 are deleted.");
+	await expect(status(page)).toHaveText("Deleted 3 plants.");
 	await expect(names(page)).toHaveText(["Vine 5", "Vine 2", "Vine 1", "Vine 0"]);
-	await inDialog(page, "Bring 3 back").click();
-	await expect(status(page)).toHaveText("3 are back.");
+	await inDialog(page, "Undo deleting 3 plants").click();
+	await expect(status(page)).toHaveText("Restored 3 plants.");
 	await expect(inDialog(page, "Open Vine 6")).toBeFocused();
 	await expect(names(page)).toHaveCount(7);
 
 	// Items outside the search result are not deleted with it.
 	await select("Select all").click();
 	await expect(selected).toContainText("7 selected");
-	await dialog(page).getByRole("searchbox", { name: "Search what is saved" }).fill("vine 1");
+	await dialog(page).getByRole("searchbox", { name: "Search my plants" }).fill("vine 1");
 	await expect(selected).toContainText("1 selected");
 	await inDialog(page, "Open Vine 1").focus();
 	await page.keyboard.press("Delete");
-	await expect(status(page)).toHaveText("“Vine 1” is deleted.");
-	await dialog(page).getByRole("searchbox", { name: "Search what is saved" }).fill("");
+	await expect(status(page)).toHaveText("Deleted “Vine 1”.");
+	await dialog(page).getByRole("searchbox", { name: "Search my plants" }).fill("");
 	await expect(names(page)).toHaveCount(6);
 
 	// By keys alone: everything, and both steps back.
@@ -136,13 +136,13 @@ test("several are selected by hand, by a range or by a search, deleted as one st
 	await page.keyboard.press("Control+a");
 	await expect(selected).toContainText("6 selected");
 	await page.keyboard.press("Delete");
-	await expect(dialog(page)).toContainText("Nothing is saved yet.");
-	await inDialog(page, "Bring 6 back").click();
-	await inDialog(page, "Bring “Vine 1” back").click();
-	await inDialog(page, "Undo the import of 7").click();
-	await expect(status(page)).toHaveText("The import is undone: 7 removed.");
+	await expect(dialog(page)).toContainText("No saved plants yet.");
+	await inDialog(page, "Undo deleting 6 plants").click();
+	await inDialog(page, "Undo deleting “Vine 1”").click();
+	await inDialog(page, "Undo importing 7 plants").click();
+	await expect(status(page)).toHaveText("Undid the import and removed 7 plants.");
 	await expect(cards(page)).toHaveCount(0);
-	await expect(dialog(page).getByRole("button", { name: /back$|^Undo/ })).toHaveCount(0);
+	await expect(dialog(page).getByRole("button", { name: /^Undo/ })).toHaveCount(0);
 });
 
 test("of 10,000 specimens only those in sight are in the page, and keys, search and screen readers reach all of them", async ({
@@ -151,7 +151,7 @@ test("of 10,000 specimens only those in sight are in the page, and keys, search 
 	await new StudioPage(page).open("?v=2&preset=lychee");
 	await openSaved(page);
 	await imported(page, "many.panicle.json", libraryOf(10_000));
-	await expect(status(page)).toHaveText("10,000 imported.");
+	await expect(status(page)).toHaveText("Plants imported: 10,000.");
 	const size = () => dialog(page).evaluate((element) => element.querySelectorAll("*").length);
 	expect(await size()).toBeLessThan(1500);
 	const item = (name: string) =>
@@ -178,7 +178,7 @@ test("of 10,000 specimens only those in sight are in the page, and keys, search 
 	await page.keyboard.press("ArrowDown");
 	await expect(dialog(page).locator("[data-saved]:focus-within")).toHaveAttribute("aria-posinset", /^[2-9]$/);
 
-	await dialog(page).getByRole("searchbox", { name: "Search what is saved" }).fill("vine 4321");
+	await dialog(page).getByRole("searchbox", { name: "Search my plants" }).fill("vine 4321");
 	await expect(names(page)).toHaveText(["Vine 4321"]);
 	await expect(cards(page)).toHaveAttribute("aria-setsize", "1");
 });
@@ -192,12 +192,12 @@ test("everything goes into one file and comes back out of it, once; what cannot 
 	await save(page, "<img src=x onerror=alert(1)>");
 	const text = await exported(page);
 	await imported(page, "again.json", text);
-	await expect(status(page)).toHaveText("Nothing new: all 2 were there already.");
+	await expect(status(page)).toHaveText("Nothing was imported: all 2 plants are already here.");
 	await imported(page, "cut.panicle.json", text.slice(0, -9));
 	await expect(status(page)).toContainText("cut.panicle.json was not imported.");
-	await expect(status(page)).toContainText("damaged or unfinished JSON");
+	await expect(status(page)).toContainText("is damaged or incomplete.");
 	await imported(page, "plant.json", '{"specimen":{"preset":"duku"}}');
-	await expect(status(page)).toContainText("plant.json is one plant: Open… opens it.");
+	await expect(status(page)).toContainText("plant.json is a single plant. Use Open… for it.");
 	await page.keyboard.press("Escape");
 	await forget(page);
 
@@ -215,14 +215,16 @@ test("everything goes into one file and comes back out of it, once; what cannot 
 		},
 	);
 	await studio.drop("mine.panicle.json", Buffer.from(JSON.stringify(document)));
-	await expect(status(page)).toContainText("3 imported.");
-	await expect(status(page)).toContainText("No. 3, “No link”: its link is not text; it is left out.");
-	await expect(status(page)).toContainText("No. 4, “Changed”: its picture is no JPEG; it comes without.");
+	await expect(status(page)).toContainText("Plants imported: 3.");
+	await expect(status(page)).toContainText("No. 3, “No link”: The link is not text. This plant was skipped.");
+	await expect(status(page)).toContainText(
+		"No. 4, “Changed”: The picture is not a JPEG. This plant was imported without a picture.",
+	);
 	await expect(names(page)).toHaveText(["<img src=x onerror=alert(1)>", "Lychee", "Changed"]);
 
 	// A plant that differs from the file's fingerprint is opened with a message.
 	await studio.regrown(() => inDialog(page, "Open Changed").click());
-	await expect(studio.notices).toContainText("“Changed” grows otherwise than when it was saved");
+	await expect(studio.notices).toContainText("“Changed” no longer matches the saved plant");
 	await expect(studio.notices).toContainText("fingerprint 0123456789abcdef");
 });
 
@@ -241,7 +243,7 @@ test("two tabs see what the other does, and a later version in one is no harm to
 	await expect(names(second)).toHaveText(["Lychee"]);
 	await inDialog(second, "Delete Lychee").click();
 	await expect(cards(page)).toHaveCount(0);
-	await inDialog(second, "Bring “Lychee” back").click();
+	await inDialog(second, "Undo deleting “Lychee”").click();
 	await expect(names(page)).toHaveText(["Lychee"]);
 
 	// Later versions need not wait for this one to let go.
@@ -254,9 +256,9 @@ test("two tabs see what the other does, and a later version in one is no harm to
 			}),
 	);
 	await inDialog(page, /^Save this/).click();
-	await expect(dialog(page).getByRole("alert")).toContainText("A newer version of this page, in another tab");
+	await expect(dialog(page).getByRole("alert")).toContainText("A newer version of Panicle in another tab");
 	await expect(names(page)).toHaveText(["Lychee 2", "Lychee"]);
-	await expect(cards(page).first()).toContainText("not kept");
+	await expect(cards(page).first()).toContainText("not stored");
 });
 
 test("plants that do not fit on a full disk are reported, can be exported, and are stored when there is room", {
@@ -268,11 +270,11 @@ test("plants that do not fit on a full disk are reported, can be exported, and a
 	await fill(page, true);
 	await inDialog(page, /^Save this/).click();
 	const alert = dialog(page).getByRole("alert");
-	await expect(alert).toContainText("the part of it that the browser grants this page, is full");
-	await expect(status(page)).toHaveText(/^\s*This bunch is saved already, as “Lychee/);
-	await expect(alert).toContainText("“Lychee 2” is here only until the page is closed");
+	await expect(alert).toContainText("Browser storage is full.");
+	await expect(status(page)).toHaveText(/^\s*This plant is already saved as “Lychee/);
+	await expect(alert).toContainText("“Lychee 2” could not be stored and will be lost");
 	await expect(names(page)).toHaveText(["Lychee 2", "Lychee"]);
-	const text = await exported(page, "Export what is not kept");
+	const text = await exported(page, "Export unsaved plants");
 	expect(JSON.parse(text).specimens.map(({ name }: { name: string }) => name)).toEqual(["Lychee 2"]);
 	// Leaving the page requires a confirmation.
 	const confirmation = page.waitForEvent("dialog");
@@ -298,10 +300,10 @@ test("a browser that keeps nothing says so before anything is saved", { tag: "@l
 	await page.setViewportSize({ width: 390, height: 844 });
 	const studio = await new StudioPage(page).open("?v=2&preset=lychee");
 	await openSaved(page);
-	await expect(dialog(page).getByRole("alert")).toContainText("The browser does not let this page keep anything");
+	await expect(dialog(page).getByRole("alert")).toContainText("Your browser does not let this page store data");
 	await inDialog(page, /^Save this/).click();
 	await expect(names(page)).toHaveText(["Lychee"]);
-	await expect(cards(page)).toContainText("not kept");
+	await expect(cards(page)).toContainText("not stored");
 	expect(await studio.overflow()).toBeLessThanOrEqual(0);
 	const sideways = await dialog(page).evaluate((element) => element.scrollWidth - element.clientWidth);
 	expect(sideways).toBeLessThanOrEqual(0);

@@ -3,7 +3,7 @@ import { readFileSync } from "node:fs";
 import type { Locator, Page } from "@playwright/test";
 import { expect } from "./fixtures";
 
-export const dialog = (page: Page) => page.getByRole("dialog", { name: "Saved" });
+export const dialog = (page: Page) => page.getByRole("dialog", { name: "My plants" });
 export const cards = (page: Page) => dialog(page).locator("[data-saved]");
 export const names = (page: Page) => dialog(page).locator("[data-saved] .name");
 export const status = (page: Page) => dialog(page).locator(".said [role=status]");
@@ -12,7 +12,7 @@ export const inDialog = (page: Page, name: string | RegExp): Locator =>
 
 /** Opens the dialog by its button. */
 export async function openSaved(page: Page): Promise<void> {
-	await page.getByRole("button", { name: "Saved…" }).click();
+	await page.getByRole("button", { name: "My plants" }).click();
 	await expect(dialog(page)).toBeVisible();
 }
 

@@ -19,6 +19,7 @@ test("dragging a handle regrows the bunch and is one step, in the address and in
 	const first = await studio.fingerprint.innerText();
 	await studio.regrown(() => dragBy(studio, "p3", 30, 10));
 	await expect(page).toHaveURL(/[?&]p3=\d+,\d+/);
+	await studio.openAdvanced();
 	expect(Number(await value(page, "Right width"))).toBeGreaterThan(60);
 	await studio.button("Undo").click();
 	await expect(studio.fingerprint).toHaveText(first);
@@ -143,21 +144,22 @@ test("sliders work by keyboard, say their unit, and a held key is one step", asy
 
 test("typed values are taken, clamped with a word, or refused with one", async ({ page }) => {
 	const studio = await new StudioPage(page).open();
-	const field = page.getByRole("textbox", { name: "Length in millimetres" });
+	const field = page.getByRole("textbox", { name: "Length in millimetres", exact: true });
 	await field.fill("150");
 	await field.press("Enter");
 	await expect(studio.slider("Length")).toHaveValue("348");
 	await expect(studio.slider("Length")).toHaveAttribute("aria-valuetext", "150 millimetres");
-	await page.getByRole("switch", { name: "The paper’s pixels too" }).check();
+	await studio.openAdvanced();
+	await page.getByRole("switch", { name: "Also show lengths in pixels, as in Huang et al. (2013)" }).check();
 	await expect(page.locator("[data-key=l] label")).toContainText("348 px");
 	await field.fill("900");
 	await field.press("Enter");
 	await expect(field).toHaveValue("250");
-	await expect(page.getByText("Length takes 12.5 … 250 mm. 900 became 250.")).toBeVisible();
+	await expect(page.getByText("Length: 900 was changed to 250.")).toBeVisible();
 	await field.fill("wide");
 	await field.press("Enter");
 	await expect(field).toHaveValue("250");
-	await expect(page.getByText("“wide” is not a number; Length stays 250.")).toBeVisible();
+	await expect(page.getByText("“wide” is not a number. Length is still 250.")).toBeVisible();
 });
 
 test("a double click on a slider's name brings the preset's value back", { tag: "@long" }, async ({ page }) => {
@@ -168,6 +170,7 @@ test("a double click on a slider's name brings the preset's value back", { tag: 
 
 test("a double click on a handle brings its numbers back, as one step", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical&p3=90,150&l=400");
+	await studio.openAdvanced();
 	const { x, y } = await studio.grip("Front", "p3");
 	await studio.regrown(() => page.mouse.dblclick(x, y));
 	await expect(studio.slider("Right width")).toHaveValue("47");
@@ -181,6 +184,7 @@ test("a double click on a handle brings its numbers back, as one step", { tag: "
 test("mirror, locks and reset", async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=short-conical");
 	const first = await studio.fingerprint.innerText();
+	await studio.openAdvanced();
 	await studio.regrown(() => studio.button("Mirror left–right").click());
 	expect([await value(page, "Right width"), await value(page, "Left width")]).toEqual(["116", "79"]);
 	await studio.regrown(() => studio.button("Mirror front–back").click());
@@ -211,16 +215,16 @@ test("a new variation is another bunch of the same shape; typing its seed brings
 	await seed.fill("5000000000");
 	await seed.press("Enter");
 	await expect(seed).toHaveValue("4294967295");
-	await expect(studio.notices).toContainText("4294967295 is used");
+	await expect(studio.notices).toContainText("4,294,967,295 was used");
 });
 
 test("as printed sets fit and vary to 0 and back", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&procedure=paper");
-	await studio.openGroup("Between the integers");
+	await studio.openGroup("Fine fit");
 	const first = await studio.fingerprint.innerText();
 	await studio.regrown(() => page.getByRole("switch", { name: "As printed" }).click());
-	await expect(studio.slider("Fit")).toHaveValue("0");
-	await expect(studio.slider("Vary")).toHaveValue("0");
+	await expect(studio.slider("Fine fit")).toHaveValue("0");
+	await expect(studio.slider("Variation")).toHaveValue("0");
 	await page.getByRole("switch", { name: "As printed" }).click();
 	await expect(studio.fingerprint).toHaveText(first);
 });
@@ -228,7 +232,6 @@ test("as printed sets fit and vary to 0 and back", { tag: "@long" }, async ({ pa
 test("colours change the picture, not the bunch", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open();
 	const first = await studio.fingerprint.innerText();
-	await studio.openGroup("Look");
 	const skin = page.getByRole("textbox", { name: "Skin colour, six hexadecimal digits" });
 	await skin.fill("#88AA44");
 	await skin.press("Enter");
@@ -261,6 +264,7 @@ test("a flat view draws the bunch that stands there, in the theme's ink", { tag:
 	expect(first.count).toBeGreaterThan(300);
 	expect(first.x).toBeCloseTo(0.5, 1);
 	expect(first.light).toBeLessThan(90);
+	await studio.openAdvanced();
 	await studio.regrown(() => studio.slider("Right width").fill("150"));
 	await expect.poll(async () => (await ink()).x).toBeGreaterThan(first.x + 0.01);
 	await studio.button("Dark theme").click();

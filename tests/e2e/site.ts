@@ -75,6 +75,26 @@ export const wholeBuilds = (page: Page): Promise<number> =>
 		return (await Promise.all(found)).filter(Boolean).length;
 	});
 
+/** The state of a page's service worker and caches, for the report of a test that waits in vain. */
+const storageState = (page: Page): Promise<unknown> =>
+	page.evaluate(async () => {
+		const registrations = await navigator.serviceWorker.getRegistrations();
+		const states = registrations.map(({ installing, waiting, active }) => [installing, waiting, active]);
+		const counted = (await caches.keys()).map(async (name) => [name, (await (await caches.open(name)).keys()).length]);
+		return {
+			workers: states.map((workers) => workers.map((worker) => worker?.state ?? "none")),
+			controlled: navigator.serviceWorker.controller !== null,
+			caches: Object.fromEntries(await Promise.all(counted)),
+			storage: await navigator.storage.estimate(),
+			fingerprint: document.querySelector(".fingerprint")?.textContent,
+		};
+	});
+
 /** Waits until a page's browser keeps one build whole: a machine that is busy takes its time. */
-export const expectStored = (page: Page): Promise<void> =>
-	expect.poll(() => wholeBuilds(page), { timeout: 60_000 }).toBe(1);
+export async function expectStored(page: Page): Promise<void> {
+	try {
+		await expect.poll(() => wholeBuilds(page), { timeout: 60_000 }).toBe(1);
+	} catch (error) {
+		throw new Error(`No build is whole: ${JSON.stringify(await storageState(page), undefined, 1)}`, { cause: error });
+	}
+}

@@ -1,4 +1,5 @@
 import type { Locator, Page } from "@playwright/test";
+import { DIALOGS, openDialog } from "./dialogs";
 import { expect, test } from "./fixtures";
 import { StudioPage } from "./studio_page";
 
@@ -73,11 +74,11 @@ for (const [width, height] of [
 
 test("focus on a button that opens a file keeps the page in its place", async ({ page }) => {
 	await page.setViewportSize({ width: 390, height: 844 });
-	await new StudioPage(page).open("?v=2&model=tree&preset=sphere");
-	const file = page.getByLabel(/^Inner mesh/);
+	await (await new StudioPage(page).open("?v=2&model=tree&preset=sphere")).openAdvanced();
+	const file = page.getByLabel(/^Choose inner mesh/);
 	await file.focus();
 	await expect(file).toBeFocused();
-	await expect(page.getByText(/^Inner mesh/)).toBeInViewport();
+	await expect(page.getByText(/^Choose inner mesh/)).toBeInViewport();
 	expect(await page.locator(".studio").evaluate((studio) => studio.scrollTop)).toBe(0);
 });
 
@@ -119,6 +120,27 @@ for (const [query, editors] of [
 			await expectAllAtHand(page, `${editor}:visible button`);
 		}
 		await expectAllAtHand(page, ".life-bar button:visible, .life-bar select, .actions .button:visible");
+		expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
+	});
+}
+
+test("every control of the home page is within reach at 320 × 256", { tag: "@long" }, async ({ page }) => {
+	await page.setViewportSize({ width: 320, height: 256 });
+	await page.goto("./");
+	await expect(page.locator(".family")).toHaveCount(8);
+	await expectAllAtHand(page, "button:visible, a[href]:visible, input:visible:not([type=file])");
+});
+
+for (const place of DIALOGS) {
+	test(`every control of the dialog “${place.name}” is within reach at 320 × 256`, { tag: "@long" }, async ({
+		page,
+	}) => {
+		await page.setViewportSize({ width: 320, height: 256 });
+		const studio = await new StudioPage(page).open("?v=2&preset=redcurrant&count=12");
+		await studio.presetsListed();
+		await openDialog(studio, place);
+		const controls = ["button", "a[href]", "input:not([type=file])", "select", "textarea", "summary"];
+		await expectAllAtHand(page, controls.map((each) => `dialog[open] ${each}:visible`).join(", "));
 		expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
 	});
 }

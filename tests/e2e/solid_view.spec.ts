@@ -14,7 +14,7 @@ test("the 3-D view turns by mouse and keys, and comes back to the picture it beg
 	const studio = await new StudioPage(page).open("?v=2&preset=short-conical");
 	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
 	// The rest of the page has arrived: it may still change the first picture.
-	await expect(page.locator("[data-preset=twin]")).toBeAttached();
+	await studio.presetsListed();
 	await page.waitForLoadState("networkidle");
 	/** Without the lowest rows, where the focus ring crosses a button of the view. */
 	const drawn = async () => {
@@ -56,10 +56,10 @@ test("stems only leaves the berries away", { tag: "@long" }, async ({ page }) =>
 	const studio = await new StudioPage(page).open();
 	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
 	const whole = await studio.inkOnCanvas();
-	await studio.button("Show stems only").click();
-	await expect(studio.button("Show stems only")).toHaveAttribute("aria-pressed", "true");
+	await studio.button("Hide berries").click();
+	await expect(studio.button("Hide berries")).toHaveAttribute("aria-pressed", "true");
 	await expect.poll(() => studio.inkOnCanvas()).toBeLessThan(whole / 2);
-	await studio.button("Show stems only").blur();
+	await studio.button("Hide berries").blur();
 	await page.keyboard.press("s");
 	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(whole / 2);
 });
@@ -67,8 +67,8 @@ test("stems only leaves the berries away", { tag: "@long" }, async ({ page }) =>
 test("the octahedron's handles can be dragged in 3-D, as one undo step", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=grape-15b");
 	const first = await studio.fingerprint.innerText();
-	await studio.button("Octahedron").click();
-	await expect(studio.button("Octahedron")).toHaveAttribute("aria-pressed", "true");
+	await studio.button("Outline in 3D").click();
+	await expect(studio.button("Outline in 3D")).toHaveAttribute("aria-pressed", "true");
 	await expect.poll(() => studio.lowestHandle()).toBeDefined();
 	const tip = await studio.lowestHandle();
 	if (!tip) throw new Error("no handle to be seen");
@@ -86,13 +86,40 @@ test("the octahedron's handles can be dragged in 3-D, as one undo step", { tag: 
 test.describe("without the picture", () => {
 	test.use({ drawn: false });
 
-	test("the help lists the keys and gives the focus back", async ({ page }) => {
-		await new StudioPage(page).open();
+	test("the list of shortcuts opens by its key, in French and on a narrow screen, and gives the focus back", async ({
+		page,
+	}) => {
+		await page.setViewportSize({ width: 320, height: 640 });
+		await page.addInitScript(() => localStorage.setItem("panicle.ui", '{"language":"fr"}'));
+		const studio = await new StudioPage(page).open();
+		const help = page.getByRole("button", { name: "Aide" });
+		await help.focus();
 		await page.keyboard.press("?");
-		const dialog = page.getByRole("dialog", { name: "Panicle" });
+		const dialog = page.getByRole("dialog", { name: "Raccourcis clavier" });
 		await expect(dialog).toContainText("Ctrl+Shift+Z");
+		await expect(dialog.getByRole("button", { name: "Fermer" })).toBeFocused();
+		expect(await dialog.evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth)).toBeLessThanOrEqual(0);
+		expect(await studio.overflow()).toBeLessThanOrEqual(0);
 		await page.keyboard.press("Escape");
 		await expect(dialog).toBeHidden();
+		await expect(help).toBeFocused();
+	});
+
+	test("the cursor shows that a drag turns the plant, and that a click removes a berry", async ({ page }) => {
+		const studio = await new StudioPage(page).open("?v=2&preset=duku");
+		const cursor = () => studio.canvas.evaluate((canvas) => getComputedStyle(canvas).cursor);
+		expect(await cursor()).toBe("grab");
+		const box = await studio.canvas.boundingBox();
+		if (!box) throw new Error("no view");
+		await page.mouse.move(box.x + 40, box.y + 40);
+		await page.mouse.down();
+		await page.mouse.move(box.x + 60, box.y + 50);
+		expect(await cursor()).toBe("grabbing");
+		await page.mouse.up();
+		expect(await cursor()).toBe("grab");
+		await page.keyboard.press("t");
+		await expect(studio.button("Remove berries")).toHaveAttribute("aria-pressed", "true");
+		expect(await cursor()).toBe("crosshair");
 	});
 
 	test("a screen reader announces the plant once it rests", async ({ page }) => {

@@ -20,13 +20,13 @@ test("a stand grows, shows its plants on the map, is walked through, changed and
 	await expect(plan.getByText(/^Plant 3: [A-Z]/)).toHaveCount(0);
 	await plan.getByRole("spinbutton", { name: "Plant" }).fill("3");
 	await plan.getByRole("spinbutton", { name: "Plant" }).press("Enter");
-	const alone = plan.getByRole("link", { name: "Open this plant alone" });
+	const alone = plan.getByRole("link", { name: "Open this plant" });
 	await expect(alone).toHaveAttribute("href", /model=growth.*seed=\d+.*&about=/);
 
 	const picture = page.locator("canvas").first();
-	const forward = studio.button("Walk forward");
+	const forward = studio.button("Walk forwards");
 	for (const leave of [() => page.keyboard.press("Escape"), () => studio.button("Leave").click()]) {
-		await studio.button("Walk through it").click();
+		await studio.button("Walk through").click();
 		await expect(picture).toBeFocused();
 		// Letters are the walker's, on the picture and on the steps; those of the page rest.
 		for (const key of ["w", "ArrowUp", "ArrowLeft", "n"]) await page.keyboard.press(key);
@@ -57,7 +57,8 @@ test("a stand grows, shows its plants on the map, is walked through, changed and
 	await alone.click();
 	await expect(page.getByText(/, among neighbours/).first()).toBeVisible();
 	const among = await studio.fingerprint.textContent();
-	await studio.button("Grow it without neighbours").click();
+	await studio.openAdvanced();
+	await studio.button("Remove neighbours").click();
 	await expect(studio.fingerprint).not.toHaveText(among ?? "");
 	await expect(page).not.toHaveURL(/about=/);
 	await studio.button("Undo").click();
@@ -75,7 +76,7 @@ test("a plan is edited; what it asks for and there is not is told at its place, 
 	await text.click();
 	await page.keyboard.press("ControlOrMeta+End");
 	await page.keyboard.insertText("\nlilac/blue, share 900");
-	await expect(page.getByText(/There is no model lilac; there are bunch/).first()).toBeVisible();
+	await expect(page.getByText(/There is no model lilac\. The models are bunch/).first()).toBeVisible();
 	expect(await studio.fingerprint.textContent()).toBe(before);
 	// The faulty line is fully visible above its message.
 	const inSight = () =>
@@ -86,7 +87,7 @@ test("a plan is edited; what it asks for and there is not is told at its place, 
 		});
 	await expect.poll(inSight).toBe(true);
 	await page.keyboard.insertText(", share -1");
-	await expect(page.getByText(/A share is from 0/).first()).toBeVisible();
+	await expect(page.getByText(/outside the range from 0/).first()).toBeVisible();
 	expect(await studio.fingerprint.textContent()).toBe(before);
 });
 
@@ -99,7 +100,7 @@ test.describe("in the wind", () => {
 		const studio = await new StudioPage(page).open("?v=2&model=stand&preset=vineyard&many=6");
 		await studio.stands();
 		const picture = async () => (await page.locator("canvas").first().screenshot()).toString("base64");
-		const wind = studio.button("Wind");
+		const wind = studio.button("Wind on/off");
 		await wind.click();
 		await expect(wind).toHaveAttribute("aria-pressed", "true");
 		const first = await picture();

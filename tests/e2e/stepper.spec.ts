@@ -80,9 +80,9 @@ test("strings, parents and children of the algae are those worked out by hand, a
 	await expect(studio.string).toHaveAccessibleName("String: Step 4 of 9, 5 modules");
 	await studio.modules.nth(3).click();
 	await expect(studio.details).toContainText("4 of 5");
-	await expect(studio.details).toContainText("Written by line 10.");
-	await expect(studio.details).toContainText("Rewritten next by line 10");
-	await expect(studio.details).toContainText("It becomes 2 modules.");
+	await expect(studio.details).toContainText("Produced by line 10.");
+	await expect(studio.details).toContainText("Rewritten in the next step by line 10");
+	await expect(studio.details).toContainText("The module is replaced by 2 modules.");
 	await expect(studio.text.locator(".cm-fires")).toHaveText("a --> a b");
 	await studio.string.focus();
 	await page.keyboard.press("ArrowUp");
@@ -111,12 +111,12 @@ test("a module lists the productions that do not rewrite it, and why; each leads
 	const studio = await new StepperPage(page).steps("?v=2&model=grammar", text);
 	await studio.step.fill("0");
 	await studio.modules.first().click();
-	const others = studio.details.getByRole("list", { name: "Productions that do not apply" });
+	const others = studio.details.getByRole("list", { name: "Productions that were not used, and why" });
 	await expect(others.getByRole("listitem")).toHaveText([
-		"Not line 2: its condition is false with x = 3.",
-		"Not line 3: the B behind it is in a branch; to match it there, write > [ B ].",
+		"Not rewritten by line 2: the condition is false with x = 3.",
+		"Not rewritten by line 3: the “B” after the module is in a branch; to match it there, write “> [ B ]”.",
 	]);
-	await expect(studio.details).toContainText("Rewritten next by line 4 with x = 3");
+	await expect(studio.details).toContainText("Rewritten in the next step by line 4 with x = 3");
 	await others.getByRole("button", { name: "line 3" }).click();
 	await expect(studio.text).toBeFocused();
 });
@@ -128,7 +128,12 @@ test("the modules of the production at the cursor are marked", { tag: "@long" },
 	await studio.text.locator(".cm-line", { hasText: "a --> a b" }).click();
 	await expect(studio.modules.and(page.locator(".rewritten"))).toHaveCount(3);
 	await expect(studio.modules.and(page.locator(".written"))).toHaveCount(4);
-	await expect(studio.details).toContainText("The production in line 10 wrote 4 of them and rewrites 3 next.");
+	// The marks are lines, not only colours.
+	await expect(page.locator(".module.rewritten").first()).toHaveCSS("border-bottom-style", "solid");
+	await expect(page.locator(".module.written").first()).toHaveCSS("text-decoration-line", "overline");
+	await expect(studio.details).toContainText(
+		"The production on line 10 produced 4 of the modules and rewrites 3 in the next step.",
+	);
 });
 
 test("a slider dragged fast shows no string but of the step where it stands", { tag: "@long" }, async ({ page }) => {
@@ -158,7 +163,7 @@ test("in context, only what has its neighbour is rewritten; by chance, the lot i
 	await studio.reads("baaaaaaaa");
 	await expect(studio.string.locator(".fires")).toHaveCount(2);
 	await studio.modules.nth(1).click();
-	await expect(studio.details).toContainText("Rewritten next by line 10");
+	await expect(studio.details).toContainText("Rewritten in the next step by line 10");
 	await studio.button("Step forward").click();
 	await studio.reads("abaaaaaaa");
 	await expect(studio.chosen).toHaveText("b");
@@ -167,7 +172,7 @@ test("in context, only what has its neighbour is rewritten; by chance, the lot i
 	await studio.button("First step").click();
 	await studio.reads("F");
 	await studio.modules.first().click();
-	await expect(studio.details).toContainText(/line 1\d, by chance: 0\.3[34] of 1 is its weight, 0\.\d+ was drawn/);
+	await expect(studio.details).toContainText(/line 1\d\. +Random choice: probability 0\.3[34] of 1 \(drew 0\.\d+\)/);
 });
 
 test("a mistake in the text leaves the string; a change derives anew", { tag: "@long" }, async ({ page }) => {
@@ -218,7 +223,7 @@ test("a long string is there a window at a time, and is walked through to its en
 	page,
 }) => {
 	const studio = await new StepperPage(page).steps("?v=2&model=grammar&preset=stochastic-plant");
-	const place = studio.slider("Place in the string");
+	const place = studio.slider("Position in the string");
 	const length = Number(await studio.modules.first().getAttribute("aria-setsize"));
 	expect(length).toBeGreaterThan(1500);
 	await expect(studio.modules).toHaveCount(600);
@@ -256,14 +261,14 @@ test.describe("in the view", () => {
 		await expect(studio.string.locator(".pointed")).toHaveText("F");
 		// The module does not exist in the step before: its ancestor is chosen, and all descendants of that are
 		// highlighted.
-		await studio.button("Show the plant as it was after the step").click();
+		await studio.button("Show the plant as it was after this step").click();
 		await studio.step.fill("1");
 		await studio.reads("BC");
 		await page.mouse.click(x, y);
 		await expect(studio.chosen).toHaveText("C");
 	});
 
-	test("the plant is shown as it was after the step, and the whole again where that is not wanted", {
+	test("the plant is shown as it was after this step, and the whole again where that is not wanted", {
 		tag: "@long",
 	}, async ({ page }) => {
 		const studio = await new StepperPage(page).steps(ALGAE);
@@ -271,7 +276,7 @@ test.describe("in the view", () => {
 		await studio.step.fill("6");
 		const caption = page.locator("panicle-stage .caption p");
 		await expect(caption).toHaveText("After step 6: 13 modules, 13 segments");
-		await studio.button("Show the plant as it was after the step").click();
+		await studio.button("Show the plant as it was after this step").click();
 		await expect(caption).toHaveText("55 modules, 55 segments");
 		await studio.modules.nth(2).click();
 		await expect.poll(async () => (await studio.shining()).count).toBeGreaterThan(0);
@@ -280,8 +285,8 @@ test.describe("in the view", () => {
 
 test("a bunch tells what its pedicels asked, what they were answered, and why", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StepperPage(page).steps("?v=1&preset=grape-15b");
-	await studio.button("Next question").click();
-	await expect(studio.details).toContainText(/Asked .+ → answered /);
+	await studio.button("Next query").click();
+	await expect(studio.details).toContainText(/Query: .+ Response: /);
 	const last = Number(await studio.step.getAttribute("max"));
 	expect(last).toBeGreaterThan(5);
 	await studio.button("First step").click();
@@ -297,7 +302,7 @@ test.describe("on a phone", () => {
 		expect(await studio.overflow()).toBeLessThanOrEqual(0);
 		expect((await studio.string.boundingBox())?.height).toBeGreaterThan(90);
 		await studio.modules.nth(2).tap();
-		await expect(studio.details).toContainText("Written by line");
+		await expect(studio.details).toContainText("Produced by line");
 		await studio.button("Step back").tap();
 		await expect(studio.step).toHaveValue("8");
 		for (const name of ["First step", "Step back", "Play the steps", "Step forward", "Last step"])

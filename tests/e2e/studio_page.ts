@@ -5,7 +5,7 @@ export class StudioPage {
 	constructor(readonly page: Page) {}
 
 	/** Opens the app and waits for the first bunch. */
-	async open(search = ""): Promise<this> {
+	async open(search = "?v=2"): Promise<this> {
 		await this.page.goto(`./${search}`);
 		await expect(this.fingerprint).toHaveText(/^[0-9a-f]{16}$/);
 		return this;
@@ -14,6 +14,31 @@ export class StudioPage {
 	/** Waits until the plant stands in the 3-D view, where it can be pointed at. */
 	async stands(): Promise<void> {
 		await this.page.waitForFunction(() => performance.getEntriesByName("first-bunch").length > 0);
+	}
+
+	/** Waits until the presets of all models are in the gallery. */
+	async presetsListed(): Promise<void> {
+		await expect(this.page.locator("panicle-gallery[data-models='8']")).toBeAttached();
+	}
+
+	/** Opens the gallery of presets. @returns the dialog */
+	async browse(): Promise<Locator> {
+		await this.presetsListed();
+		await this.page.getByRole("button", { name: "Browse presets" }).click();
+		const dialog = this.page.getByRole("dialog", { name: "Presets" });
+		await expect(dialog).toBeVisible();
+		return dialog;
+	}
+
+	/** Chooses a preset of any family in the gallery of presets. */
+	async choosePreset(model: string, preset: string): Promise<void> {
+		const dialog = await this.browse();
+		await dialog.getByRole("button", { name: "All", exact: true }).click();
+		const papers = dialog.getByText("From research papers");
+		if (!(await dialog.locator(`section[data-model=${model}] [data-preset=${preset}]`).isVisible()))
+			await papers.click();
+		await dialog.locator(`section[data-model=${model}] [data-preset=${preset}]`).click();
+		await expect(dialog).toBeHidden();
 	}
 
 	get fingerprint(): Locator {
@@ -74,9 +99,19 @@ export class StudioPage {
 		return at;
 	}
 
+	/** Opens a group of the panel by its title, and the disclosure "Advanced" if the group is in it. */
 	async openGroup(title: string): Promise<void> {
-		const group = this.page.locator("details", { has: this.page.locator("summary", { hasText: title }) });
-		if ((await group.getAttribute("open")) === null) await group.locator("summary").click();
+		const heading = this.page.locator(".group > summary").filter({ hasText: new RegExp(`^${title}$`) });
+		const around = heading.locator("xpath=ancestor::details");
+		for (let level = 0; level < (await around.count()); level++) {
+			const group = around.nth(level);
+			if ((await group.getAttribute("open")) === null) await group.locator("> summary").click();
+		}
+	}
+
+	/** Opens the disclosure of the panel that contains every group but the basics and the numbers. */
+	openAdvanced(): Promise<void> {
+		return this.openGroup("Advanced");
 	}
 
 	/** Runs an action and waits for the bunch that follows from it. */
@@ -87,10 +122,36 @@ export class StudioPage {
 		return this.fingerprint.innerText();
 	}
 
-	async download(format: string): Promise<{ name: string; bytes: Buffer }> {
-		const downloading = this.page.waitForEvent("download");
+	/** Opens the download sheet. */
+	async openDownloads(): Promise<Locator> {
 		await this.button("Download").click();
-		await this.page.locator(`[data-format=${format}]`).click();
+		const sheet = this.page.getByRole("dialog", { name: "Download", exact: true });
+		await expect(sheet).toBeVisible();
+		return sheet;
+	}
+
+	/** Opens the share sheet. */
+	async openShare(): Promise<Locator> {
+		await this.button("Share").click();
+		const sheet = this.page.getByRole("dialog", { name: "Share this plant" });
+		await expect(sheet).toBeVisible();
+		return sheet;
+	}
+
+	/** Chooses a format of the download sheet by its key. */
+	async chooseFormat(format: string): Promise<void> {
+		await (await this.openDownloads()).locator(`[data-format=${format}]`).click();
+	}
+
+	/** Downloads a file by the key of its format. */
+	download(format: string): Promise<{ name: string; bytes: Buffer }> {
+		return this.downloaded(() => this.chooseFormat(format));
+	}
+
+	/** Runs an action and reads the file that it downloads. */
+	async downloaded(action: () => Promise<void>): Promise<{ name: string; bytes: Buffer }> {
+		const downloading = this.page.waitForEvent("download");
+		await action();
 		const download = await downloading;
 		const chunks: Buffer[] = [];
 		for await (const chunk of await download.createReadStream()) chunks.push(chunk as Buffer);

@@ -46,12 +46,12 @@ test("areas come, change places and go in the panel, by numbers, and from a file
 	const list = page.getByRole("list", { name: "Growth areas, in the order of the main branch" });
 	await studio.button("Cone").click();
 	await expect(list.getByRole("button")).toHaveText(["Area 1, a box", "Area 2, a box", "Area 3, a cone"]);
-	await page.getByRole("group", { name: "Turn, °" }).getByLabel("about z").fill("90");
-	await page.getByRole("group", { name: "Turn, °" }).getByLabel("about z").blur();
+	await page.getByRole("group", { name: "Rotation, °" }).getByLabel("about z").fill("90");
+	await page.getByRole("group", { name: "Rotation, °" }).getByLabel("about z").blur();
 	await expect.poll(() => areasIn(page)).toMatch(/cone:0,[\d.]+,0:0\.85,0\.85,0\.85:0,0,0\.7071,0\.7071$/);
 	await studio.button("Earlier").click();
 	await expect(list.getByRole("button", { pressed: true })).toHaveText("Area 2, a cone");
-	await studio.button("Remove the area").click();
+	await studio.button("Remove area").click();
 	await expect(list.getByRole("button")).toHaveText(["Area 1, a box", "Area 2, a box"]);
 
 	const corners = ["0 0 0", "1 0 0", "0 1 0", "0 0 1"];
@@ -68,12 +68,13 @@ test("areas come, change places and go in the panel, by numbers, and from a file
 		mimeType: "model/stl",
 		buffer: Buffer.from(stlOf(some)),
 	});
+	await studio.openGroup("Growth areas");
 	const chooser = page.getByLabel("A closed mesh as a growth area");
 	await chooser.setInputFiles(file(facets.slice(1)));
 	await expect(studio.notices).toContainText("The mesh is not closed: 3 of its edges");
 	await chooser.setInputFiles(file(facets));
 	await expect(list.getByRole("button")).toHaveText(["Area 1, a box", "Area 2, a box", "Area 3, a mesh"]);
-	await expect(studio.notices).toContainText("The mesh is a growth area now");
+	await expect(studio.notices).toContainText("The mesh is now a growth area");
 });
 
 test("the main branch is drawn over the picture, and led back from middle to middle", { tag: "@long" }, async ({
@@ -82,7 +83,7 @@ test("the main branch is drawn over the picture, and led back from middle to mid
 	const studio = await open(page);
 	const before = await studio.fingerprint.textContent();
 	await studio.openGroup("Growth areas");
-	await studio.button("Draw it in the picture").click();
+	await studio.button("Draw path in the view").click();
 	const { x, y } = await middleOf(page.getByRole("application"));
 	await page.mouse.move(x, y + 120);
 	await page.mouse.down();
@@ -96,9 +97,9 @@ test("the main branch is drawn over the picture, and led back from middle to mid
 	await page.mouse.up();
 	await expect.poll(() => (new URL(page.url()).searchParams.get("path") ?? "").split(",").length).toBeGreaterThan(8);
 	await expect(studio.fingerprint).not.toHaveText(before ?? "");
-	await expect(page.getByRole("button", { name: /^Place 1 of the main branch: / })).toBeAttached();
+	await expect(page.getByRole("button", { name: /^Point 1 of the main branch: / })).toBeAttached();
 	// One more stroke is a branch that begins at the nearest place.
-	await studio.button("Draw a fork in the picture").click();
+	await studio.button("Draw fork in the view").click();
 	await page.mouse.move(x + 60, y);
 	await page.mouse.down();
 	for (const [right, up] of [
@@ -108,8 +109,8 @@ test("the main branch is drawn over the picture, and led back from middle to mid
 		await page.mouse.move(x + right, y + up, { steps: 5 });
 	await page.mouse.up();
 	await expect(page).toHaveURL(/[?&]from=0,1[,\d]+/);
-	await expect(page.getByText("and forks once")).toBeVisible();
-	await studio.button("From middle to middle").click();
+	await expect(page.getByText("and 1 fork")).toBeVisible();
+	await studio.button("Straight path").click();
 	await expect(studio.fingerprint).toHaveText(before ?? "");
 });
 

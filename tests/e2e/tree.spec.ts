@@ -10,7 +10,7 @@ test("a boundary's point is dragged, stepped by keys and undone; Escape calls a 
 	page,
 }) => {
 	const studio = await new StudioPage(page).open(`?model=tree&preset=oak${SMALL}`);
-	await expect(page).toHaveTitle("Oak, altered 1 · Panicle");
+	await expect(page).toHaveTitle("Oak (edited) 1 · Panicle");
 	const grown = await studio.fingerprint.innerText();
 	const grip = page.getByRole("region", { name: "Boundary view" }).locator("[data-handle=knot2]");
 	const box = await grip.boundingBox();
@@ -51,7 +51,8 @@ test("a boundary's point is dragged, stepped by keys and undone; Escape calls a 
 		await page.mouse.up();
 	});
 	await expect(page).toHaveURL(/targets=[\d.]+,0,0/);
-	await studio.regrown(() => studio.button("Add an obstacle").click());
+	await studio.openAdvanced();
+	await studio.regrown(() => studio.button("Add obstacle").click());
 	const wall = page.locator("panicle-plan [data-handle='obstacles0 middle']");
 	await wall.focus();
 	await studio.regrown(() => page.keyboard.press("Shift+ArrowUp"));
@@ -67,22 +68,23 @@ test("trunks and obstacles are taken out by key and by finger, and the focus and
 }, async ({ page }) => {
 	const studio = await new StudioPage(page).open(`?model=tree&preset=twin${SMALL}`);
 	const handle = (id: string) => page.locator(`panicle-boundary [data-handle="${id}"]`);
+	await studio.openAdvanced();
 	const spoken = page.locator("panicle-boundary [aria-live]");
 	await handle("target1").focus();
 	await studio.regrown(() => page.keyboard.press("Delete"));
 	await expect(handle("target1")).toHaveCount(0);
-	await expect(spoken).toHaveText(/^Trunk 2 taken out/);
+	await expect(spoken).toHaveText(/^Trunk 2 deleted/);
 	await expect(handle("target0")).toBeFocused();
 	await expect(handle("target0")).toHaveAccessibleDescription(/^((?!Delete).)*$/);
-	await studio.regrown(() => studio.button("Trunks by number again").click());
-	await expect(handle("target1")).toHaveAccessibleDescription(/Delete takes it out/);
-	await expect(studio.button("Trunks by number again")).toHaveCount(0);
+	await studio.regrown(() => studio.button("Space trunks evenly").click());
+	await expect(handle("target1")).toHaveAccessibleDescription(/Delete removes the point, target or obstacle/);
+	await expect(studio.button("Space trunks evenly")).toHaveCount(0);
 
-	await studio.regrown(() => studio.button("Add an obstacle").click());
+	await studio.regrown(() => studio.button("Add obstacle").click());
 	await handle("obstacles0 middle").focus();
-	await studio.regrown(() => studio.button("Remove obstacle 1").click());
+	await studio.regrown(() => studio.button("Delete selection").click());
 	await expect(handle("obstacles0 middle")).toHaveCount(0);
-	await expect(studio.button("Remove what is chosen")).toBeDisabled();
+	await expect(studio.button("Delete selection")).toBeDisabled();
 	await studio.regrown(() => studio.button("Undo").click());
 
 	// Undone while it is in hand: it is let go, and comes back by nothing but Redo.
@@ -176,33 +178,35 @@ test("a closed mesh dropped on the boundary becomes it, and the page says where 
 			[name, text],
 		);
 	await studio.regrown(() => drop("octahedron.obj", [...octahedron, ...faces].join("\n")));
-	await expect(studio.notices).toContainText("The mesh is the boundary now");
+	await expect(studio.notices).toContainText("The mesh is now the boundary");
 	await expect(page.locator(".override").filter({ hasText: "A mesh of 8 triangles." })).toHaveCount(1);
 	await expect(page.locator("panicle-boundary path.outer")).toHaveAttribute("d", /^M[^L]+(L[^L]+){3}Z$/);
 	await expect(studio.notices).not.toContainText("The file was not opened");
-	const inSpace = studio.button("Boundary in 3-D");
+	const inSpace = studio.button("Boundary in 3D");
 	await inSpace.click();
 	await expect(inSpace).toHaveAttribute("aria-pressed", "true");
 	// A mesh of one's own is the inner boundary, too.
 	const mesh = { name: "inner.obj", mimeType: "model/obj", buffer: Buffer.from([...octahedron, ...faces].join("\n")) };
-	await page.getByLabel(/^Inner mesh/).setInputFiles(mesh);
-	await expect(studio.notices).toContainText("The mesh is the inner boundary now");
+	await studio.openAdvanced();
+	await page.getByLabel(/^Choose inner mesh/).setInputFiles(mesh);
+	await expect(studio.notices).toContainText("The mesh is now the inner boundary");
 	await expect(page.locator("panicle-boundary path.inner")).toHaveAttribute("d", /^M[^L]+(L[^L]+){3}Z$/);
-	await studio.button("Remove the inner mesh").click();
-	await expect(studio.button("Remove the inner mesh")).toHaveCount(0);
+	await studio.button("Remove inner mesh").click();
+	await expect(studio.button("Remove inner mesh")).toHaveCount(0);
 	const light = studio.button("Light in the crown");
 	await light.click();
 	await expect(light).toHaveAttribute("aria-pressed", "true");
+	await expect(page.getByRole("group", { name: "Light in the crown" })).toContainText("Dark, dense cells: shade.");
 	await drop("broken.obj", "v 0 0 0\nf 1 2 3\n");
-	await expect(studio.notices).toContainText("Line 2 of the OBJ has a corner, “2”");
+	await expect(studio.notices).toContainText("Line 2 of the OBJ: “2” does not refer to a point above this line.");
 });
 
 test("roots stand below ground, and another model's preset brings its views", async ({ page }) => {
 	const studio = await new StudioPage(page).open("?model=root&n=300");
-	await expect(page).toHaveTitle("Tap root, altered 1 · Panicle");
+	await expect(page).toHaveTitle("Tap root (edited) 1 · Panicle");
 	await expect(page.getByRole("application", { name: /^Root: [\d.]+ m deep, [\d,]+ root tips/ })).toBeVisible();
 	await expect(page.getByRole("region", { name: "Sun view" })).toHaveCount(0);
-	await studio.regrown(() => page.getByRole("button", { name: "Cypress", exact: true }).click());
+	await studio.regrown(() => studio.choosePreset("tree", "cypress"));
 	await expect(page.getByRole("region", { name: "Sun view" })).toBeVisible();
 	await studio.regrown(() => studio.button("Undo").click());
 	await expect(page.getByRole("region", { name: "Sun view" })).toHaveCount(0);

@@ -9,8 +9,8 @@ const alert = (page: Page) => page.getByRole("alert");
 test("without the core the page says so, and grows when it comes after all", async ({ page, complaints }) => {
 	complaints.expect(/\.wasm|ERR_FAILED/);
 	await page.route("**/*.wasm", (route) => route.abort());
-	await page.goto("./");
-	await expect(alert(page)).toContainText("The core could not be fetched");
+	await page.goto("./?v=2");
+	await expect(alert(page)).toContainText("Panicle’s core could not be loaded");
 	// Scripts that arrive later request the plant again, and would find the core.
 	await page.waitForLoadState("networkidle");
 	await page.unroute("**/*.wasm");
@@ -30,15 +30,15 @@ test("a core of the wrong MIME type grows all the same", { tag: "@long" }, async
 
 test("a page in place of the core is recognised", { tag: "@long" }, async ({ page }) => {
 	await page.route("**/*.wasm", (route) => route.fulfill({ contentType: "text/html", body: "<!doctype html>" }));
-	await page.goto("./");
-	await expect(alert(page)).toContainText("What came in place of the core (text/html) cannot be run");
+	await page.goto("./?v=2");
+	await expect(alert(page)).toContainText("The server sent something other than Panicle’s core (text/html)");
 });
 
 test("a browser without WebAssembly shows what it lacks", { tag: "@long" }, async ({ page }) => {
 	await page.addInitScript(() => {
 		Reflect.deleteProperty(globalThis, "WebAssembly");
 	});
-	await page.goto("./");
+	await page.goto("./?v=2");
 	await expect(alert(page)).toContainText("runs no WebAssembly");
 });
 
@@ -111,7 +111,7 @@ test("a worker that traps is replaced; the last bunch stays meanwhile", async ({
 	const first = await studio.fingerprint.innerText();
 	await setMode(page, "trap");
 	await studio.slider("Length").press("PageDown");
-	await expect(studio.notices).toContainText("its worker was replaced");
+	await expect(studio.notices).toContainText("Growing failed unexpectedly");
 	await expect(studio.fingerprint).toHaveText(first);
 	await setMode(page, "through");
 	await studio.regrown(() => studio.slider("Length").press("PageDown"));
@@ -178,7 +178,7 @@ test.describe("to the eye", () => {
 			Object.assign(globalThis, { loss });
 			loss?.loseContext();
 		});
-		await expect(alert(page)).toContainText("The picture was lost");
+		await expect(alert(page)).toContainText("The graphics card was reset");
 		await page.evaluate(() => (globalThis as unknown as { loss: WEBGL_lose_context }).loss.restoreContext());
 		await expect(alert(page)).toHaveCount(0);
 		await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
@@ -200,12 +200,12 @@ test("a link whose grammar has an error says that there is no bunch, and offers 
 	page,
 }) => {
 	await page.goto(`./?preset=duku#g=${await compressText("axiom: A(\n")}`);
-	await expect(alert(page)).toContainText("This cannot be grown");
+	await expect(alert(page)).toContainText("The plant can’t be grown with this setting");
 	await expect(alert(page)).toContainText(/Line \d+, column \d+ of the grammar/);
-	await expect(page.getByRole("application", { name: "No bunch has grown" })).toBeVisible();
+	await expect(page.getByRole("application", { name: "Nothing to show yet" })).toBeVisible();
 	await expect(page.locator("[data-group=numbers]")).toContainText("Nothing has grown yet.");
-	await expect(page.locator("body")).not.toContainText("last bunch");
-	await alert(page).getByRole("button", { name: "Use the built-in grammar" }).click();
+	await expect(page.locator("body")).not.toContainText("last plant");
+	await alert(page).getByRole("button", { name: "Discard my edits" }).click();
 	const studio = new StudioPage(page);
 	await expect(studio.canvas).toHaveAccessibleName(/berries/);
 	await expect(alert(page)).toHaveCount(0);
@@ -217,8 +217,8 @@ test("a trap on the very first growth says that there is no bunch, and grows whe
 }, async ({ page }) => {
 	await wiretap(page, "trap");
 	await page.goto("./?preset=short-conical");
-	await expect(alert(page)).toContainText("There is no bunch yet");
-	await expect(alert(page).getByRole("button", { name: "Open the default bunch" })).toBeVisible();
+	await expect(alert(page)).toContainText("Nothing has grown yet.");
+	await expect(alert(page).getByRole("button", { name: "Open the default plant" })).toBeVisible();
 	await setMode(page, "through");
 	await alert(page).getByRole("button", { name: "Try again" }).click();
 	await expect(new StudioPage(page).canvas).toHaveAccessibleName(/berries/);

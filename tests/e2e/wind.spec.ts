@@ -6,7 +6,7 @@ import { openViews, serveViews } from "./views_page";
 test("a button has the wind blow, and nothing is drawn when it is over", async ({ page }) => {
 	const studio = await new StudioPage(page).open();
 	await studio.stands();
-	const wind = studio.button("Wind");
+	const wind = studio.button("Wind on/off");
 	await expect(wind).toHaveAttribute("aria-pressed", "false");
 	await expect.poll(() => framesRequested(page)).toBe(0);
 	await wind.press("Enter");
@@ -26,17 +26,17 @@ test("there is no wind where less motion is wished for, nor for a root", { tag: 
 	await page.emulateMedia({ reducedMotion: "reduce" });
 	const studio = await new StudioPage(page).open();
 	await expect(studio.button("Reset view")).toBeVisible();
-	await expect(studio.button("Wind")).toHaveCount(0);
+	await expect(studio.button("Wind on/off")).toHaveCount(0);
 	await page.emulateMedia({ reducedMotion: "no-preference" });
-	await studio.button("Wind").click();
+	await studio.button("Wind on/off").click();
 	await expect.poll(() => framesRequested(page)).toBeGreaterThan(3);
 	await page.emulateMedia({ reducedMotion: "reduce" });
 	await expect.poll(() => framesRequested(page)).toBe(0);
 	await page.emulateMedia({ reducedMotion: "no-preference" });
-	await expect(studio.button("Wind")).toHaveAttribute("aria-pressed", "false");
-	await page.locator("[data-preset=carrot]").click();
+	await expect(studio.button("Wind on/off")).toHaveAttribute("aria-pressed", "false");
+	await studio.choosePreset("root", "carrot");
 	await expect(page.getByRole("application", { name: /^Root/ })).toBeVisible();
-	await expect(studio.button("Wind")).toHaveCount(0);
+	await expect(studio.button("Wind on/off")).toHaveCount(0);
 });
 
 test.describe("to the eye", () => {

@@ -13,9 +13,9 @@ import { evaluate, type Production, type Published, readPublished, type Written 
 const grammars = new URL("../../wasm-core/grammars/grammar/", import.meta.url);
 const file = new URL("./oracle.tsv", import.meta.url);
 /** The limits of recorded strings and derivations: steps beyond are left out. */
-const MOST = { modules: 8000, steps: 60 };
+const MAX_SIZE = { modules: 8000, steps: 60 };
 /** The longest strings that this run derives. */
-const longest = process.env.UPDATE_GOLDENS ? MOST.modules : inRun(1000, MOST.modules);
+const longest = process.env.UPDATE_GOLDENS ? MAX_SIZE.modules : inRun(1000, MAX_SIZE.modules);
 
 /** FNV-1a of the symbols, a blank behind each. */
 function hash(parts: readonly Part[]): number {
@@ -86,7 +86,7 @@ function* derived(published: Published) {
 			return at.part;
 		});
 	}
-	for (let step = 0; step <= Math.min(published.steps, MOST.steps); step++) {
+	for (let step = 0; step <= Math.min(published.steps, MAX_SIZE.steps); step++) {
 		const string = system.getRaw();
 		if (string.length > longest) return;
 		yield `${step}\t${string.length}\t${hash(string)}\t${sum(string).toPrecision(7)}`;

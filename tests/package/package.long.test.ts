@@ -27,13 +27,15 @@ describe("under Node", () => {
 		const { json } = await growByCommand(RIESLING);
 		expect(lines).toEqual([
 			expect.stringMatching(
-				new RegExp(`^${json.counts.berries} berries, .* \\?v=2&preset=riesling&seed=7&age=80 ${json.fingerprint}$`),
+				new RegExp(
+					`^[\\d.]+ cm long, with ${json.counts.berries} berries \\?v=2&preset=riesling&seed=7&age=80 ${json.fingerprint}$`,
+				),
 			),
 			`${json.measures.bunch_length} mm long`,
 			`${json.counts.berries} berries in the table`,
 			expect.stringMatching(/^1 Oak leaf, \d+ cm²/),
-			"125 age: 900 is above the greatest value, 125; 125 is used.",
-			"SpecimenError age 900 is above the greatest value, 125",
+			"125 age: 900 is above the maximum, 125. Using 125.",
+			"SpecimenError age 900 is above the maximum, 125.",
 			"160 true",
 		]);
 		for (const [file, ...more] of [

@@ -16,7 +16,7 @@ afterAll(() => project.remove());
 it("grows the same plant as the command line, in a thread of its own", async () => {
 	const { json } = await growByCommand(["riesling", "--seed", "7", "--set", "age=80"]);
 	expect(project.run("many.mjs")).toMatch(
-		new RegExp(`^${json.counts.berries} berries, .* ${json.fingerprint} true\n$`),
+		new RegExp(`^[\\d.]+ cm long, with ${json.counts.berries} berries ${json.fingerprint} true\n$`),
 	);
 });
 

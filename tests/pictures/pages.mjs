@@ -2,6 +2,7 @@
  * `npm run pictures -- pages`: the pictures of the pages docs/for-*.md, as docs/people/*.jpg: the built app, and HTML pages that
  * are examples there, served as those pages describe. Run it when the app or the examples have changed their looks.
  */
+
 import { execFileSync } from "node:child_process";
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, statSync, symlinkSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -9,6 +10,7 @@ import { join } from "node:path";
 import { build, preview } from "vite";
 import { repository } from "../../wasm-core/tools/repository.mjs";
 import { launch } from "../browsers/chromium.mjs";
+import { withoutHints } from "../e2e/without_hints.mjs";
 
 const LARGEST = 90 * 1024;
 const WINDOW = { width: 1080, height: 675 };
@@ -28,15 +30,15 @@ const PICTURES = [
 		"teachers",
 		WINDOW,
 		"panicle/?v=1&preset=grape-15b",
-		(page) => page.getByRole("button", { name: "Show stems only" }).click(),
+		(page) => page.getByRole("button", { name: "Hide berries" }).click(),
 	],
 ];
 
-/** The download menu, when it shows the files' sizes. */
+/** The download sheet, when it shows the sizes of the recommended files, which are made first. */
 async function downloads(page) {
 	await page.getByRole("button", { name: "Download", exact: true }).click();
 	const isReady = () => {
-		const sizes = [...document.querySelectorAll(".menu .size")];
+		const sizes = [...document.querySelectorAll("dialog[open] .purposes .size")];
 		return sizes.length > 0 && !sizes.some((size) => size.textContent === "…");
 	};
 	await page.waitForFunction(isReady, undefined, { timeout: 120_000 });
@@ -89,6 +91,7 @@ export async function render() {
 
 async function take({ browser, server, out }, [name, viewport, address, prepare]) {
 	const page = await browser.newPage({ viewport, colorScheme: "light" });
+	await page.addInitScript(withoutHints);
 	await page.goto(new URL(address, server.resolvedUrls.local[0]).href);
 	if (address.startsWith("panicle/"))
 		await page.waitForFunction(() => performance.getEntriesByName("first-bunch").length > 0);

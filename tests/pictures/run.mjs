@@ -26,6 +26,15 @@ export const PICTURES = {
 		words: "[MODEL[/PRESET] …]",
 		run: inModule("./gallery.mjs"),
 	},
+	families: {
+		about: "the plants on the home page, one for each family, as public/families/*.webp",
+		words: "[FAMILY …]",
+		run: inModule("./families.mjs"),
+	},
+	share: {
+		about: "the picture that previews of links show, as public/share.jpg: the home page",
+		run: inModule("./share.mjs"),
+	},
 	"gallery-docs": {
 		about: "the bunches of docs/gallery.md from two sides, and the page itself with their measures",
 		run: inModule("./gallery_docs.mjs"),

@@ -2,9 +2,11 @@
  * `npm run pictures -- shots [WORD …]`: pictures of the built app at several window sizes, in build/shots/, to be looked at
  * before a change lands. With words, only those pictures whose name contains one of them.
  */
+
 import { mkdirSync } from "node:fs";
 import { build, preview } from "vite";
 import { launch } from "../browsers/chromium.mjs";
+import { withoutHints } from "../e2e/without_hints.mjs";
 
 const folder = new URL("../../build/shots/", import.meta.url);
 const DESKTOP = { viewport: { width: 1440, height: 900 } };
@@ -25,9 +27,12 @@ const SHOTS = [
 	["desktop-colouring", DESKTOP, "?v=2&preset=tempranillo&age=72"],
 	["desktop-numbers", DESKTOP, "?v=2&preset=pinot-noir", (page) => onlyGroup(page, "numbers")],
 	["desktop-thin", DESKTOP, "?v=2&preset=red-globe", thin],
-	["desktop-stems", DESKTOP, "?v=2&preset=grape-15b", (page) => press(page, "Show stems only")],
-	["desktop-octahedron", DESKTOP, "?v=2&preset=winged-cylindrical", (page) => press(page, "Octahedron")],
-	["desktop-menu", DESKTOP, "?v=2&preset=lychee&l=900", (page) => press(page, "Download")],
+	["desktop-stems", DESKTOP, "?v=2&preset=grape-15b", (page) => press(page, "Hide berries")],
+	["desktop-octahedron", DESKTOP, "?v=2&preset=winged-cylindrical", (page) => press(page, "Outline in 3D")],
+	["desktop-download", DESKTOP, "?v=2&preset=lychee&l=900", (page) => press(page, "Download")],
+	["desktop-share", DESKTOP, "?v=2&preset=lychee&l=900", (page) => press(page, "Share")],
+	["phone-download", PHONE, "?v=2&preset=lychee&l=900", (page) => press(page, "Download")],
+	["phone-share", PHONE, "?v=2&preset=lychee&l=900", (page) => press(page, "Share")],
 	["desktop-help", DESKTOP, "?v=2&preset=redcurrant", (page) => page.keyboard.press("?")],
 	["laptop", LAPTOP, ""],
 	["phone", PHONE, ""],
@@ -52,7 +57,7 @@ async function onlyGroup(page, key) {
 
 /** The mode for thinning, and the pointer over a berry. */
 async function thin(page) {
-	await press(page, "Thin");
+	await press(page, "Remove berries");
 	const { x, y, width, height } = await page.locator("canvas").boundingBox();
 	await page.mouse.move(x + width / 2, y + height / 2);
 }
@@ -68,6 +73,7 @@ export async function render(words) {
 			const file = `${name}-${colorScheme}.png`;
 			if (words.length > 0 && !words.some((word) => file.includes(word))) continue;
 			const page = await browser.newPage({ ...device, colorScheme });
+			await page.addInitScript(withoutHints);
 			await page.goto(new URL(search, server.resolvedUrls.local[0]).href);
 			await page.waitForFunction(() => performance.getEntriesByName("first-bunch").length > 0);
 			await prepare?.(page);

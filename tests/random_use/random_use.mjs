@@ -157,7 +157,7 @@ export async function randomUse(...args) {
 	const serviceWorkers = seed % 2 === 0 ? "block" : "allow";
 	const newContext = () => browser.newContext({ viewport: { width: 800, height: 500 }, serviceWorkers });
 	try {
-		const address = server.resolvedUrls.local[0];
+		const address = `${server.resolvedUrls.local[0]}?v=2`;
 		const end = Date.now() + LONG;
 		const isOver = () => args.length === 0 && Date.now() > end;
 		const plan = { seed, numbers: numbersOf(args), isOver, sampledEvery: SAMPLED_EVERY };

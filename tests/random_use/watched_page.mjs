@@ -8,7 +8,7 @@ const HUNG = 60_000;
 /** An action with the plant that grows from it may take so long, in milliseconds: a busy machine takes its time. */
 const LONGEST_WORK = 240_000;
 /** How often one action may request the same address; more is a request that is repeated without end. */
-const MOST_REPEATS = 25;
+const MAX_REPEATS = 25;
 /** Errors that a browser reports for requests while offline; no other errors are expected. */
 const OFFLINE_ERRORS = [
 	"Failed to load resource: net::ERR_INTERNET_DISCONNECTED",
@@ -145,7 +145,7 @@ export class WatchedPage {
 		const blocked = Math.min(longest, 1000 * (now - before));
 		if (blocked > LONGEST_BLOCK) throw new Fault(`The page's thread was blocked for ${Math.round(blocked)} ms.`);
 		for (const [url, times] of this.#requests)
-			if (times > MOST_REPEATS) throw new Fault(`One action requested ${url} ${times} times.`);
+			if (times > MAX_REPEATS) throw new Fault(`One action requested ${url} ${times} times.`);
 		if (this.#faults.length > 0) throw new Fault(this.#faults.join("\n"));
 	}
 

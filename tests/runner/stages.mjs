@@ -3,7 +3,7 @@
  * where it holds no tests. It throws a StageError, or an error of the toolchain, where it fails as a whole.
  */
 import { buildCore } from "../../wasm-core/tools/core.mjs";
-import { generate } from "../../wasm-core/tools/generate/files.mjs";
+import { generate, update } from "../../wasm-core/tools/generate/files.mjs";
 import { setUp } from "../../wasm-core/tools/setup.mjs";
 import { prepareBrowsers } from "../browsers/browsers.mjs";
 import { freePort } from "../free_port.mjs";
@@ -13,10 +13,18 @@ import { mustSucceed, node, readReport, reportPath, StageError } from "./process
 
 /** @typedef {import("./arguments.mjs").Plan} Plan */
 
-/** Fails where a generated page of the documentation is out of date. */
-function stalePages() {
+/** Fails where a generated page of the documentation is out of date, or a count in one. */
+async function stalePages() {
 	const stale = generate({ write: false, only: "pages" });
 	if (stale.length > 0) throw new StageError(`stale: ${stale.join(", ")}; run \`npm run docs -- tables\``);
+	await staleFigures({ sizes: false });
+}
+
+/** Fails where a number in a page of the documentation is out of date. */
+async function staleFigures(options) {
+	const { pagesWithFigures } = await import("../sizes/figures.mjs");
+	const stale = update(await pagesWithFigures(options), { write: false });
+	if (stale.length > 0) throw new StageError(`stale: ${stale.join(", ")}; run \`npm run docs -- figures\``);
 }
 
 /** Checks the types of the page with the tests, and of the tools. */
@@ -87,12 +95,13 @@ async function otherBrowsers() {
 	return vitest("browsers.json", ["--config", "tests/browsers/vitest.config.ts", ...files]);
 }
 
-/** Sizes in bytes of built files, against those of the last release. */
+/** Sizes in bytes of built files, against those of the last release and those that the documentation states. */
 async function sizes() {
 	const { checkSizes } = await import("../sizes/check.mjs");
 	const { table, advice } = checkSizes();
 	console.log(table);
 	if (advice) throw new StageError(advice);
+	await staleFigures({});
 }
 
 /** Long use: of the model service by many requests, and of the page by random actions. */

@@ -18,7 +18,7 @@ const isCount = (row) => row.startsWith("number of");
 const limit = (row, size) => size * (1 + SHARE) + (isCount(row) ? 0 : SLACK);
 
 /** Whether a row depends on the compiler: rows of different compilers are not compared. */
-const isOfCompiler = (row) => row.includes(".wasm") || row === "package for npm";
+export const isOfCompiler = (row) => row.includes(".wasm") || row === "package for npm";
 
 const formatNumber = (number) => number.toLocaleString("en");
 const unit = (row) => (isCount(row) ? "files" : "bytes");

@@ -116,14 +116,17 @@ export function compilerVersion() {
 	return emscripten ? (emscriptenIdentity(emscripten).split(" ").at(-1) ?? "none") : "none";
 }
 
+/** Whether the app and all cores are built. */
+export const isAppBuilt = () =>
+	existsSync(join(dist, "service-worker.js")) && moduleNames().every((name) => existsSync(moduleOf(name)));
+
 /**
  * Everything that is measured, by row: bytes, or a number of files.
  * @returns {Record<string, number>}
  * @throws Error where dist/ or a core is not built
  */
 export function measure() {
-	if (!existsSync(join(dist, "service-worker.js")))
-		throw new Error("There is no built app to measure: run `npm run build`.");
+	if (!isAppBuilt()) throw new Error("There is no built app to measure: run `npm run build`.");
 	const browsers = ofBrowsers().sort(([one], [other]) => (one < other ? -1 : 1));
 	return Object.fromEntries([...cores(), ...app(), ...bakedLeaves(), ...tarball(), ...browsers]);
 }

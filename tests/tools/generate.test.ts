@@ -17,7 +17,8 @@ import { afterEach, beforeEach, describe, expect, it } from "vitest";
 import { checkTable } from "../../wasm-core/tools/generate/check_table.mjs";
 import { generate, generatedFiles } from "../../wasm-core/tools/generate/files.mjs";
 import { checkMeasures } from "../../wasm-core/tools/generate/measures.mjs";
-import { coreFolder } from "../../wasm-core/tools/repository.mjs";
+import { coreCatalogues, pageCatalogues, translations } from "../../wasm-core/tools/generate/messages.mjs";
+import { coreFolder, repository } from "../../wasm-core/tools/repository.mjs";
 
 const groups = [{ key: "shape", title: "Shape", help: "" }];
 const length = {
@@ -127,7 +128,7 @@ describe("generate", () => {
 		for (const { path, text } of files) expect(readFileSync(join(root, path), "utf8")).toBe(text);
 		expect(paths).toContain("wasm-core/src/models/leaf/parameters.generated.hpp");
 		expect(paths).toContain("web/src/models/bunch/grammars.generated.ts");
-		expect(paths).toContain("docs/turtle.md");
+		expect(paths).toContain("docs/language.md");
 	});
 
 	it("writes only code, or only pages of documentation, where that is requested", () => {
@@ -174,6 +175,9 @@ describe("generate", () => {
 			cpSync(join(coreFolder, folder), join(root, "wasm-core", folder), { recursive: true });
 		for (const folder of readdirSync(join(coreFolder, "src/models")))
 			mkdirSync(join(root, "wasm-core/src/models", folder), { recursive: true });
+		const catalogues = [...pageCatalogues(), ...coreCatalogues()].map(({ source }) => source);
+		for (const source of [...catalogues, ...translations().map((name) => `web/src/locale/${name}`)])
+			cpSync(join(repository, source), join(root, source), { recursive: true });
 		execFileSync(process.execPath, ["wasm-core/tools/generate.mjs"], { cwd: root, stdio: "pipe" });
 		const code = files.filter(({ path }) => !path.startsWith("docs/"));
 		for (const { path, text } of code) expect(readFileSync(join(root, path), "utf8"), path).toBe(text);

@@ -33,13 +33,13 @@ const preset = (name: string, title: string, parameters: Preset["parameters"]): 
 export const model: PageModel<ToySpecimen, Plant> = {
 	name: "toy",
 	title: "Toy shrub",
-	noun: "shrub",
+	plantName: "shrub",
 	wasm: "toy.wasm",
 	pictures: false,
 	table,
 	presets: new Presets(
 		[preset("upright", "Upright shrub", { spread: 15 }), preset("open", "Open shrub", { spread: 60 })],
-		[{ key: "shrub", title: "Shrubs" }],
+		[{ key: "shrub", title: "Shrubs", family: "trees" }],
 		"upright",
 	),
 	details: [grammarText<ToySpecimen>()],
@@ -54,5 +54,5 @@ export const model: PageModel<ToySpecimen, Plant> = {
 	},
 	read: readPlant,
 	parts: (plant) => partsOf(plant),
-	words: ({ counts }) => `${counts.segments} twigs, ${counts.organs} fruits`,
+	summary: ({ counts }) => `${counts.segments} twigs, ${counts.organs} fruits`,
 };

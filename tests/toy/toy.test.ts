@@ -123,8 +123,8 @@ describe("a model of three files", () => {
 		const { written } = await command("toy", "--out", "shrub.glb");
 		expect([...written.keys()]).toEqual(["shrub.glb"]);
 		expect(await complaint(["toy", "--out", "x.csv"])).toBe(
-			"--out x.csv: the name must end in .glb, .usdz, .ply, .3mf, .stl, .obj or .json",
+			"--out x.csv: The file name must end in .glb, .usdz, .ply, .3mf, .stl, .obj or .json.",
 		);
-		expect(await complaint(["toy", "--set", "l=3"])).toBe("--set l: no parameter has that key; see --help");
+		expect(await complaint(["toy", "--set", "l=3"])).toBe("--set l: There is no such parameter. See --help.");
 	});
 });

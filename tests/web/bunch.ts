@@ -18,7 +18,7 @@ import { namesInRun } from "../long_run.mjs";
 
 export {
 	BERRY_IDS,
-	MOST_THINNED,
+	MAX_THINNED,
 	thin,
 	unthin,
 	unthinAll,

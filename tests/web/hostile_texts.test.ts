@@ -35,7 +35,10 @@ const long = (words: string, before = "", behind = "") =>
 	before + words.repeat(Math.ceil((LONGEST - before.length - behind.length) / words.length)) + behind;
 
 const grammarOf = (grammar: string): GrammarSpecimen => ({ ...fromPreset(GRAMMAR), grammar, constants: {} });
-const cut = { notes: ["What grew so far is shown."], counts: { steps: 1 } } as unknown as GrammarPlant;
+const cut = {
+	noteMessages: [{ code: "core.grammar.cut_short", args: {}, text: "Cut short." }],
+	counts: { steps: 1 },
+} as unknown as GrammarPlant;
 
 const COMMENTS = [
 	long("1", "#define a 1 /* ", " */\naxiom: F(a)"),
@@ -73,7 +76,7 @@ it.each(COMMENTS.map((text) => [text.slice(0, 30), text]))("grammars: %j and so 
 	usesAge({ grammar: text, preset: "tulip" });
 	expect(designOf(text)).toBeUndefined();
 	describeNumber(text, "x");
-	for (const species of [BUNCH, FLOWER, GRAMMAR]) restore(species as typeof BUNCH, { grammar: text });
+	for (const schema of [BUNCH, FLOWER, GRAMMAR]) restore(schema as typeof BUNCH, { grammar: text });
 });
 
 it("many definitions get their values in one pass", () => {
@@ -103,7 +106,7 @@ it("numbers, ranges, names and rows", () => {
 	withThousands(long("1,"));
 	symbol(long("a", "", "\n"));
 	expect(readLine(long("a", "@organ petal "))).toBeUndefined();
-	expect(() => readVary(BUNCH, long("a", "", "\n"), fromPreset(BUNCH))).toThrow("write KEY=FROM..TO");
+	expect(() => readVary(BUNCH, long("a", "", "\n"), fromPreset(BUNCH))).toThrow("Write KEY=FROM..TO");
 	expect(() => readVary(BUNCH, long(".", "age=", "\n"), fromPreset(BUNCH))).toThrow();
 	for (const row of [long('"'), long('""', '"'), long('"a'), long("a,"), long('",')]) {
 		expect(splitRows(row)).toEqual([]);

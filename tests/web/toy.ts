@@ -69,7 +69,7 @@ const MEASURES: readonly MeasureInfo[] = [
 const TABLE = new Table(
 	ENTRIES,
 	[
-		{ key: "pole", title: "Pole", help: "What stands.", everyday: true },
+		{ key: "pole", title: "Pole", help: "What stands." },
 		{ key: "rest", title: "Rest", help: "What is left.", closed: true },
 	],
 	MEASURES,
@@ -82,13 +82,13 @@ const motto: Field<ToySpecimen> = {
 	fresh: () => ({ motto: "" }),
 	read: (specimen, key, value, notes) => {
 		if (typeof value === "string") specimen.motto = value;
-		else notes.add(key, "not text", "none is used");
+		else notes.add(key, { code: "toy.not_text", args: {}, text: "It is not text." }, "None is used.");
 	},
 	packed: {
 		link: "t",
 		key: "motto",
 		longest: 100,
-		otherwise: "none is used",
+		otherwise: "None is used.",
 		textOf: ({ motto }) => motto || undefined,
 	},
 };
@@ -106,7 +106,7 @@ const preset = (name: string, kind: string, more: Partial<Preset> = {}): Preset 
 export const toy: Model<ToySpecimen, Plant> = {
 	name: "toy",
 	title: "Flagpole",
-	noun: "pole",
+	plantName: "pole",
 	wasm: "toy.wasm",
 	table: TABLE,
 	presets: new Presets(
@@ -118,8 +118,8 @@ export const toy: Model<ToySpecimen, Plant> = {
 			}),
 		],
 		[
-			{ key: "bare", title: "Bare" },
-			{ key: "flown", title: "Flown" },
+			{ key: "bare", title: "Bare", family: "trees" },
+			{ key: "flown", title: "Flown", family: "flowers" },
 		],
 		"plain",
 	),
@@ -134,5 +134,5 @@ export const toy: Model<ToySpecimen, Plant> = {
 		timings: { grow: milliseconds },
 	}),
 	*parts() {},
-	words: (_, { parameters: { height } }) => `${height} m tall`,
+	summary: (_, { parameters: { height } }) => `${height} m tall`,
 };

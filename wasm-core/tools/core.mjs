@@ -1,6 +1,6 @@
 /**
- * Builds the core: `node wasm-core/tools/core.mjs` makes build/core/<model>.wasm for each model, `core.mjs asan core_tests` a native
- * target of a preset. Quick when nothing has changed. All it says goes to standard error.
+ * Builds the core: `node wasm-core/tools/core.mjs` makes build/core/<model>.wasm for each model, `core.mjs asan
+ * core_tests` a native target of a preset. Quick when nothing has changed. Messages go to standard error.
  */
 import { existsSync, mkdirSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
 import { availableParallelism } from "node:os";
@@ -30,7 +30,7 @@ const presets = ["wasm", "native", "asan", "debug", "release"];
  */
 const cacheEnvironment = { CCACHE_BASEDIR: repository, CCACHE_NOHASHDIR: "1" };
 
-/** What the compiler says, less the lines that tell how far the build is and how the compiler was called. */
+/** Returns the compiler's messages, without the lines about progress and about the compiler's own command. */
 function essence(output) {
 	const lines = output.split("\n");
 	const noise = /^\[\d+\/\d+\] |^ninja: |^-- |^configure: |^em\+\+: error: '.*failed \(returned/;
@@ -45,13 +45,14 @@ async function step(command, args, options) {
 }
 
 /**
- * Configures a build folder unless that was done with the same tools and presets; Ninja does the rest. Rooms to sanitize
- * are a setting that changes from run to run: only what they change is compiled again.
+ * Configures a build folder unless that was done with the same tools and presets; Ninja does the rest. Rooms to
+ * sanitize are a setting that changes from run to run: only what they change is compiled again.
  */
 async function configure(preset, tools, env, sanitizeRooms) {
 	const folder = join(buildFolder, preset);
 	const compiler = tools.emscripten ? emscriptenIdentity(tools.emscripten) : tools.compiler;
 	const settings = readFileSync(join(coreFolder, "CMakePresets.json"), "utf8");
+	// A folder that was configured with anything else is deleted; other rooms only change a definition.
 	const identity = [coreFolder, tools.glm, compiler, tools.ccache, settings].join("\n");
 	const stamp = join(folder, "toolchain.txt");
 	const roomsStamp = join(folder, "sanitized_rooms.txt");
@@ -89,7 +90,7 @@ function prune(names) {
 	}
 }
 
-/** Copies a module to where it is read from, whole or not at all; returns whether it differs from the one before. */
+/** Copies a module into the folder of finished modules, atomically; returns whether it differs from the last one. */
 function publish(name, folder = modulesFolder) {
 	const from = join(buildFolder, "wasm", name);
 	const to = join(folder, name);
@@ -105,8 +106,8 @@ function publish(name, folder = modulesFolder) {
 
 /**
  * Builds `targets` of a preset of wasm-core/CMakePresets.json. Throws a ToolchainError or a CoreBuildError; modules built
- * before then stay as they are. `PANICLE_CORE=built` says that the modules have just been built, so that programs which one
- * program starts do not check them one after the other.
+ * before then stay as they are. `PANICLE_CORE=built` means that the modules have just been built: programs that another
+ * program has started then do not check them again.
  *
  * @param {string} [preset]
  * @param {string[]} [targets] default: everything; of preset wasm, the modules of all models

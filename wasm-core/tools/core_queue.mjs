@@ -31,7 +31,7 @@ export class CoreQueue {
 		}
 	}
 
-	/** Builds what waits. Resolves when nothing is left. */
+	/** Builds the waiting modules; resolves when none is left. */
 	async run() {
 		for (let model = this.#waiting.shift(); model !== undefined; model = this.#waiting.shift()) {
 			const isBuilt = await this.#build(model);

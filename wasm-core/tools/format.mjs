@@ -1,6 +1,6 @@
 /**
- * `npm run format`: formats all files and applies the safe fixes of Biome. `npm run lint` only checks. Both formatters are npm
- * packages of a fixed version: those of distributions differ from each other.
+ * `npm run format`: formats all files and applies the safe fixes of Biome. `npm run lint` only checks. Both formatters
+ * are npm packages of a fixed version: those of distributions differ from each other.
  */
 import { existsSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join, relative } from "node:path";
@@ -12,7 +12,7 @@ import { ToolchainError } from "./toolchain.mjs";
 
 const folders = ["wasm-core/src", "wasm-core/bench", "wasm-core/tools", "tests/core", "tests/toy"];
 
-/** C++ files but for generated ones, which their makers format and git ignores. */
+/** Lists the C++ files, without generated ones, which git ignores. */
 function cplusplusFiles() {
 	const inFolder = (folder) => readdirSync(folder, { recursive: true }).map((name) => join(folder, name));
 	return folders

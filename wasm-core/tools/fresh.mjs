@@ -1,9 +1,12 @@
-/** Whether what was made from files is still what they would make. */
+/** Checks whether a generated file or folder is up to date with the files that it was made from. */
 import { existsSync, readdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import { join, relative } from "node:path";
 import { repository } from "./repository.mjs";
 
-/** Every file below folders, and single files, from the repository's root; without folders, whose times change with the files in them. */
+/**
+ * Lists files, by absolute paths: single files and every file below folders, each given from the repository's root.
+ * Folders themselves are left out, because their times change with the files in them.
+ */
 export function filesIn(...places) {
 	return places
 		.map((place) => join(repository, place))
@@ -20,10 +23,11 @@ export function filesIn(...places) {
 const listOf = (inputs) => inputs.map((file) => relative(repository, file)).join("\n");
 
 /**
- * Made from the same files, and after the last of them changed: a file that moved in may be older than what is there.
+ * Returns whether the output was made from the same list of files, after the last of them changed. The list is
+ * compared as well, because a file that was moved here may be older than the output.
  *
- * @param {string} made what was made last
- * @param {string} stamp where `remember` wrote what it was made from
+ * @param {string} made the output that is written last
+ * @param {string} stamp the file in which `remember` lists the inputs
  * @param {string[]} inputs
  */
 export function isFresh(made, stamp, inputs) {

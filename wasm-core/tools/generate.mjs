@@ -1,6 +1,6 @@
 /**
- * `npm run generate`: writes the code that is made from tables and texts. With `--check` it writes nothing and fails if a
- * file is not what its table says. `npm run generate -- --help` lists what else is generated, by name.
+ * `npm run generate`: writes the code that is made from tables and texts. With `--check` it writes nothing and fails if
+ * a file is not what its table says. `npm run generate -- --help` lists what else is generated, by name.
  */
 import { spawnSync } from "node:child_process";
 import { join } from "node:path";
@@ -12,7 +12,7 @@ import { runTask } from "./tasks.mjs";
 
 export { generate, update };
 
-/** Prints what was written, or what is stale, which is an error. */
+/** Prints the files that were written, or those that are out of date, which is an error. */
 export function reportUpdate(stale, { write, script }) {
 	for (const path of stale) console.error(write ? `wrote ${path}` : `${path} is stale: run \`npm run ${script}\`.`);
 	if (!write && stale.length > 0) process.exitCode = 1;
@@ -26,6 +26,14 @@ const tasks = {
 		run: (words) => {
 			const write = !words.includes("--check");
 			reportUpdate(generate({ write, only: "code" }), { write, script: "generate" });
+		},
+	},
+	translation: {
+		about: "adds missing texts to web/src/locale/*.json, in English, and removes those that no code uses",
+		run: () => {
+			const args = ["node_modules/vitest/vitest.mjs", "run", "tests/web/locale/translation.test.ts"];
+			const env = { ...process.env, PANICLE_TRANSLATE: "1", PANICLE_CORE: "built" };
+			process.exitCode = spawnSync(process.execPath, args, { cwd: repository, env, stdio: "inherit" }).status ?? 1;
 		},
 	},
 	leaves: {

@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 /**
- * `npm run -s grow -- …`, or `npx panicle …` in a clone: grows a plant without a page. Builds what is missing, with messages on
- * standard error only, and then runs the command line in web/src/cli, bundled for Node.
+ * `npm run -s grow -- …`, or `npx panicle …` in a clone: grows a plant without a page. Builds what is missing, with
+ * messages on standard error only, and then runs the command line in web/src/cli, bundled for Node.
  */
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";

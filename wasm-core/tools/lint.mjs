@@ -1,7 +1,8 @@
 /**
- * `npm run lint`: checks code without changing it: the format of all files, Biome's rules (TypeScript, JavaScript, CSS, HTML), and
- * clang-tidy's (C++, wasm-core/.clang-tidy) on the files that this branch has changed. `-- --all` runs clang-tidy on all files of the
- * core. `-- --gate`, for `npm test`: clang-tidy only where it is installed, and on a few changed files at most.
+ * `npm run lint`: checks code without changing it: the format of all files, Biome's rules (TypeScript, JavaScript, CSS,
+ * HTML), and clang-tidy's (C++, wasm-core/.clang-tidy) on the files that this branch has changed. `-- --all` runs
+ * clang-tidy on all files of the core. `-- --gate`, for `npm test`: clang-tidy only where it is installed, and on a few
+ * changed files at most.
  */
 import { readFileSync } from "node:fs";
 import { availableParallelism } from "node:os";
@@ -21,7 +22,7 @@ const GATE_FILES = 6;
 const isOfCore = (path) => /^wasm-core\/.*\.(cpp|hpp|h)$/.test(path);
 
 /**
- * The translation units of the core as the native build compiles them, by their paths from the root of the repository.
+ * Returns the translation units of the core as the native build compiles them, by their paths from the root of the repository.
  * Configures a build folder of its own, which nothing is built in.
  *
  * @param {Record<string, string>} tools
@@ -42,8 +43,8 @@ async function compiledFiles(tools, folder) {
 }
 
 /**
- * Translation units whose check covers the changed files: a source covers itself, a header is covered by the source of the same name, or
- * else by the first one that includes it.
+ * Lists the translation units whose check covers the changed files: a source covers itself, a header is covered by the
+ * source of the same name, or else by the first one that includes it.
  */
 export function unitsOf(changed, units, read = (path) => readFileSync(join(repository, path), "utf8")) {
 	const coveredBy = (path) => {
@@ -71,7 +72,10 @@ async function tidy(program, folder, units) {
 	return findings;
 }
 
-/** @param {{ all: boolean, gate: boolean }} options */
+/**
+ * Runs clang-tidy on the changed files, or on all; returns its findings.
+ * @param {{ all: boolean, gate: boolean }} options
+ */
 async function checkCplusplus({ all, gate }) {
 	const changed = all
 		? filesIn("wasm-core").map((file) => relative(repository, file).replaceAll("\\", "/"))

@@ -1,4 +1,4 @@
-/** One build at a time in one build folder, also between programs. */
+/** Locks a build folder, so that only one process at a time builds in it. */
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { dirname } from "node:path";
 import { setTimeout as sleep } from "node:timers/promises";
@@ -12,7 +12,7 @@ function isAlive(id) {
 	}
 }
 
-/** Takes the file `path` for this process, or clears away one whose process is gone. */
+/** Takes the lock file `path` for this process, or removes one whose process has ended. */
 function take(path) {
 	try {
 		writeFileSync(path, String(process.pid), { flag: "wx" });
@@ -24,7 +24,7 @@ function take(path) {
 		const owner = Number(readFileSync(path, "utf8"));
 		if (owner > 0 && !isAlive(owner)) rmSync(path, { force: true });
 	} catch {
-		// Given back in the meantime: the next try will have it.
+		// Released in the meantime: the next try gets it.
 	}
 	return false;
 }

@@ -3,6 +3,7 @@ import { join } from "node:path";
 import { repository } from "./repository.mjs";
 
 /**
+ * Bundles scripts of web/src as ES modules for Node into a folder.
  * @param {Record<string, string>} entries paths in web/src by the names of the scripts they become, without `.mjs`
  * @param {string} folder is emptied before
  * @param {{ alone?: boolean }} options alone: one file that needs no other, packages and cores in it

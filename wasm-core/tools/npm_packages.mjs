@@ -1,4 +1,4 @@
-/** The npm packages: whether node_modules is what package-lock.json says, and making it so. Needs Node alone. */
+/** Checks whether node_modules agrees with package-lock.json, and installs the packages if not. Needs only Node. */
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { run } from "./process.mjs";
@@ -22,14 +22,14 @@ export function isInstalled(lock, installed) {
 	return known && wanted.every((entry) => same(entry) || (entry[1].optional && !(entry[0] in installed.packages)));
 }
 
-/** What npm says went wrong, without its page of help. */
+/** Returns npm's error message without its page of help. */
 function reason(output) {
 	const errors = output.split("\n").filter((line) => /^npm error \S/.test(line));
 	const help = errors.findIndex((line) => /^npm error (Usage|Clean install|A complete log)/.test(line));
 	return errors.slice(0, help < 0 ? undefined : help).join("\n") || output.trim();
 }
 
-/** Runs npm: the one that runs this, where one does. */
+/** Runs npm: the same one that has started this program, if any. */
 export function npm(words, cwd) {
 	const own = process.env.npm_execpath;
 	const [command, args] = own?.endsWith("js") ? [process.execPath, [own]] : ["npm", []];

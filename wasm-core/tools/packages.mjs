@@ -1,8 +1,9 @@
-/** The distribution's packages: which manager there is, and installing where that needs no question. */
+/** Finds the distribution's package manager, and installs packages where that needs no confirmation. */
 import { accessSync, constants } from "node:fs";
 import { delimiter, join } from "node:path";
 import { capture, run } from "./process.mjs";
 
+/** Returns whether a folder of PATH has an executable file of that name. */
 function onPath(program, env) {
 	return (env.PATH ?? "")
 		.split(delimiter)
@@ -39,7 +40,7 @@ const managers = [
 	},
 ];
 
-/** The package manager of this machine; null when it has none that we know. */
+/** The package manager of this machine; null if it has none of these. */
 export function packageManager(env) {
 	return managers.find(({ name }) => onPath(name, env)) ?? null;
 }
@@ -77,8 +78,8 @@ export function objections({ status, output }, oldest) {
 }
 
 /**
- * Installs packages without asking anyone. Returns null, or why it could not be done, as the end of a sentence, with the
- * packages that will not do. The whole installation is rehearsed first, so that nothing is left half-done.
+ * Installs packages without confirmation. Returns null, or the reason for a failure as the end of a sentence, with the
+ * packages that cannot be used. A dry run of the whole installation comes first, so that nothing is left half-done.
  */
 export async function installWithApt(packages, oldest, env) {
 	if (!isRoot() && capture("sudo", ["-n", "true"], env) === null) {

@@ -1,4 +1,4 @@
-/** Running other programs. */
+/** Runs other programs. */
 import { spawn, spawnSync } from "node:child_process";
 
 /** Standard output of a program that ends at once; null when it fails. */
@@ -8,7 +8,7 @@ export function capture(command, args, env = process.env) {
 }
 
 /**
- * Runs a program to its end. All it says is collected, and passed on to `show` as it comes.
+ * Runs a program to its end. Its output is collected, and passed on to `show` at once.
  *
  * @param {string} command
  * @param {string[]} args

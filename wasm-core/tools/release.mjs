@@ -1,7 +1,7 @@
 /**
- * `npm run release`: builds the committed version into build/release/VERSION: the app, the npm package, its changelog and SHA-256
- * checksums. Publishes nothing. Before the commit of a version, run `npm run release -- --sizes`: it records the sizes and prints the
- * rises that the changelog has to state.
+ * `npm run release`: builds the committed version into build/release/VERSION: the app, the npm package, its changelog
+ * and SHA-256 checksums. Publishes nothing. Before the commit of a version, run `npm run release -- --sizes`: it
+ * records the sizes and prints the rises that the changelog has to state.
  */
 import { join } from "node:path";
 import { buildCore } from "./core.mjs";
@@ -21,6 +21,7 @@ async function app() {
 	return join(repository, "dist");
 }
 
+/** Builds the app and the package, records their sizes, and prints the rises since the last release. */
 async function recordSizes(version) {
 	await app();
 	await makePackage();
@@ -32,6 +33,10 @@ async function recordSizes(version) {
 	console.log(`State these with their reasons in ${where}:\n\n${rises.join("\n")}`);
 }
 
+/**
+ * Builds the files of a version.
+ * @throws ToolchainError if the recorded sizes are those of another version
+ */
 async function release(version) {
 	const { lastRelease } = await sizes("check.mjs");
 	const { version: recorded } = lastRelease();

@@ -1,13 +1,13 @@
-/** Where things are. Paths are absolute. */
+/** Paths of the repository's folders and files, absolute. */
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 
 export const repository = fileURLToPath(new URL("../..", import.meta.url)).replace(/[/\\]$/, "");
 export const coreFolder = join(repository, "wasm-core");
-/** Everything that is built but for dist/. */
+/** The folder of everything that is built, except for dist/. */
 export const buildFolder = join(repository, "build");
-/** The finished modules; what is here is always whole. */
+/** The folder of finished modules, which are complete at any time. */
 export const modulesFolder = join(buildFolder, "core");
 /** Modules that only tests and the bench load. */
 export const testModulesFolder = join(buildFolder, "core-test");

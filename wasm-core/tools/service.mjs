@@ -1,4 +1,7 @@
-/** `npm run service`: builds what is missing, bundles the model service into one file, and runs it. `--build` only bundles, and prints the file. */
+/**
+ * `npm run service`: builds what is missing, bundles the model service into one file, and runs it. `--build` only
+ * bundles, and prints the file.
+ */
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { buildCore } from "./core.mjs";

@@ -28,7 +28,7 @@ export async function setUp(purpose, { meanwhile = async () => {} } = {}) {
 	return tools;
 }
 
-/** Runs a command; a problem that a person can mend ends it with its message alone and status 1. */
+/** Runs a command; a problem that the user can fix ends it with its message, without a stack, and status 1. */
 export async function command(work) {
 	try {
 		await work();

@@ -1,6 +1,6 @@
 /**
- * `npm start [-- --port N --host NAME]`: sets up what is missing, serves the app as soon as the bunch's core is built, and
- * prints its address. The other cores are built in the background (vite_plugin.mjs).
+ * `npm start [-- --port N --host NAME]`: sets up what is missing, serves the app as soon as the bunch's core is built,
+ * and prints its address. The other cores are built in the background (vite_plugin.mjs).
  */
 import { join } from "node:path";
 import { parseArgs } from "node:util";

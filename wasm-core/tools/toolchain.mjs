@@ -24,7 +24,7 @@ function isProgram(path) {
 	}
 }
 
-/** The first program of these names, or full paths, on PATH or in one of `folders`; null if there is none. */
+/** Returns the first program of these names, or full paths, on PATH or in one of `folders`; null if there is none. */
 export function findProgram(names, env, folders = []) {
 	const places = [...(env.PATH ?? "").split(delimiter).filter(Boolean), ...folders];
 	const suffixes = process.platform === "win32" ? [".exe", ".bat", ".cmd"] : [""];
@@ -46,14 +46,14 @@ export function findHeader(header, env, folders) {
 
 const includeFolders = ["/usr/include", "/usr/local/include", "/opt/homebrew/include", "/opt/local/include"];
 
-/** Emscripten keeps its version in a file beside its programs; a wrapper elsewhere has to be asked. */
+/** Returns Emscripten's version: from the file beside its programs, or from the output of a wrapper elsewhere. */
 function versionOfEmscripten(emcc) {
 	const file = join(dirname(realpathSync(emcc)), "emscripten-version.txt");
 	const text = existsSync(file) ? readFileSync(file, "utf8") : capture(emcc, ["--version"]);
 	return /\d+\.\d+\.\d+/.exec(text ?? "")?.[0] ?? null;
 }
 
-/** The first emcc that is new enough: on PATH, then through EMSDK, then where distributions hide it. */
+/** Returns the first emcc that is new enough: on PATH, then through EMSDK, then where distributions hide it. */
 export function findEmscripten(env, hidden = ["/usr/lib/emscripten", "/usr/share/emscripten"]) {
 	const sdk = env.EMSDK ? [join(env.EMSDK, "upstream/emscripten")] : [];
 	const folders = [...(env.PATH ?? "").split(delimiter).filter(Boolean), ...sdk, ...hidden];
@@ -193,8 +193,8 @@ function inWords(titles) {
 }
 
 /**
- * The one message for tools that are missing and could not be had; `why` ends its first sentence. Tools whose packages
- * are `unfit` come from elsewhere.
+ * Returns the message about all tools that are missing and could not be installed; `why` ends its first sentence. Tools
+ * whose packages are `unfit` come from elsewhere.
  */
 export function missingMessage(missing, manager, why, unfit = []) {
 	const packagesOf = (name) => (manager ? tools[name].packages[manager.name] : []);
@@ -245,7 +245,7 @@ export function emscriptenEnvironment(emcc, env = process.env) {
 }
 
 /**
- * The clang++ that em++ would start, with the flags that it would add to every source; null where Emscripten does not say.
+ * The clang++ that em++ would start, with the flags that it would add to every source; null if Emscripten does not print it.
  *
  * @param {string} emcc
  * @param {NodeJS.ProcessEnv} env
@@ -273,7 +273,7 @@ export function emscriptenWarning(emcc) {
 	return `Emscripten ${version} is newer than those tested (${oldestEmscripten} to ${newestEmscripten}): sizes and speed may differ.`;
 }
 
-/** What tells one toolchain from another: a build folder configured with one is of no use to the other. */
+/** Returns an identifier of a toolchain: a build folder that was configured with another one cannot be used. */
 export function emscriptenIdentity(emcc) {
 	return `${realpathSync(emcc)} ${versionOfEmscripten(emcc)}`;
 }

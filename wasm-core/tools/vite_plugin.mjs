@@ -29,6 +29,7 @@ function whenSettled(work) {
 	let timer;
 	let isRunning = false;
 	let isDue = false;
+	/** Runs `work`, and again as long as changes arrive meanwhile. */
 	const start = async () => {
 		if (isRunning) {
 			isDue = true;
@@ -47,17 +48,26 @@ function whenSettled(work) {
 	};
 }
 
-/** Builds and informs the page: to reload, or of what does not compile. Returns whether it was built. */
+/**
+ * Builds modules of the core and informs the page: to reload, or of what does not compile.
+ * @param server Vite's development server
+ * @param state `hasFailed`: whether the last build failed; `isServing`: whether the module that the page opens with is
+ * built
+ * @param targets names of the modules to build; empty for all
+ * @returns whether the modules were built
+ */
 async function build(server, state, targets) {
 	const { logger } = server.config;
-	const from = performance.now();
+	const startTime = performance.now();
 	try {
 		const { changed } = await buildCore("wasm", targets);
-		const seconds = ((performance.now() - from) / 1000).toFixed(1);
-		const what = targets.length > 0 ? `core of ${targets.join(", ")}` : "core";
-		logger.info(`${what} ${state.isServing && !changed ? "unchanged" : "ready"} after ${seconds} s`, {
+		const seconds = ((performance.now() - startTime) / 1000).toFixed(1);
+		const builtName = targets.length > 0 ? `core of ${targets.join(", ")}` : "core";
+		logger.info(`${builtName} ${state.isServing && !changed ? "unchanged" : "ready"} after ${seconds} s`, {
 			timestamp: true,
 		});
+		// Single modules are built at the start, and requests for them wait (`holdRequests`): the page needs no reload. After
+		// a failure the reload also removes the error from the page.
 		if (state.isServing && targets.length === 0 && (changed || state.hasFailed))
 			server.ws.send({ type: "full-reload" });
 		state.hasFailed = false;
@@ -71,8 +81,8 @@ async function build(server, state, targets) {
 }
 
 /**
- * Holds a request for a module until the module is built. Where it does not compile, the last one that did is served, or an
- * error where there is none.
+ * Holds a request for a module until the module is built. Where it does not compile, the last one that did is served,
+ * or an error where there is none.
  */
 function holdRequests(server, queue) {
 	server.middlewares.use(async (request, response, next) => {
@@ -83,6 +93,10 @@ function holdRequests(server, queue) {
 	});
 }
 
+/**
+ * Builds the cores in the background and again after changes; resolves once the first one is built, with which the page
+ * opens.
+ */
 async function serveCore(server) {
 	const state = { hasFailed: false, isServing: false };
 	const models = moduleNames().sort((a, b) => Number(b === FIRST) - Number(a === FIRST));
@@ -94,10 +108,10 @@ async function serveCore(server) {
 		for (const model of queue.requested) send(model, "building");
 	});
 	holdRequests(server, queue);
-	const whole = queue.run();
+	const initialBuilds = queue.run();
 	server.watcher.add(watched);
 	const change = whenSettled(async () => {
-		await whole;
+		await initialBuilds;
 		server.config.logger.info("building the core …", { timestamp: true });
 		generate();
 		await build(server, state, []);
@@ -113,15 +127,17 @@ async function serveCore(server) {
 const served = (file) => join("/@fs/", file).replaceAll(sep, "/");
 
 /**
- * core_files.ts for the development server: the addresses of all modules, built or not. The file itself lists those that
- * Vite finds on disk.
+ * core_files.ts for the development server: the addresses of all modules, built or not. The file itself lists those
+ * that Vite finds on disk.
  */
 function plannedAddresses() {
 	const addresses = moduleNames().map((model) => [`../../../build/core/${model}.wasm`, served(moduleOf(model))]);
 	return `export const coreFiles = ${JSON.stringify(Object.fromEntries(addresses))};`;
 }
 
-/** Adapts the page to the development server, whose own scripts write styles into it and whose modules may be missing. */
+/**
+ * Adapts the page to the development server, whose own scripts write styles into it and whose modules may be missing.
+ */
 const forDevelopment = (html) => ({
 	html: html.replace(/style-src 'self'/, "style-src 'self' 'unsafe-inline'"),
 	tags: [
@@ -133,7 +149,10 @@ const forDevelopment = (html) => ({
 	],
 });
 
-/** @returns {import("vite").Plugin} */
+/**
+ * Creates the plugin.
+ * @returns {import("vite").Plugin}
+ */
 export function core() {
 	let isServer = false;
 	let isBuild = false;

@@ -1,6 +1,8 @@
 /** Vite plugins that leave the pages' part of models out of bundles. */
 
-/** Dynamic imports of a model's index.ts: the studio's tools, and the renderer, which only pages and the element need. */
+/**
+ * Dynamic imports of a model's index.ts: the studio's tools, and the renderer, which only pages and the element need.
+ */
 export const MODEL_UI = /^\.\/ui\/ui$/;
 export const MODEL_RENDERER = /^\.\/render\/|_renderer$/;
 
@@ -18,8 +20,8 @@ export function without(...parts) {
 }
 
 /**
- * Removes the plugin by which Vite wraps every `import()` in a preload of styles. These bundles have no styles, Node and workers have no
- * document, and a reader's own Vite would wrap the imports again under the same name.
+ * Removes the plugin by which Vite wraps every `import()` in a preload of styles. These bundles have no styles, Node
+ * and workers have no document, and a reader's own Vite would wrap the imports again under the same name.
  */
 export const withoutPreloading = {
 	name: "without-preloading",

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "foundation/container.hpp"
+#include "foundation/english.hpp"
 #include "foundation/random.hpp"
 #include "foundation/result.hpp"
 #include "models/bunch/parameters.generated.hpp"
@@ -54,7 +55,7 @@ struct Answer {
   std::uint32_t rows(std::string_view name) const { return column(name).rows; }
   std::uint32_t word(std::string_view name, std::size_t index) const { return column(name).as<std::uint32_t>()[index]; }
   Reason reason() const { return static_cast<Reason>(word("status", 0)); }
-  std::string message() const { return std::string(column("message").text()); }
+  std::string message() const { return english(column("message").text()); }
 
   std::uint8_t* block = nullptr;
   std::vector<ColumnView> columns;
@@ -144,11 +145,11 @@ TEST_CASE("an invalid request is an error with a message") {
   TestRequest many;
   const std::vector<float> numbers(200'000, 0.0f);
   many.writer.add("parameters", numbers);
-  refused(Answer(many), "more values");
+  refused(Answer(many), "too many values");
   TestRequest wide;
   const std::vector<float> rows(150'000, 0.0f);
   wide.writer.add("parameters", rows, 3);
-  refused(Answer(wide), "more values");
+  refused(Answer(wide), "too many values");
 }
 
 TEST_CASE("a compiled grammar grows the same plant as its text") {
@@ -167,7 +168,7 @@ TEST_CASE("a compiled grammar grows the same plant as its text") {
   panicle_forget(handle);
   const Answer forgotten(named);
   CHECK(forgotten.reason() == Reason::bad_request);
-  CHECK(forgotten.message().find("not kept") != std::string::npos);
+  CHECK(forgotten.message().find("not stored") != std::string::npos);
   const Answer wrong(panicle_compile("axiom: F(", 9));
   CHECK(wrong.reason() == Reason::syntax);
   CHECK(wrong.word("status", 1) == 1);
@@ -243,7 +244,7 @@ TEST_CASE("a request gets its memory up to 16 MiB") {
 TEST_CASE("a request may set the steps of a text; else the text does, else it is derived to its end") {
   // A text grows below its peduncle, which is no part of it.
   std::vector<float> parameters;
-  for (const bunch::ParameterInfo& each : bunch::parameter_table) parameters.push_back(each.standard);
+  for (const ParameterInfo& each : bunch::parameter_table) parameters.push_back(each.standard);
   parameters[static_cast<std::size_t>(bunch::Parameter::peduncle)] = 0;
   const auto internodes = [&parameters](std::string_view text, int steps) {
     TestRequest request;
@@ -301,8 +302,8 @@ TEST_CASE("a response has each note once, though the derivation and the drawing 
                                                  "homomorphism\nmaximum depth: 256\nA(n) --> f A(n) f A(n)\n"));
   const Answer answer(request);
   REQUIRE(answer.reason() == Reason::none);
-  const std::string notes(answer.column("notes").text());
-  const std::string limit = "What grew so far is shown. The grammar takes more than ";
+  const std::string notes = english(answer.column("notes").text());
+  const std::string limit = "The plant is shown as far as it has grown. The grammar exceeds the limit of ";
   CHECK(notes.starts_with(limit));
   CHECK(notes.find(limit, 1) == std::string::npos);
   CHECK(answer.word("cut_short", 0) == 1);

@@ -104,73 +104,74 @@ void expect_error(std::string_view text, const std::string& where, const std::st
 }  // namespace
 
 TEST_CASE("errors of cpfg statements explain their meaning and replacement") {
-  expect_error("axiom: A\nLsystem: 2\nA --> B", "syntax 2:1", "needs a name, Lsystem: leaf");
-  expect_error("axiom: A\nA --> ?leaf(2) B", "syntax 2:7", "There is no ?leaf");
-  expect_error("axiom: A\nA --> ?leaf(2) B\nLsystem: leaf\nB --> C", "syntax 2:7", "put brackets about it");
+  expect_error("axiom: A\nLsystem: 2\nA --> B", "syntax 2:1", "needs a name, as in “Lsystem: leaf”");
+  expect_error("axiom: A\nA --> ?leaf(2) B", "syntax 2:7", "There is no query “?leaf”");
+  expect_error("axiom: A\nA --> ?leaf(2) B\nLsystem: leaf\nB --> C", "syntax 2:7", "write “[” before the part");
   expect_error("axiom: A\nderivation: 5", "syntax 2:1", "derivation length: 10");
-  expect_error("axiom: A\n#consider A", "syntax 2:2", "is written consider: A B here");
-  expect_error("axiom: A\nA --> B\nhomomorphism\nA < B --> F", "syntax 4:5", "see no neighbours");
-  expect_error("axiom: A\nA --> B\nmaximum depth: 5", "syntax 3:1", "put it behind that line");
+  expect_error("axiom: A\n#consider A", "syntax 2:2", "“consider: A B”");
+  expect_error("axiom: A\nA --> B\nhomomorphism\nA < B --> F", "syntax 4:5", "cannot have a context");
+  expect_error("axiom: A\nA --> B\nmaximum depth: 5", "syntax 3:1", "move this line below “decomposition:”");
   expect_error("axiom: A\nhomomorphism\nmaximum depth: 0", "evaluation 3:16", "a whole number from 1 to 256");
   expect_error("axiom: A\nangle increment: 1/0", "evaluation 2:18", "must be a finite number");
   expect_error("axiom: A\ntropism: 0, -1, 0", "syntax 2:18", "x, y, z and the elasticity");
-  expect_error("axiom: A\n#turtle logo", "syntax 2:9", "here is 'logo'");
-  expect_error("axiom: A\n#turtle cpfg\n#turtle cpfg", "syntax 3:9", "a second #turtle");
+  expect_error("axiom: A\n#turtle logo", "syntax 2:9", "found “logo”");
+  expect_error("axiom: A\n#turtle cpfg\n#turtle cpfg", "syntax 3:9", "a second “#turtle”");
   expect_error("axiom: A\n#curve c (0, 0)", "syntax 2:8", "at least two points");
   expect_error("axiom: A\n#curve c (0, 0) (0, 1)", "syntax 2:17", "from left to right");
-  expect_error("axiom: A\n#curve sin (0, 0) (1, 1)", "syntax 2:8", "a function sin already");
-  expect_error("axiom: A(1)\nA(x) : {y = 2; 3} --> F(y)", "syntax 2:16", "A block holds assignments");
-  expect_error("axiom: A(1)\nA(x) : {y = 2 --> F(y)", "syntax 2:8", "This { is never closed");
-  expect_error("axiom: A(1)\nA(x) : {y = 2} y>1 {z = y} --> F(z) : z", "undefined 2:39", "Nothing defines 'z'");
-  expect_error("axiom: A\nseed: 5", "syntax 2:1", "given with the request");
-  expect_error("ω: A\nA --> B", "syntax 1:1", "written axiom: here");
-  expect_error("axiom: A\nA --> B\nω: A", "syntax 3:1", "written axiom: here");
+  expect_error("axiom: A\n#curve sin (0, 0) (1, 1)", "syntax 2:8", "already a function “sin”");
+  expect_error("axiom: A(1)\nA(x) : {y = 2; 3} --> F(y)", "syntax 2:16", "Expected an assignment in this block");
+  expect_error("axiom: A(1)\nA(x) : {y = 2 --> F(y)", "syntax 2:8", "“{” is never closed");
+  expect_error("axiom: A(1)\nA(x) : {y = 2} y>1 {z = y} --> F(z) : z", "undefined 2:39", "“z” is not defined");
+  expect_error("axiom: A\nseed: 5", "syntax 2:1", "set outside the grammar");
+  expect_error("ω: A\nA --> B", "syntax 1:1", "Write the axiom as “axiom: …”");
+  expect_error("axiom: A\nA --> B\nω: A", "syntax 3:1", "Write the axiom as “axiom: …”");
   CHECK(after("axiom: ω seed\nω --> F ignore", 1) == "F ignore seed");
 }
 
 TEST_CASE("errors of labels, printed arrows and comments explain how they are read") {
-  expect_error("axiom: A\np1: A --> B", "syntax 2:1", "'p1:' labels a production");
+  expect_error("axiom: A\np1: A --> B", "syntax 2:1", "“p1:” labels a production");
   expect_error("axiom: A(1)\np1: A(i) : i>0 --> B", "syntax 2:1", "labels a production");
   expect_error("axiom: A\np1 : A < B --> C", "syntax 2:1", "labels a production");
   expect_error("axiom: A\np1 : [ --> C", "syntax 2:1", "labels a production");
   CHECK(trouble("#define k 1\naxiom: B\nA : k>0 --> B") == "none");
   CHECK(trouble("axiom: B\nA : k>0 --> B\n#define k 1") == "none");
   CHECK(trouble("axiom: B\nA : sin(30)>0 --> B sin") == "none");
-  expect_error("axiom: A\nA : k --> B", "undefined 2:5", "Nothing defines 'k'");
-  expect_error("axiom: A B\nA : B --> C", "undefined 2:5", "Nothing defines 'B'");
-  expect_error("axiom: A\nA -.33-> B", "syntax 2:4", "A --> B : .33.");
-  expect_error("axiom: A\nA -> B", "syntax 2:3", "An arrow is written -->.");
-  expect_error("// a tree\naxiom: A", "syntax 1:1", "A comment is written /*");
-  expect_error("axiom: A\n// the tree's stem", "syntax 2:12", "A comment is written /*");
-  expect_error("axiom: A\n// end of it.", "syntax 2:13", "A comment is written /*");
+  expect_error("axiom: A\nA : k --> B", "undefined 2:5", "“k” is not defined");
+  expect_error("axiom: A B\nA : B --> C", "undefined 2:5", "“B” is not defined");
+  expect_error("axiom: A\nA -.33-> B", "syntax 2:4", "“A --> B : .33”");
+  expect_error("axiom: A\nA -> B", "syntax 2:3", "Write an arrow as “-->”.");
+  expect_error("// a tree\naxiom: A", "syntax 1:1", "Write a comment as “/*");
+  expect_error("axiom: A\n// the tree's stem", "syntax 2:12", "Write a comment as “/*");
+  expect_error("axiom: A\n// end of it.", "syntax 2:13", "Write a comment as “/*");
 }
 
 TEST_CASE("errors of cpfg signs explain their meaning") {
-  expect_error("axiom: F @X(2)", "syntax 1:10", "There is no @X; there are @O");
-  expect_error("axiom: F @ O", "syntax 1:10", "in one word, such as @O(1)");
-  expect_error("axiom: ~", "syntax 1:8", "such as ~leaf");
-  expect_error("axiom: ?Q(1)", "syntax 1:8", "There is no ?Q");
+  expect_error("axiom: F @X(2)", "syntax 1:10", "There is no command “@X”. Available commands: @O");
+  expect_error("axiom: F @ O", "syntax 1:10", "as one word, such as “@O(1)”");
+  expect_error("axiom: ~", "syntax 1:8", "such as “~leaf”");
+  expect_error("axiom: ?Q(1)", "syntax 1:8", "There is no query “?Q”");
   expect_error("axiom: F * F", "syntax 1:10", "an empty successor");
-  expect_error("axiom: F 1", "syntax 1:10", "A symbol begins with a letter");
-  expect_error("axiom: _(2) F", "syntax 1:8", "write !(w)");
-  expect_error("axiom: F `", "syntax 1:10", "not part of the notation");
+  expect_error("axiom: F 1", "syntax 1:10", "symbols start with a letter");
+  expect_error("axiom: _(2) F", "syntax 1:8", "write “!(width)”");
+  expect_error("axiom: F `", "syntax 1:10", "cannot be used in a grammar");
 }
 
 TEST_CASE("errors in expressions suggest a replacement") {
-  expect_error("axiom: A(1 2)", "syntax 1:12", "'2' follows a value; put an operator such as * between them");
-  expect_error("axiom: A(2(3))", "syntax 1:11", "Two values stand side by side");
-  expect_error("axiom: A(1)\nA(x) --> B(x>1 ? 2 : 3)", "syntax 2:16", "There is no choice by ?:");
-  expect_error("axiom: A(1)\nA(x) : x>1 & x<2 --> B", "syntax 2:12", "And is written &&");
-  expect_error("axiom: A(1)\nA(x) : x>1 | x<2 --> B", "syntax 2:12", "Or is written ||");
-  expect_error("axiom: A(1 : 2", "syntax 1:12", "a ) is missing");
-  expect_error("#define n[3] 1\naxiom: A", "syntax 1:11", "nothing between the brackets");
+  expect_error("axiom: A(1 2)", "syntax 1:12",
+               "An operator or a comma is missing before “2”; write an operator such as “*”");
+  expect_error("axiom: A(2(3))", "syntax 1:11", "An operator is missing between two values");
+  expect_error("axiom: A(1)\nA(x) --> B(x>1 ? 2 : 3)", "syntax 2:16", "“?:” is not supported");
+  expect_error("axiom: A(1)\nA(x) : x>1 & x<2 --> B", "syntax 2:12", "Write “and” between conditions as “&&”");
+  expect_error("axiom: A(1)\nA(x) : x>1 | x<2 --> B", "syntax 2:12", "Write “or” between conditions as “||”");
+  expect_error("axiom: A(1 : 2", "syntax 1:12", "put “)” in front of it");
+  expect_error("#define n[3] 1\naxiom: A", "syntax 1:11", "with empty brackets");
 }
 
 TEST_CASE("undefined names are errors") {
   std::string message;
   CHECK(trouble("axiom: A(x)", {}, {}, &message) == "undefined 1:10");
   CHECK(message ==
-        "Nothing defines 'x' here; add a #define before this line or name it among the predecessor's parameters.");
+        "“x” is not defined here; add a “#define” for it above this line, or make it a parameter of the predecessor.");
   CHECK(trouble("axiom: A(1)\nA(i) : j>1 --> B") == "undefined 2:8");
   CHECK(trouble("axiom: A(1)\nA(i) --> B(i)\nB(j) --> A(i)") == "undefined 3:12");
   CHECK(trouble("#define a b\n#define b 1\naxiom: A(1)") == "undefined 1:11");
@@ -183,9 +184,9 @@ TEST_CASE("undefined names are errors") {
 TEST_CASE("inputs without a value are named") {
   std::string message;
   CHECK(trouble("#input m\naxiom: A(m)", {}, {}, &message) == "bad_input 1:8");
-  CHECK(message == "The input 'm' has no value; give it one with the request.");
+  CHECK(message == "The input “m” has no value; set a value for this input in the request.");
   CHECK(trouble("#input n[]\naxiom: A", {}, {}, &message) == "bad_input 1:8");
-  CHECK(message == "The input 'n[]' has no values; give it some with the request.");
+  CHECK(message == "The input “n[]” has no values; set values for this input in the request.");
   CHECK(trouble("#input m\naxiom: A(m)", {{{"m", 0 / 0.0f}}, {}}) == "bad_input 1:8");
   CHECK(trouble("#input n[]\naxiom: A", {{}, {{"n", {1, 1 / 0.0f}}}}) == "bad_input 1:8");
   CHECK(trouble("#define x 1\naxiom: A", {{{"x", 1 / 0.0f}}, {}}) == "bad_input 1:9");
@@ -194,17 +195,17 @@ TEST_CASE("inputs without a value are named") {
 TEST_CASE("numbers that are not finite are errors before the turtle uses them") {
   std::string message;
   CHECK(trouble("axiom: A(1)\nA(x) --> B F(x/0)", {}, {}, &message) == "evaluation 2:14");
-  CHECK(message == "F needs a finite number; here it is given infinity.");
+  CHECK(message == "The argument of “F” must be a finite number, but it is ∞.");
   CHECK(trouble("axiom: F(0/0)", {}, {}, &message) == "evaluation 1:10");
-  CHECK(message == "F needs a finite number; here it is given not a number.");
+  CHECK(message == "The argument of “F” must be a finite number, but it is NaN.");
   CHECK(trouble("axiom: A(1)\nA(x) --> S(-x)", {}, {}, &message) == "evaluation 2:12");
-  CHECK(message == "S needs a number of 0 or more; here it is given -1.");
+  CHECK(message == "The argument of “S” must be 0 or greater, but it is -1.");
   CHECK(trouble("axiom: A(0)\nA(x) --> B(1/x)\nB(x) --> [+(x)F]") == "evaluation 3:13");
   CHECK(trouble("axiom: A(0)\nA(x) --> B(1/x)") == "none");
   CHECK(trouble("#define x 1/0\naxiom: A") == "evaluation 1:11");
   CHECK(trouble("axiom: A\nA --> B : 0-1") == "evaluation 2:11");
   CHECK(trouble("axiom: A(1)\nA(x) --> B(RND(0.2, 0.8))", {}, {}, &message) == "evaluation 2:12");
-  CHECK(message == "There is no whole number from 0.2 to 0.8 for RND to draw.");
+  CHECK(message == "There is no whole number between 0.2 and 0.8 for RND; use a wider range.");
   CHECK(trouble("axiom: A(1)\nA(x) --> B(RND(0, 1e30))") == "evaluation 2:12");
   CHECK(trouble("axiom: A(1)\nA(x) --> B(RND(0, x/0))") == "evaluation 2:12");
 }

@@ -143,12 +143,12 @@ TEST_CASE("arrays are read from 1, and an index beyond their ends is an error wi
   std::string message;
   const char* text = "#input n[]\naxiom: A(1)\nA(i) --> B(2,\n  n[i-1])";
   CHECK(trouble(text, inputs, {}, &message) == "evaluation 4:3");
-  CHECK(message == "There is no n[0]; n goes from 1 to 3.");
+  CHECK(message == "“n[0]” does not exist; the index must be a whole number from 1 to 3.");
   CHECK(trouble("#input n[]\naxiom: V(n[4])", inputs, {}, &message) == "evaluation 2:10");
-  CHECK(message == "There is no n[4]; n goes from 1 to 3.");
+  CHECK(message == "“n[4]” does not exist; the index must be a whole number from 1 to 3.");
   CHECK(trouble("#input n[]\naxiom: V(n[1.5])", inputs, {}, &message) == "evaluation 2:10");
   CHECK(trouble("#input n[]\naxiom: V(n[1/0])", inputs) == "evaluation 2:10");
   CHECK(trouble("#input n[]\naxiom: V(n[0/0])", inputs) == "evaluation 2:10");
   CHECK(trouble("#input n[]\naxiom: V(n[1])", {{}, {{"n", {}}}}, {}, &message) == "evaluation 2:10");
-  CHECK(message == "There is no n[1]; n has no values.");
+  CHECK(message == "“n[1]” does not exist, because the array has no values.");
 }

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include "foundation/english.hpp"
+
 using namespace panicle;
 using namespace panicle::expression;
 
@@ -65,7 +67,7 @@ TEST_CASE("the first token of each line is marked") {
 }
 
 TEST_CASE("characters outside the notation are errors at their place") {
-  CHECK(failure("A → B").message == "'→' is not part of the notation; write -->.");
+  CHECK(english(failure("A → B").message) == "“→” cannot be used in a grammar; write “-->” instead.");
   CHECK(failure("A → B").column == 3);
   CHECK(failure("δ\n ≤").line == 2);
   CHECK(failure("a ` b").column == 3);
@@ -73,5 +75,5 @@ TEST_CASE("characters outside the notation are errors at their place") {
   CHECK(failure("a \x01").column == 3);
   CHECK(failure("a /* b").column == 3);
   for (const char* broken : {"\xff", "\xc3", "a\xe2\x86", "\xc0\x80", "\xf5\x80\x80\x80"})
-    CHECK(failure(broken).message == "The text is not UTF-8 here; save it as UTF-8.");
+    CHECK(english(failure(broken).message) == "The grammar is not valid UTF-8; save it as UTF-8.");
 }

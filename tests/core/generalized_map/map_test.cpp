@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "foundation/english.hpp"
 #include "maps.hpp"
 
 using namespace panicle::generalized_map;
@@ -97,7 +98,7 @@ TEST_CASE("operations that are refused leave the map unchanged") {
   CHECK(map.volumes() == 2);
   CHECK(is_whole(map));
   for (std::uint32_t i = 1; i <= static_cast<std::uint32_t>(Refusal::full); ++i)
-    CHECK(std::string_view(words(static_cast<Refusal>(i))).size() > 20);
+    CHECK(panicle::english(message_of(static_cast<Refusal>(i)).encoded()).size() > 20);
 }
 
 TEST_CASE("a map refuses to have more darts than its limit") {

@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 
+#include "foundation/english.hpp"
 #include "maps.hpp"
 
 using namespace panicle::generalized_map;
@@ -96,7 +97,7 @@ TEST_CASE("10,000 random sequences leave whole maps after every operation: 2") {
   CHECK(tally.whole == tally.operations);
   for (const Refusal refusal : {Refusal::no_face, Refusal::occupied, Refusal::not_adjacent, Refusal::unequal,
                                 Refusal::same_volume, Refusal::uneven, Refusal::folded}) {
-    CAPTURE(words(refusal));
+    CAPTURE(panicle::english(message_of(refusal).encoded()));
     CHECK(tally.refusals[static_cast<std::size_t>(refusal)] > 0);
   }
 }

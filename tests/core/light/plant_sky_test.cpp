@@ -36,10 +36,6 @@ Mesh sheet(std::uint32_t side, float height) {
   return mesh;
 }
 
-MeshPart whole(const Mesh& mesh) {
-  return {0, static_cast<std::uint32_t>(mesh.positions.size() / 3), 0, static_cast<std::uint32_t>(mesh.indices.size())};
-}
-
 }  // namespace
 
 TEST_CASE("the bodies of a stem hide the mean of its silhouettes") {
@@ -61,7 +57,7 @@ TEST_CASE("the bodies of a stem hide the mean of its silhouettes") {
 TEST_CASE("a sheet becomes discs that face as it does; a round part becomes balls of a quarter of its surface") {
   std::vector<SkyBody> specks;
   const Mesh leaf = sheet(12, 0);
-  add_specks(leaf, whole(leaf), 7, specks);
+  add_specks(leaf, whole_range(leaf), 7, specks);
   CHECK(specks.size() >= 16);
   CHECK(specks.size() <= 24);
   CHECK(total(specks) * 3.14159265f == doctest::Approx(1));
@@ -81,19 +77,19 @@ TEST_CASE("a sheet becomes discs that face as it does; a round part becomes ball
 TEST_CASE("a leaf hides sky from parts below it, and has the sky of the better of its two sides") {
   const Mesh upper = sheet(12, 0.5f), lower = sheet(12, 0);
   std::vector<SkyBody> specks;
-  add_specks(upper, whole(upper), 0, specks);
-  add_specks(lower, whole(lower), 1, specks);
+  add_specks(upper, whole_range(upper), 0, specks);
+  add_specks(lower, whole_range(lower), 1, specks);
   Sky sky({}, specks);
   const std::size_t vertices = lower.positions.size() / 3, middle = vertices / 2;
   std::vector<std::uint8_t> one_side(vertices), both(vertices);
-  sample_part(sky, lower, whole(lower), 1, false, one_side);
-  sample_part(sky, lower, whole(lower), 1, true, both);
+  sample_part(sky, lower, whole_range(lower), 1, false, one_side);
+  sample_part(sky, lower, whole_range(lower), 1, true, both);
   CHECK(one_side[middle] < 150);
   CHECK(one_side[0] > one_side[middle]);
   for (std::size_t v = 0; v < vertices; ++v) CHECK(both[v] >= one_side[v]);
   CHECK(both[middle] > one_side[middle] + 50);  // from below it is open
   std::vector<std::uint8_t> top(vertices);
-  sample_part(sky, upper, whole(upper), 0, false, top);
+  sample_part(sky, upper, whole_range(upper), 0, false, top);
   CHECK(top[middle] > 200);
 }
 

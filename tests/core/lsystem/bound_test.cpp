@@ -1,4 +1,5 @@
 // A program is compiled once and bound to inputs as often as they change.
+#include "foundation/english.hpp"
 #include "lsystem/grammars.hpp"
 
 using namespace panicle;
@@ -29,7 +30,7 @@ std::string trouble_when_bound(std::string_view text, const Inputs& inputs, bool
   } else {
     diagnostic = bound.error();
   }
-  return std::to_string(diagnostic.line) + ":" + std::to_string(diagnostic.column) + " " + diagnostic.message;
+  return std::to_string(diagnostic.line) + ":" + std::to_string(diagnostic.column) + " " + english(diagnostic.message);
 }
 
 }  // namespace
@@ -66,25 +67,28 @@ TEST_CASE("an index beyond an array's end is an error only when evaluated") {
       "A(i) : i>3 --> S(n[m]-9) B(n[m]+1)\nA(i) : i=2 && n[m]>0 --> F(n[m])\nA(i) : i=1 || n[9]>0 --> V(n[1])";
   const Inputs::Array list{"n", {7, 8, 9}};
   bool when_binding = true;
-  CHECK(trouble_when_bound(text, {{{"m", 5}}, {list}}, &when_binding) == "4:18 There is no n[5]; n goes from 1 to 3.");
+  CHECK(trouble_when_bound(text, {{{"m", 5}}, {list}}, &when_binding) ==
+        "4:18 “n[5]” does not exist; the index must be a whole number from 1 to 3.");
   CHECK_FALSE(when_binding);
   CHECK(trouble_when_bound(text, {{{"m", 1}}, {{"n", {20}}}}) == "none");
-  CHECK(trouble_when_bound(text, {{{"m", 2}}, {{"n", {20}}}}) == "5:15 There is no n[2]; n goes from 1 to 1.");
-  CHECK(trouble_when_bound(text, {{{"m", 0}}, {{"n", {20}}}}) == "6:15 There is no n[9]; n goes from 1 to 1.");
+  CHECK(trouble_when_bound(text, {{{"m", 2}}, {{"n", {20}}}}) ==
+        "5:15 “n[2]” does not exist; the index must be a whole number from 1 to 1.");
+  CHECK(trouble_when_bound(text, {{{"m", 0}}, {{"n", {20}}}}) ==
+        "6:15 “n[9]” does not exist; the index must be a whole number from 1 to 1.");
 }
 
 TEST_CASE("turtle arguments that inputs make not finite are errors of bind, at every place") {
   const char* text = "#input m\naxiom: F\nA(i) --> S(m-2)\nB(i) : i>m --> F(i) F(1/m)";
   bool when_binding = false;
   CHECK(trouble_when_bound(text, {{{"m", 1}}, {}}, &when_binding) ==
-        "3:12 S needs a number of 0 or more; here it is given -1.");
+        "3:12 The argument of “S” must be 0 or greater, but it is -1.");
   CHECK(when_binding);
   CHECK(trouble_when_bound(text, {{{"m", 3}}, {}}) == "none");
   CHECK(trouble_when_bound("#input m\naxiom: F(1/m)", {{{"m", 0}}, {}}) ==
-        "2:10 F needs a finite number; here it is given infinity.");
+        "2:10 The argument of “F” must be a finite number, but it is ∞.");
   CHECK(trouble_when_bound("#input m\n#define k 1/m\naxiom: F", {{{"m", 0}}, {}}) ==
-        "2:11 'k' comes to infinity; it must be a finite number.");
+        "2:11 “k” evaluates to ∞; it must be a finite number.");
   CHECK(trouble_when_bound("#input n[]\n#define k n[3]\naxiom: F", {{}, {{"n", {1}}}}) ==
-        "2:11 There is no n[3]; n goes from 1 to 1.");
+        "2:11 “n[3]” does not exist; the index must be a whole number from 1 to 1.");
   CHECK(trouble_when_bound("#input n[]\n#define k n[3]\naxiom: F", {{{"k", 1}}, {{"n", {1}}}}) == "none");
 }

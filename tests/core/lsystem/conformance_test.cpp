@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "foundation/english.hpp"
 #include "lsystem/derivation/derivation.hpp"
 #include "lsystem/published.hpp"
 
@@ -162,7 +163,7 @@ TEST_CASE("published grammars: counts of symbols match the theory, step by step"
       CHECK(count_of(*bound, derivation.string(), count.symbol) == count.after(step));
       if (!derivation.step()) break;
     }
-    CHECK(derivation.trouble().message == "");
+    CHECK(english(derivation.error().message) == "");
     CHECK(derivation.steps() > 1);
   }
 }

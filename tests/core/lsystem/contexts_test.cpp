@@ -243,7 +243,7 @@ TEST_CASE(
   CHECK(text_of(*bound, rest) == "b b b b b");
   CHECK(rest.steps == 4);
   const std::string endless = error_of("axiom: b a\nb < a --> c\nc > * : * --> a\nb > a --> b\n");
-  CHECK(contains(endless, "limit 0:0 The string is still rewritten after 4096 steps"));
+  CHECK(contains(endless, "limit 0:0 The string is still being rewritten after 4096 steps"));
 }
 
 TEST_CASE("a random condition in context is drawn when its neighbour matches") {
@@ -278,30 +278,31 @@ TEST_CASE("a context may match the environment's response") {
 }
 
 TEST_CASE("errors of contexts have their place") {
-  CHECK(contains(error_of("axiom: A\n< A --> B"), "syntax 2:1 A context is expected beside <"));
-  CHECK(contains(error_of("axiom: A\nA > : 1 --> B"), "syntax 2:5 A context is expected beside >"));
-  CHECK(contains(error_of("axiom: A\nA < B < C --> B"), "There is a second <"));
-  CHECK(contains(error_of("axiom: A\nA > C < B --> D"), "syntax 2:3 The left context stands first"));
-  CHECK(contains(error_of("axiom: A\n* A < B --> C"), "syntax 2:3 The left context stands first"));
-  CHECK(contains(error_of("axiom: A\nFF < A --> B"), "syntax 2:1 'FF' is read as one symbol"));
-  CHECK(contains(error_of("axiom: A\np1: * < A > B --> C"), "syntax 2:1 In cpfg 'p1:' labels a production"));
+  CHECK(contains(error_of("axiom: A\n< A --> B"), "syntax 2:1 Expected a context next to “<”"));
+  CHECK(contains(error_of("axiom: A\nA > : 1 --> B"), "syntax 2:5 Expected a context next to “>”"));
+  CHECK(contains(error_of("axiom: A\nA < B < C --> B"), "There is a second “<”"));
+  CHECK(contains(error_of("axiom: A\nA > C < B --> D"), "syntax 2:3 Write the left context first"));
+  CHECK(contains(error_of("axiom: A\n* A < B --> C"), "syntax 2:3 Write the left context first"));
+  CHECK(contains(error_of("axiom: A\nFF < A --> B"), "syntax 2:1 “FF” is read as a single symbol"));
+  CHECK(contains(error_of("axiom: A\np1: * < A > B --> C"), "syntax 2:1 In cpfg “p1:” labels a production"));
   CHECK(after("axiom: A\nA : * --> B", 1) == "B");
-  CHECK(contains(error_of("axiom: A\nA [B] < C --> B"), "syntax 2:3 A left context is the way from the root"));
-  CHECK(contains(error_of("axiom: A\nA > [B --> C"), "syntax 2:5 This [ is never closed"));
-  CHECK(contains(error_of("axiom: A\nA > B] --> C"), "syntax 2:6 This ] closes nothing"));
-  CHECK(contains(error_of("axiom: A\nA(x) < B(x) --> C"), "syntax 2:3 The parameter 'x' stands here twice"));
+  CHECK(contains(error_of("axiom: A\nA [B] < C --> B"), "syntax 2:3 A left context cannot contain brackets"));
+  CHECK(contains(error_of("axiom: A\nA > [B --> C"), "syntax 2:5 “[” is never closed"));
+  CHECK(contains(error_of("axiom: A\nA > B] --> C"), "syntax 2:6 “]” has no matching opening bracket"));
+  CHECK(contains(error_of("axiom: A\nA(x) < B(x) --> C"), "syntax 2:3 The parameter “x” appears twice"));
   CHECK(contains(error_of("axiom: A\nA < B > F(x,y) --> C"), "syntax 2:9"));
-  CHECK(contains(error_of("axiom: A\nignore: A\nA < B --> C"), "syntax 3:1 Contexts do not see 'A'"));
-  CHECK(contains(error_of("axiom: A\nconsider: A\nA < B > C --> C"), "syntax 3:9 Contexts do not see 'C'"));
-  CHECK(contains(error_of("axiom: A\nignore: +\nconsider: A"), "syntax 3:1 What contexts see is said twice"));
-  CHECK(contains(error_of("axiom: A\nignore: AB"), "undefined 2:9 Nothing in this text has the symbol 'AB'"));
-  CHECK(contains(error_of("axiom: A\nignore: ["), "syntax 2:9 Brackets are always seen"));
-  CHECK(contains(error_of("axiom: A\nignore:"), "Which symbols?"));
-  CHECK(contains(error_of("axiom: A\nA < ?E(x) --> B"), "?E is answered by the environment"));
-  CHECK(contains(error_of("axiom: A\n#ignore A"), "is written ignore: + - F here"));
+  CHECK(contains(error_of("axiom: A\nignore: A\nA < B --> C"), "syntax 3:1 Contexts ignore “A”"));
+  CHECK(contains(error_of("axiom: A\nconsider: A\nA < B > C --> C"), "syntax 3:9 Contexts ignore “C”"));
+  CHECK(
+      contains(error_of("axiom: A\nignore: +\nconsider: A"), "syntax 3:1 There is a second “ignore:” or “consider:”"));
+  CHECK(contains(error_of("axiom: A\nignore: AB"), "undefined 2:9 The grammar does not contain the symbol “AB”"));
+  CHECK(contains(error_of("axiom: A\nignore: ["), "syntax 2:9 Contexts always match brackets"));
+  CHECK(contains(error_of("axiom: A\nignore:"), "“ignore:” needs symbols"));
+  CHECK(contains(error_of("axiom: A\nA < ?E(x) --> B"), "“?E” gets its response from the environment"));
+  CHECK(contains(error_of("axiom: A\n#ignore A"), "“ignore: + - F”"));
   std::string many = "axiom: A\nA > ";
   for (int i = 0; i < 65; ++i) many += "B ";
-  CHECK(contains(error_of(many + "--> C"), "limit 2:133 A context has at most 64 modules"));
+  CHECK(contains(error_of(many + "--> C"), "limit 2:133 A context can have at most 64 modules"));
   std::string names;
   for (int i = 0; i < 20; ++i) names += (i ? "," : "") + std::string("a") + std::to_string(i);
   std::string others = names;

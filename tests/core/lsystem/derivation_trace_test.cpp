@@ -1,4 +1,5 @@
 // Traces of derivations, worked out by hand.
+#include "foundation/english.hpp"
 #include "lsystem/derivation_traces.hpp"
 
 using namespace panicle;
@@ -253,7 +254,7 @@ TEST_CASE("a trace that does not watch the drawing has no responses from it") {
 TEST_CASE("wherever a limit ends a derivation, its trace ends with the string that is derived") {
   // ?P has the turtle's place written into it after each step, which can come to the limit as well.
   const BoundPointer bound = compiled("axiom: A(1) B ?P(0,0,0)\nA(x) --> F A(x+1) [ A(x) ?P(0,0,0) ]\nB --> B F");
-  std::uint32_t most_steps = 0;
+  std::uint32_t max_steps = 0;
   for (std::uint64_t evaluations = 1; evaluations < 1500; ++evaluations) {
     Limits limits;
     limits.work = evaluations;
@@ -267,9 +268,9 @@ TEST_CASE("wherever a limit ends a derivation, its trace ends with the string th
     std::uint32_t descendants = 0;
     for (const TraceEntry& module : traced->modules()) descendants += module.last.count;
     if (!traced->modules().empty()) CHECK(descendants == traced->counts().back());
-    most_steps = std::max(most_steps, traced->steps());
+    max_steps = std::max(max_steps, traced->steps());
   }
-  CHECK(most_steps > 4);
+  CHECK(max_steps > 4);
 }
 
 namespace {
@@ -284,7 +285,7 @@ std::string refused(std::string_view text, std::uint32_t step, std::optional<std
     if (!all.empty()) all += " | ";
     all += module.text;
     for (const lsystem::Refusal& refusal : module.refusals)
-      all += " " + std::to_string(refusal.production.line) + ": " + refusal.reason + ";";
+      all += " " + std::to_string(refusal.production.line) + ": " + english(refusal.reason) + ";";
   }
   return all;
 }
@@ -293,36 +294,37 @@ std::string refused(std::string_view text, std::uint32_t step, std::optional<std
 
 TEST_CASE("the trace of a module lists the reasons why other productions of its symbol do not rewrite it") {
   CHECK(refused("axiom: A(3) F\nA --> F\nA(x) : x>4 && x<9 --> F\nA(x) : x>2 --> F\nA(x) --> F", 0) ==
-        "A(3) 2: it is for no parameters, and the module has 1 parameter; 3: its condition is false with x = 3; "
-        "5: the production in line 4 comes first; | F");
+        "A(3) 2: the production expects no parameters, but the module has 1 parameter; 3: the condition is false with "
+        "x = 3; "
+        "5: the production on line 4 takes precedence; | F");
   // The last string has reasons too, but none for the production that would rewrite it.
   CHECK(refused("axiom: A(3)\nA(x) --> A(x+1)\nA(x) : x>9 --> B", 2, 2) ==
-        "A(5) 3: its condition is false with x = 5;");
-  CHECK(refused("axiom: A(1)\nA(x) : x<3 --> A(x+1)", 2, {}) == "A(3) 2: its condition is false with x = 3;");
+        "A(5) 3: the condition is false with x = 5;");
+  CHECK(refused("axiom: A(1)\nA(x) : x<3 --> A(x+1)", 2, {}) == "A(3) 2: the condition is false with x = 3;");
   // Conditions are those of the module with its answer.
   Adding adding;
   const lsystem::DerivationOptions options{{}, nullptr, &adding};
   CHECK(refused("#turtle cpfg\naxiom: ?E(2,1)\n?E(r,n) : n>4 --> F\n?E(r,n) : n=3 --> ?E(r,n)", 0, 2, options) ==
-        "?E(2,1) 3: its condition is false with r = 2, n = 3;");
+        "?E(2,1) 3: the condition is false with r = 2, n = 3;");
 }
 
 TEST_CASE("the reason for a context that does not match names the neighbours, and a bracket between them") {
   CHECK(refused("axiom: B A C\nF < A --> F\nA > F --> F\nB < A > F --> F\nB < A > C F --> F", 0)
-            .find("A 2: B is before it, not F; 3: C is behind it, not F; 4: C is behind it, not F; "
-                  "5: its context does not match;") != std::string::npos);
-  CHECK(
-      refused("axiom: A\nF < A --> F\nA > F --> F", 0) ==
-      "A 2: there is no module before it, where F is required; 3: there is no module behind it, where F is required;");
-  CHECK(
-      refused("axiom: [ B ] A [ + C ] [ C ]\nB < A --> F\nA > C --> F", 0)
-          .find(
-              "A 2: the B before it is in a closed branch, where a left context does not match; 3: the C behind it is "
-              "in a branch; to match it there, write > [ C ];") != std::string::npos);
+            .find("A 2: the symbol before the module is “B”, not “F”; 3: the symbol after the module is “C”, not “F”; "
+                  "4: the symbol after the module is “C”, not “F”; 5: the context does not match;") !=
+        std::string::npos);
+  CHECK(refused("axiom: A\nF < A --> F\nA > F --> F", 0) ==
+        "A 2: there is no module before this one, but “F” is required; "
+        "3: there is no module after this one, but “F” is required;");
+  CHECK(refused("axiom: [ B ] A [ + C ] [ C ]\nB < A --> F\nA > C --> F", 0)
+            .find("A 2: the “B” before the module is in a closed branch, where a left context does not match; "
+                  "3: the “C” after the module is in a branch; to match it there, write “> [ C ]”;") !=
+        std::string::npos);
   CHECK(refused("axiom: B(1) A C(1)\nB(x,y) < A --> F\nA > C --> F", 0)
-            .find("A 2: the B before it has 1 parameter, not 2 parameters; 3: the C behind it has 1 parameter, not no "
-                  "parameters;") != std::string::npos);
+            .find("A 2: the “B” before the module has 1 parameter, not 2 parameters; "
+                  "3: the “C” after the module has 1 parameter, not no parameters;") != std::string::npos);
   CHECK(refused("axiom: B(7) A(2)\nB(y) < A(x) : y<x --> F", 0) ==
-        "B(7) | A(2) 2: its condition is false with x = 2, y = 7;");
+        "B(7) | A(2) 2: the condition is false with x = 2, y = 7;");
 }
 
 TEST_CASE("the reason for a production that was not drawn names the one that the derivation drew") {
@@ -334,8 +336,9 @@ TEST_CASE("the reason for a production that was not drawn names the one that the
     REQUIRE(module.refusals.size() == 2);
     for (const lsystem::Refusal& refusal : module.refusals) {
       CHECK(refusal.production.line != module.fires.line);
-      drawn += refusal.reason == "the production in line " + std::to_string(module.fires.line) + " was drawn at random";
-      false_ones += refusal.reason == "its condition is false";
+      drawn += english(refusal.reason) ==
+               "the production on line " + std::to_string(module.fires.line) + " was chosen at random";
+      false_ones += english(refusal.reason) == "the condition is false";
     }
   }
   CHECK(drawn + false_ones == 12);

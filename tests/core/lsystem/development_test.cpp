@@ -1,4 +1,5 @@
 // How many steps a grammar takes: as the request sets, else as the text sets, else until nothing is rewritten.
+#include "foundation/english.hpp"
 #include "lsystem/grammars.hpp"
 
 using namespace panicle;
@@ -15,11 +16,11 @@ std::string refused(std::string_view text, std::optional<std::uint32_t> steps, c
   const auto bound = lsystem::bind(sound(lsystem::compile(text, Limits{})), inputs, Limits{});
   if (!bound)
     return std::to_string(bound.error().line) + ":" + std::to_string(bound.error().column) + " " +
-           bound.error().message;
+           english(bound.error().message);
   const auto derived = lsystem::develop(*bound.value(), 1, steps, Limits{});
   REQUIRE_FALSE(derived);
   CHECK(derived.error().reason == Reason::limit);
-  return derived.error().message;
+  return english(derived.error().message);
 }
 
 }  // namespace
@@ -57,14 +58,14 @@ TEST_CASE("a derivation length may depend on constants, and may be at any place 
 TEST_CASE("a derivation length is a whole number within the limit") {
   const char* text = "#input age\naxiom: A\nderivation length: age/2\nA --> A";
   CHECK(refused(text, {}, {{{"age", 3}}, {}}) ==
-        "3:20 The derivation length comes to 1.5; it must be a whole number of 0 or more.");
+        "3:20 The derivation length evaluates to 1.5; it must be a whole number, 0 or greater.");
   CHECK(refused(text, {}, {{{"age", -2}}, {}}) ==
-        "3:20 The derivation length comes to -1; it must be a whole number of 0 or more.");
+        "3:20 The derivation length evaluates to -1; it must be a whole number, 0 or greater.");
   CHECK(refused(text, {}, {{{"age", 8194}}, {}}) ==
-        "3:20 The derivation length comes to 4097; the limit is 4096 steps.");
+        "3:20 The derivation length evaluates to 4097; the limit is 4096 steps.");
   CHECK(refused("axiom: A\nderivation length: 0/0", {}) ==
-        "2:20 The derivation length comes to not a number; it must be a whole number of 0 or more.");
-  CHECK(refused("axiom: A\nA --> A", 4097) == "The grammar is asked for 4097 steps; the limit is 4096.");
+        "2:20 The derivation length evaluates to NaN; it must be a whole number, 0 or greater.");
+  CHECK(refused("axiom: A\nA --> A", 4097) == "The request is for 4097 steps; the limit is 4096. Request fewer steps.");
 }
 
 TEST_CASE("the last step that rewrote anything is counted, and the modules of all strings") {

@@ -62,9 +62,9 @@ inline Diagnostic derive_open(const BoundProgram& bound, Contrary& listener, con
     CHECK(modules == lsystem::length(string));
   }
   Contrary unqueried;
-  if (derivation.trouble().reason == Reason::none)
+  if (derivation.error().reason == Reason::none)
     lsystem::interpret_without_queries(bound, derivation.string(), {}, unqueried, 1, limits);
-  return derivation.trouble();
+  return derivation.error();
 }
 
 inline bool draws_conditions(const lsystem::Program& program) {
@@ -89,7 +89,8 @@ inline int tried(const std::string& text, std::uint32_t mood) {
   const auto notation = mood % 2 == 0 ? lsystem::Notation::cpfg : lsystem::Notation::huang;
   const auto program = lsystem::compile(text, limits, lsystem::Lineages::where_needed, notation);
   if (!program) return blamed(program.error()), 1;
-  for (const lsystem::Remark& remark : lsystem::remarks(*program.value())) CHECK_FALSE(remark.message.empty());
+  for (const lsystem::Remark& remark : lsystem::remarks(*program.value()))
+    CHECK_FALSE(remark.message.encoded().empty());
   const auto bound = lsystem::bind(program.value(), inputs, limits);
   if (!bound) return blamed(bound.error()), 1;
   const Slabs space;

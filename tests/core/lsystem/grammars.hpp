@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "foundation/english.hpp"
 #include "lsystem/lsystem.hpp"
 #include "sound.hpp"
 
@@ -56,7 +57,7 @@ inline std::string trouble(std::string_view text, const Inputs& inputs = {}, con
     const auto whole = lsystem::unfold(*bound.value(), 1, limits);
     return whole ? Diagnostic{} : whole.error();
   }();
-  if (message) *message = diagnostic.message;
+  if (message) *message = english(diagnostic.message);
   if (diagnostic.reason == Reason::none) return "none";
   return std::string(reasons[static_cast<std::uint32_t>(diagnostic.reason)]) + " " + std::to_string(diagnostic.line) +
          ":" + std::to_string(diagnostic.column);
@@ -102,7 +103,7 @@ class Recorder : public Listener {
 
 inline void draw(const BoundProgram& bound, const Derived& string, Recorder& recorder, std::uint64_t seed = 1) {
   const auto drawn = lsystem::interpret(bound, *string.string, {}, recorder, seed, Limits{});
-  if (!drawn) FAIL(drawn.error().message);
+  if (!drawn) FAIL(english(drawn.error().message));
   CHECK(drawn.value() == recorder.lines.size());
 }
 

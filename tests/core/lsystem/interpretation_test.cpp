@@ -1,3 +1,4 @@
+#include "foundation/english.hpp"
 #include "lsystem/grammars.hpp"
 
 using namespace panicle;
@@ -102,7 +103,7 @@ TEST_CASE("limits of interpretation") {
   limits.depth = 100;
   const Diagnostic depth = failure(deep, limits);
   CHECK(depth.reason == Reason::limit);
-  CHECK(depth.message.find("100 branches") != std::string::npos);
+  CHECK(english(depth.message).find("100 branches") != std::string::npos);
   limits.depth = 101;
   Recorder recorder;
   const BoundPointer bound = compiled(deep);
@@ -121,41 +122,42 @@ TEST_CASE("positions too far away and sizes too large or too small are errors wi
   const auto refused = [](std::string_view text, const char* module, const char* why) {
     const Diagnostic error = failure(std::string("axiom: ") + std::string(text), Limits{});
     CAPTURE(text);
-    CAPTURE(error.message);
+    CAPTURE(english(error.message));
     CHECK(error.reason == Reason::evaluation);
-    CHECK(error.message.find(module) == 0);
-    CHECK(error.message.find(why) != std::string::npos);
+    CHECK(english(error.message).find(module) == 0);
+    CHECK(english(error.message).find(why) != std::string::npos);
   };
-  refused("F(1e37)", "Module 1 of the string, F(1e37), is larger", "10^9");
-  refused("F(1) S(1e38)", "Module 2 of the string, S(1e38), is larger", "10^9");
-  refused("F(9e8) F(9e8)", "Module 2 of the string, F(900000000), leads farther", "10^9");
-  refused("f(9e8) f(9e8) F", "Module 2 of the string, f(900000000), leads farther", "10^9");
-  refused("!(1e38) F", "Module 2 of the string, F, is drawn wider", "by !");
-  refused("F(1e-30)", "Module 1 of the string, F(1e-30), is smaller", "10^-18");
-  refused("S(1e-30)", "Module 1 of the string, S(1e-30), is smaller", "10^-18");
+  refused("F(1e37)", "Module 1 of the string (F(1e37)): The shape to draw is larger", "10^9");
+  refused("F(1) S(1e38)", "Module 2 of the string (S(1e38)): The shape to draw is larger", "10^9");
+  refused("F(9e8) F(9e8)", "Module 2 of the string (F(900000000)): The turtle is more than", "10^9");
+  refused("f(9e8) f(9e8) F", "Module 2 of the string (f(900000000)): The turtle is more than", "10^9");
+  refused("!(1e38) F", "Module 2 of the string (F): The line width is larger", "with “!”");
+  refused("F(1e-30)", "Module 1 of the string (F(1e-30)): The shape to draw is smaller", "10^-18");
+  refused("S(1e-30)", "Module 1 of the string (S(1e-30)): The shape to draw is smaller", "10^-18");
   const auto refused_in_cpfg = [](std::string_view text, const char* module) {
     const auto program = lsystem::compile(std::string("axiom: ") + std::string(text), Limits{},
                                           lsystem::Lineages::where_needed, lsystem::Notation::cpfg);
-    REQUIRE_MESSAGE(program, program.error().message);
+    REQUIRE_MESSAGE(program, english(program.error().message));
     const BoundPointer bound = sound(lsystem::bind(program.value(), {}, Limits{}));
     Recorder recorder;
     const auto result = lsystem::interpret(*bound, *derived(*bound, 1).string, {}, recorder, 1, Limits{});
     CAPTURE(text);
     REQUIRE_FALSE(result);
-    CAPTURE(result.error().message);
+    CAPTURE(english(result.error().message));
     CHECK(result.error().reason == Reason::evaluation);
-    CHECK(result.error().message.find(module) == 0);
+    CHECK(english(result.error().message).find(module) == 0);
   };
-  refused_in_cpfg("@Di(1e38)@Di(1e38)@O(1)", "Module 3 of the string, @O(1), is larger");
-  refused_in_cpfg("@Di(1e38)@Di(1e38)~leaf", "Module 3 of the string, ~leaf, is larger");
-  refused_in_cpfg("@Di(1e-30)@Di(1e-30)@O(1)", "Module 2 of the string, @Di(1e-30), makes what is drawn too small");
-  refused_in_cpfg("@Di(1e-10)@O(1e-10)", "Module 2 of the string, @O(1e-10), is smaller");
-  refused_in_cpfg("@Di(1e38)@o(1)", "Module 2 of the string, @o(1), is larger");
-  refused_in_cpfg("@M(1e12,0,0) F", "Module 1 of the string, @M(1e12,0,0), leads farther");
-  refused_in_cpfg("@Di(1e38) {(1) F(1e-38) }", "Module 2 of the string, {(1), is thicker");
-  refused_in_cpfg("@R(1e38,1e38,0) F", "Module 2 of the string, F, has no direction");
+  refused_in_cpfg("@Di(1e38)@Di(1e38)@O(1)", "Module 3 of the string (@O(1)): The shape to draw is larger");
+  refused_in_cpfg("@Di(1e38)@Di(1e38)~leaf", "Module 3 of the string (~leaf): The shape to draw is larger");
+  refused_in_cpfg("@Di(1e-30)@Di(1e-30)@O(1)",
+                  "Module 2 of the string (@Di(1e-30)): The scale of the drawing becomes too small");
+  refused_in_cpfg("@Di(1e-10)@O(1e-10)", "Module 2 of the string (@O(1e-10)): The shape to draw is smaller");
+  refused_in_cpfg("@Di(1e38)@o(1)", "Module 2 of the string (@o(1)): The shape to draw is larger");
+  refused_in_cpfg("@M(1e12,0,0) F", "Module 1 of the string (@M(1e12,0,0)): The turtle is more than");
+  refused_in_cpfg("@Di(1e38) {(1) F(1e-38) }", "Module 2 of the string ({(1)): The polygon is thicker");
+  refused_in_cpfg("@R(1e38,1e38,0) F", "Module 2 of the string (F): The turtle has no direction");
   // Errors of drawing a homomorphism name the drawn module.
-  refused("A\nhomomorphism:\nA --> F(1e20)", "Module 1 of the string, F(1e20)", "larger");
+  refused("A\nhomomorphism:\nA --> F(1e20)", "Module 1 of the string (F(1e20))", "larger");
   // Sizes up to the bounds are drawn, and zero sizes are skipped.
   const Recorder recorder = drawn("axiom: F(9e8) F(-9e8) S(1e-17) F(0) S(0) !(9e8) F(2)", 0);
   CHECK(recorder.lines.size() == 3);

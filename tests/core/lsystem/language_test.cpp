@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "foundation/english.hpp"
 #include "lsystem/derivation/derivation.hpp"
 #include "lsystem/grammars.hpp"
 
@@ -55,7 +56,7 @@ Whole heard(const std::string& text, std::uint32_t steps = 0) {
   Whole whole;
   const Derived string = sound(lsystem::develop(*bound, 1, steps, Limits{}, {upright()}));
   const auto drawn = lsystem::interpret(*bound, *string.string, upright(), whole, 1, Limits{});
-  if (!drawn) FAIL(drawn.error().message);
+  if (!drawn) FAIL(english(drawn.error().message));
   return whole;
 }
 

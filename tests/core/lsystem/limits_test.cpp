@@ -47,16 +47,16 @@ TEST_CASE("a derivation that never ends stops at the limit of steps") {
 TEST_CASE("productions applied, tried and copied over count as work") {
   Limits limits;
   limits.work = 1000;
-  stops("axiom: A\nA --> A A", limits, "more than 1000 units of work");
+  stops("axiom: A\nA --> A A", limits, "limit of 1000 units of computing work");
   std::string many = "axiom: A(1)\n";
   for (int i = 0; i < 2000; ++i) many += "A(x) : x>2 --> B\n";
-  stops(many, limits, "more than 1000 units of work");
+  stops(many, limits, "limit of 1000 units of computing work");
   std::string long_string = "axiom: A ";
   for (int i = 0; i < 3200; ++i) long_string += "F ";
-  stops(long_string + "\nA --> A", limits, "more than 1000 units of work");
+  stops(long_string + "\nA --> A", limits, "limit of 1000 units of computing work");
   std::string long_expression = "axiom: A(1)\nA(x) --> A(x";
   for (int i = 0; i < 3200; ++i) long_expression += "+x*" + std::to_string(i);
-  stops(long_expression + ")", limits, "more than 1000 units of work");
+  stops(long_expression + ")", limits, "limit of 1000 units of computing work");
 }
 
 TEST_CASE("texts, nesting and parameters have limits too") {
@@ -64,8 +64,8 @@ TEST_CASE("texts, nesting and parameters have limits too") {
   limits.text_bytes = 10;
   stops("axiom: A(1)", limits, "the limit is 10");
   const std::string open(100'000, '('), close(100'000, ')');
-  stops("axiom: A(" + open + "1" + close + ")", Limits{}, "nested deeper than 256");
-  stops("axiom: A(" + std::string(100'000, '-') + "1)", Limits{}, "nested deeper than 256");
+  stops("axiom: A(" + open + "1" + close + ")", Limits{}, "nested more than 256 levels deep");
+  stops("axiom: A(" + std::string(100'000, '-') + "1)", Limits{}, "nested more than 256 levels deep");
   std::string many = "axiom: A(1";
   for (int i = 0; i < 40; ++i) many += ",1";
   stops(many + ")", Limits{}, "32 parameters");

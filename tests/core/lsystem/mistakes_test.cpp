@@ -1,4 +1,5 @@
 // Common mistakes when a grammar is copied from a book or another program: each error has the right place and advice.
+#include "foundation/english.hpp"
 #include "lsystem/published.hpp"
 
 using namespace panicle;
@@ -30,14 +31,14 @@ const Mistake mistakes[] = {
     {"axiom: A\nA -«.33-> B", " : "},
     {"axiom: A\nA «.33--> B", "colon"},
     {"axiom: A\nA «0.33--> B", "colon"},
-    {"axiom: A\nA --> B «0.33", "begins with a letter|behind a colon"},
+    {"axiom: A\nA --> B «0.33", "start with a letter|put a colon before"},
     // Digits and signs that are no symbols.
-    {"axiom: F «1 F 1", "begins with a letter|o and i for 0 and 1"},
-    {"axiom: A\n«0 < A --> B", "o and i for 0 and 1"},
-    {"axiom: A\n«1 --> A 1", "o and i for 0 and 1"},
+    {"axiom: F «1 F 1", "start with a letter|“o” and “i” for 0 and 1"},
+    {"axiom: A\n«0 < A --> B", "“o” and “i” for 0 and 1"},
+    {"axiom: A\n«1 --> A 1", "“o” and “i” for 0 and 1"},
     {"axiom: F«−F", "-"},
-    {"axiom: F\nF --> [«∧F]", "^ in a string"},
-    {"axiom: F\nF --> [«∼leaf(1)]", "write ~"},
+    {"axiom: F\nF --> [«∧F]", "“^” in a string"},
+    {"axiom: F\nF --> [«∼leaf(1)]", "write “~”"},
     {"axiom: F\nF --> [«’F]", "'"},
     {"axiom: A\nA --> F «= B", "="},
     // Lines of other programs.
@@ -49,23 +50,23 @@ const Mistake mistakes[] = {
     {"axiom: A\nA --> B\n«iterations: 5", "derivation length:"},
     {"axiom: A\nA --> B\n«n: 3", "derivation length:"},
     {"axiom: A\nA(n) --> B(n)\n«n: 3", "derivation length:"},
-    {"axiom: A\nA --> B\n«step: 10", "belongs to no statement"},
-    {"axiom: A\nA --> B\n«my own words: 10", "belongs to no statement"},
+    {"axiom: A\nA --> B\n«step: 10", "is not a statement"},
+    {"axiom: A\nA --> B\n«my own words: 10", "is not a statement"},
     {"axiom: A\n«angle 60\nA --> B", "angle increment:"},
-    {"axiom: A\nA --> F F\n«decomposition warnings", "goes on with the string"},
+    {"axiom: A\nA --> F F\n«decomposition warnings", "continues the string above"},
     {"homomorphism: «warnings\naxiom: A\nA --> B", "warnings"},
-    {"#input in«(x,y) x\naxiom: A\nA --> B", "Nothing may follow"},
+    {"#input in«(x,y) x\naxiom: A\nA --> B", "is not allowed after the name of an input"},
     {"axiom: A\nA --> B\n«dt = 0.02", "#define dt"},
     {"axiom: A\nA --> B\n«n=5", "derivation length: 10"},
     {"axiom: A\nA --> B\n«ω = 5", "axiom:"},
-    {"axiom: A\nA --> +(60«°) B", "leave the ° out"},
-    {"axiom: A(2)\nA(x)\n«--> B", "the end of the line before"},
-    {"axiom: A(2)\nA(x) --> C\nA(x) : x>1 {y = 1}\n«--> B", "the end of the line before"},
+    {"axiom: A\nA --> +(60«°) B", "delete the “°”"},
+    {"axiom: A(2)\nA(x)\n«--> B", "the end of the previous line"},
+    {"axiom: A(2)\nA(x) --> C\nA(x) : x>1 {y = 1}\n«--> B", "the end of the previous line"},
     {"axiom: A\nA --> F\nB\n«-> C", "-->"},
-    {"axiom: «1\n1 --> 1 0", "Write letters, such as o and i"},
-    {"axiom: i\n«1 --> 1 [ 0 ] 0", "Write letters, such as o and i"},
-    {"axiom: A\n«p1: A --> B", "leave it out"},
-    {"axiom: A\nA(n) «A(m) --> B", "one module"},
+    {"axiom: «1\n1 --> 1 0", "write letters, such as “o” and “i”"},
+    {"axiom: i\n«1 --> 1 [ 0 ] 0", "write letters, such as “o” and “i”"},
+    {"axiom: A\n«p1: A --> B", "delete the label"},
+    {"axiom: A\nA(n) «A(m) --> B", "a single module"},
     {"axiom: «?(2,0.5) A", "one word|?leaf(0.5)"},
     {"#«ignore +-F\naxiom: A\nA --> B", "ignore:"},
     {"#«include H\naxiom: A\nA --> B", "include"},
@@ -85,14 +86,14 @@ const Mistake mistakes[] = {
     {"axiom: A(1)\nA(s) : s «≤ 1 --> F", "<="},
     {"axiom: A(1)\nA(s) : s «≠ 1 --> F", "!="},
     {"axiom: A(1)\nA(s) : s>1 «& s<3 --> F", "&&"},
-    {"axiom: A(1)\nA(s) : s>1 «and s<3 --> F", "And is written &&"},
+    {"axiom: A(1)\nA(s) : s>1 «and s<3 --> F", "“and” between conditions as “&&”"},
     {"axiom: A(1)\nA(s) : s =«> 1 --> F", ">=|<="},
     {"axiom: A(1)\nA(s) : 1<s«<3 --> F", "&&"},
     {"axiom: A(1)\nA(s) --> F(«rand())", "ran(1)"},
     {"axiom: A(1)\nA(s) --> F(«random(1))", "ran(1)"},
     {"axiom: A(1)\nA(s) --> F(2«s)", "*"},
     {"axiom: A(1)\nA(s) : «not(s>1) --> F", "!"},
-    {"axiom: A(1)\nA(s) : «0.33 --> F", "a weight stands behind"},
+    {"axiom: A(1)\nA(s) : «0.33 --> F", "meant a weight"},
     {"axiom: «FF", "put spaces between"},
     {"axiom: F\nF --> [+«FFF]F", "put spaces between"},
     {"axiom: A\nA > «?X(x) --> F", "?P"},
@@ -107,12 +108,13 @@ std::string error_of(const std::string& text) {
   const auto at = [](std::uint32_t line, std::uint32_t column, const std::string& message) {
     return std::to_string(line) + ":" + std::to_string(column) + " " + message;
   };
-  if (!program) return at(program.error().line, program.error().column, program.error().message);
+  if (!program) return at(program.error().line, program.error().column, english(program.error().message));
   const auto bound = bind(program.value(), {}, limits);
-  if (!bound) return at(bound.error().line, bound.error().column, bound.error().message);
+  if (!bound) return at(bound.error().line, bound.error().column, english(bound.error().message));
   std::string all;
   for (const Remark& remark : remarks(*program.value()))
-    all += all.empty() ? at(remark.line, remark.column, remark.message) : " " + remark.message;
+    all += all.empty() ? at(remark.line, remark.column, english(remark.message.encoded()))
+                       : " " + english(remark.message.encoded());
   return all;
 }
 

@@ -43,7 +43,7 @@ TEST_CASE("a derivation begins with the axiom and goes on step by step") {
   CHECK(derivation.steps() == 3);
   CHECK_FALSE(derivation.step());
   CHECK(text_of(*bound, derivation) == strings[1]);
-  CHECK(derivation.trouble().reason == Reason::none);
+  CHECK(derivation.error().reason == Reason::none);
 }
 
 TEST_CASE("a shoot grows until the environment's response is that it has reached the floor") {
@@ -144,17 +144,17 @@ TEST_CASE("an error in a step or a response ends the derivation") {
   Derivation derivation(*bound, 1, Limits{});
   CHECK(derivation.step());
   CHECK_FALSE(derivation.step());
-  CHECK(derivation.trouble().reason == Reason::evaluation);
+  CHECK(derivation.error().reason == Reason::evaluation);
   CHECK(derivation.at_rest());
   Recorder recorder;
   CHECK_FALSE(derivation.query_environment({}, recorder));
   const BoundPointer wrong = compiled("#input n[]\naxiom: A(RND(n[1],0.5))", {{}, {{"n", {0.2f}}}});
-  CHECK(Derivation(*wrong, 1, Limits{}).trouble().line == 2);
+  CHECK(Derivation(*wrong, 1, Limits{}).error().line == 2);
 
   Limits shallow;
   shallow.depth = 1;
   const BoundPointer nested = compiled("axiom: [[F]]");
   Derivation deep(*nested, 1, shallow);
   CHECK_FALSE(deep.query_environment({}, recorder));
-  CHECK(deep.trouble().reason == Reason::limit);
+  CHECK(deep.error().reason == Reason::limit);
 }

@@ -1,5 +1,7 @@
 // Remarks: parts of a text that the engine ignores are reported.
+#include "foundation/english.hpp"
 #include "lsystem/grammars.hpp"
+#include "lsystem/messages.generated.hpp"
 
 using namespace panicle;
 using namespace panicle::tests;
@@ -12,9 +14,9 @@ std::string remarked(std::string_view text, std::span<const Inputs::Scalar> requ
                      std::optional<std::uint32_t> steps = {}) {
   std::string all;
   for (const Remark& remark : lsystem::remarks(*sound(lsystem::compile(text, Limits{})), requested, steps)) {
-    CHECK(remark.message.back() == '.');
+    CHECK(english(remark.message.encoded()).back() == '.');
     all += (all.empty() ? "" : "|") + std::to_string(remark.line) + ":" + std::to_string(remark.column) + " " +
-           remark.message;
+           english(remark.message.encoded());
   }
   return all;
 }
@@ -59,47 +61,48 @@ TEST_CASE("a text without ignored parts has no remarks") {
 
 TEST_CASE("symbols that look like the turtle's get one remark, at their first place") {
   CHECK(remarked("axiom: A\nA --> F1 [ f20 F1 ] S2(3)") ==
-        "2:7 F1 is one symbol of its own and draws nothing; write F(1).|"
-        "2:12 f20 is one symbol of its own and draws nothing; write f(20).|"
-        "2:21 S2 is one symbol of its own and draws nothing; write S(2).");
-  CHECK(
-      remarked("axiom: G(1) g(2)") ==
-      "1:8 G draws nothing in the paper's notation, which this text has; a line #turtle cpfg makes it the turtle's.|"
-      "1:13 g draws nothing in the paper's notation, which this text has; a line #turtle cpfg makes it the turtle's.");
+        "2:7 “F1” is read as a single symbol, which draws nothing; write “F(1)”.|"
+        "2:12 “f20” is read as a single symbol, which draws nothing; write “f(20)”.|"
+        "2:21 “S2” is read as a single symbol, which draws nothing; write “S(2)”.");
+  CHECK(remarked("axiom: G(1) g(2)") ==
+        "1:8 “G” draws nothing in the notation of this grammar; add the line “#turtle cpfg” to make it a turtle "
+        "command.|"
+        "1:13 “g” draws nothing in the notation of this grammar; add the line “#turtle cpfg” to make it a turtle "
+        "command.");
 }
 
 TEST_CASE("a line that looks like a comment gets a remark") {
-  CHECK(
-      remarked("axiom: A\nA --> F\n  // the stem grows\n  A") ==
-      "3:3 This line is read as two rolls of the turtle and symbols that draw nothing; a comment is written /* … */.");
+  CHECK(remarked("axiom: A\nA --> F\n  // the stem grows\n  A") ==
+        "3:3 “//” does not begin a comment: this line turns the turtle twice and draws nothing. "
+        "Write a comment as “/* … */”.");
   CHECK(remarked("axiom: A // two words") == "");
   CHECK(remarked("axiom: A\n// two A\nA --> F") == "");
 }
 
 TEST_CASE("omitted arguments with other defaults than cpfg's get a remark") {
   CHECK(remarked("axiom: ! F !(2) !") ==
-        "1:8 ! without an argument sets the width to 1; in cpfg it narrows the lines: write !(w).");
+        "1:8 “!” without an argument sets the line width to 1, but in cpfg it makes lines narrower. Write “!(width)”.");
   CHECK(remarked("#define angle 25\naxiom: F / F - F + F") ==
-        "2:10 / without an argument turns by 90° and does not heed 'angle'; write /(angle), or a line angle increment: "
-        "angle.");
+        "2:10 “/” without an argument turns by 90° and does not use “angle”; write “/(angle)”, or add the line "
+        "“angle increment: angle”.");
   CHECK(remarked("#define angle 25\n#define wide angle*2\naxiom: F + F") == "");
   CHECK(remarked("#define delta 25\naxiom: A\nA : delta>3 --> + F") == "");
 }
 
 TEST_CASE("S as a symbol of the text gets a remark") {
   CHECK(remarked("axiom: S(1) S\nS --> F S\nS(i) --> F") ==
-        "2:1 S is the turtle's sphere and is drawn where no production rewrites it; give a symbol of your own another "
-        "name.");
+        "2:1 “S” draws a sphere wherever no production rewrites it; if you meant a symbol of your own, rename it.");
   std::string message;
   CHECK(trouble("axiom: S(1,2)\nS(i,j) --> F", {}, {}, &message) == "syntax 1:8");
   CHECK(message ==
-        "'S' (sphere) takes at most one argument, but here it has 2; leave out the rest, or name a symbol of "
-        "your own otherwise.");
+        "The turtle command “S” takes at most 1 argument, but has 2 here; delete the extra arguments, or, if you "
+        "meant a symbol of your own, choose another name.");
 }
 
 TEST_CASE("a random condition that is drawn once gets a remark, unless there are steps") {
   const std::string text = "axiom: A\nB --> F : 2\nA : ran(1)<0.3 --> B";
-  CHECK(remarked(text) == "3:1 A draws for its random condition once; with a derivation length it draws in each step.");
+  CHECK(remarked(text) ==
+        "3:1 The random condition of “A” is evaluated only once; set a derivation length to evaluate it in each step.");
   CHECK(remarked(text, {}, 5) == "");
   CHECK(remarked("derivation length: 5\n" + text) == "");
 }
@@ -107,43 +110,47 @@ TEST_CASE("a random condition that is drawn once gets a remark, unless there are
 TEST_CASE("requested constants that the text does not know get a remark") {
   const Inputs::Scalar requested[] = {{"a", 1}, {"b", 2}, {"c", 3}};
   CHECK(remarked("#define a 1\n#input c\naxiom: A", requested) ==
-        "0:0 The grammar has no #define b, so its parameter changes nothing.");
+        "0:0 The grammar has no “#define b”, so this parameter has no effect.");
 }
 
 TEST_CASE("a remark's text begins with its place, if any") {
-  CHECK(lsystem::to_text(Remark{"F1 draws nothing.", 3, 7}) == "Line 3, column 7: F1 draws nothing.");
-  CHECK(lsystem::to_text(Remark{"No more.", 0, 0}) == "No more.");
+  CHECK(english(lsystem::to_text(Remark{message(messages::lsystem::remark_words), 3, 7}))
+            .find("Line 3, column 7: This line") == 0);
+  CHECK(english(lsystem::to_text(Remark{message(messages::lsystem::remark_words), 0, 0})).find("This line") == 0);
 }
 
 TEST_CASE("remarks stand in the order of the text") {
-  CHECK(remarked("axiom: !\nA --> G(1)\n  F3\nS --> A").find("1:8 !") == 0);
+  CHECK(remarked("axiom: !\nA --> G(1)\n  F3\nS --> A").find("1:8 “!”") == 0);
   const std::string all = remarked("axiom: !\nA --> G(1)\n  F3\nS --> A");
-  CHECK(all.find("2:7 G") < all.find("3:3 F3"));
-  CHECK(all.find("3:3 F3") < all.find("4:1 S"));
+  CHECK(all.find("2:7 “G”") < all.find("3:3 “F3”"));
+  CHECK(all.find("3:3 “F3”") < all.find("4:1 “S”"));
   CHECK(remarked("A --> g(1) !\naxiom: ! G(1)\nB --> F3 g(1)") ==
-        "1:7 g draws nothing in the paper's notation, which this text has; a line #turtle cpfg makes it the turtle's.|"
-        "2:8 ! without an argument sets the width to 1; in cpfg it narrows the lines: write !(w).|"
-        "2:10 G draws nothing in the paper's notation, which this text has; a line #turtle cpfg makes it the turtle's.|"
-        "3:7 F3 is one symbol of its own and draws nothing; write F(3).");
+        "1:7 “g” draws nothing in the notation of this grammar; add the line “#turtle cpfg” to make it a turtle "
+        "command.|"
+        "2:8 “!” without an argument sets the line width to 1, but in cpfg it makes lines narrower. Write “!(width)”.|"
+        "2:10 “G” draws nothing in the notation of this grammar; add the line “#turtle cpfg” to make it a turtle "
+        "command.|"
+        "3:7 “F3” is read as a single symbol, which draws nothing; write “F(3)”.");
 }
 
 TEST_CASE("a module with another number of parameters than its production has gets one remark for each number") {
-  CHECK(remarked("axiom: A(1,2) A(3,4)\nA(x) --> B A\nB --> F") ==
-        "1:8 A has 2 parameters here, but its production in line 2 has 1 parameter, so this module is not rewritten; "
-        "give it as many, or add a production for it.|"
-        "2:12 A has no parameters here, but its production in line 2 has 1 parameter, so this module is not rewritten; "
-        "give it as many, or add a production for it.");
   CHECK(
-      remarked("axiom: A\nA --> A\nA(x) --> F") ==
-      "3:1 No A in this text has 1 parameter, so this production is never used; give it as many as the modules have.");
+      remarked("axiom: A(1,2) A(3,4)\nA(x) --> B A\nB --> F") ==
+      "1:8 “A” has 2 parameters here, but its production on line 2 has 1 parameter, so this module is not rewritten; "
+      "use the same number of parameters, or add a production for this module.|"
+      "2:12 “A” has no parameters here, but its production on line 2 has 1 parameter, so this module is not rewritten; "
+      "use the same number of parameters, or add a production for this module.");
+  CHECK(remarked("axiom: A\nA --> A\nA(x) --> F") ==
+        "3:1 No “A” in this grammar has 1 parameter, so this production is never used; give it as many parameters as "
+        "the modules have.");
   // A part's symbols are its own.
   CHECK(remarked("axiom: A [ ?leaf(1) A(2) ]\nA --> F\nLsystem: leaf\nA(x) --> F") == "");
 }
 
 TEST_CASE("a production that an earlier one always precedes gets a remark") {
   const auto behind = [](const std::string& place, const std::string& line) {
-    return place + " This production is never used, since the one in line " + line +
-           " always applies first; move it up, or give both a weight, A --> B : 0.5.";
+    return place + " This production is never used, because the production on line " + line +
+           " always applies first; move this one up, or give both productions a weight, as in “A --> B : 0.5”.";
   };
   CHECK(remarked("axiom: A\nA --> B\nA --> C") == behind("3:1", "2"));
   CHECK(remarked("axiom: A(1)\nA(x) --> B\nA(x) : x>1 --> C") == behind("3:1", "2"));
@@ -162,14 +169,14 @@ TEST_CASE("a production that an earlier one always precedes gets a remark") {
 
 TEST_CASE("a context that a bracket prevents from matching gets a remark") {
   CHECK(remarked("axiom: A [ B ]\nA > B --> C") ==
-        "2:5 B is behind A only in a branch, in line 1, and a right context skips branches; to match it there, "
-        "write A > [ B ].");
+        "2:5 The only “B” after “A” on line 1 is in a branch, which a right context skips; to match it there, "
+        "write “A > [ B ]”.");
   CHECK(remarked("axiom: A F\nA > B --> A\nA --> F A [ B ]") ==
-        "2:5 B is behind A only in a branch, in line 3, and a right context skips branches; to match it there, "
-        "write A > [ B ].");
+        "2:5 The only “B” after “A” on line 3 is in a branch, which a right context skips; to match it there, "
+        "write “A > [ B ]”.");
   CHECK(remarked("axiom: [ B ] A\nB < A --> C") ==
-        "2:1 B is before A only in a branch that is closed between them, in line 1, and a left context does not "
-        "match modules in it; write B before that bracket.");
+        "2:1 The only “B” before “A” on line 1 is in a branch that is closed between them, so it does not match as a "
+        "left context; write “B” before the opening bracket of that branch.");
   // Modules between two others may vanish.
   CHECK(remarked("axiom: A [ B ] X B\nX --> *\nA > B --> C") == "");
 }

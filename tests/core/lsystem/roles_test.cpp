@@ -68,16 +68,16 @@ TEST_CASE("without lineages no module has a role") {
 TEST_CASE("invalid roles are errors") {
   std::string message;
   CHECK(trouble("#role stem A B\naxiom: A", {}, {}, &message) == "undefined 1:14");
-  CHECK(message == "Neither the axiom nor a production has the symbol 'B'; take it out of the role.");
+  CHECK(message == "Neither the axiom nor any production contains the symbol “B”; remove the symbol from the role.");
   CHECK(trouble("axiom: A\n#role stem A\n#role leaf A", {}, {}, &message) == "syntax 3:12");
-  CHECK(message == "'A' has the role 'stem' already; a symbol has one.");
+  CHECK(message == "“A” already has the role “stem”; a symbol can have only one role.");
   CHECK(trouble("axiom: A\n#role stem A F", {}, {}, &message) == "syntax 2:14");
-  CHECK(message == "'F' is the turtle's and has no role; give one to the symbol that writes it.");
+  CHECK(message == "“F” is a turtle command and cannot have a role; give the role to the symbol that produces it.");
   CHECK(trouble("axiom: A\n#role stem +") == "syntax 2:12");
   CHECK(trouble("axiom: A\n#role stem ?E") == "syntax 2:12");
   CHECK(trouble("axiom: A\n#role stem A(1)") == "syntax 2:13");
   CHECK(trouble("axiom: A\n#role stem", {}, {}, &message) == "syntax 2:11");
-  CHECK(message == "Which symbols have the role 'stem'? Write them behind its name.");
+  CHECK(message == "The role “stem” has no symbols; write them after its name.");
   CHECK(trouble("axiom: A\n#role") == "syntax 2:6");
   CHECK(trouble("axiom: A\n#role stem A A") == "none");
 }

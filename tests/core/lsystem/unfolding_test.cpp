@@ -1,6 +1,7 @@
 // Derivation depth first must end where derivation step by step ends.
 #include <string>
 
+#include "foundation/english.hpp"
 #include "lsystem/grammars.hpp"
 
 using namespace panicle;
@@ -50,5 +51,5 @@ TEST_CASE("a grammar without an end is an error, when unfolded as well") {
   little.words = 100;
   const auto result = lsystem::unfold(*compiled("axiom: A(90)\nA(i) : i>0 --> F A(i-1)"), 1, little);
   REQUIRE(!result);
-  CHECK(result.error().message.find("100") != std::string::npos);
+  CHECK(english(result.error().message).find("100") != std::string::npos);
 }

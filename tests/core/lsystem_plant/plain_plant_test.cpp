@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+#include "foundation/english.hpp"
 #include "mesh/uv_sphere.hpp"
 
 using namespace panicle;
@@ -97,7 +98,8 @@ TEST_CASE("the fingerprint notices every number of a segment and of an organ") {
 TEST_CASE("a drawing without lines has a note; one beyond the limits is an error") {
   const Plant nothing = drawn("axiom: +f(3)");
   REQUIRE(nothing.notes.size() == 1);
-  CHECK(nothing.notes[0] == "The grammar drew nothing.");
+  CHECK(english(nothing.notes[0]) ==
+        "The grammar does not draw anything; add a symbol that draws, such as “F” for a line.");
   Limits few;
   few.segments = 5;
   const auto program = lsystem::compile("axiom: F F F F F F F", few, lsystem::Lineages::always);
@@ -105,7 +107,7 @@ TEST_CASE("a drawing without lines has a note; one beyond the limits is an error
   const auto plant = draw_plainly(program.value(), {}, {}, few);
   REQUIRE_FALSE(plant);
   CHECK(plant.error().reason == Reason::limit);
-  CHECK(plant.error().message.find("5 segments") != std::string::npos);
+  CHECK(english(plant.error().message).find("5 segments") != std::string::npos);
 }
 
 TEST_CASE("draw_plainly takes the requested steps, else the text's") {
@@ -120,8 +122,8 @@ TEST_CASE("ignored parts of a text become notes") {
   CHECK(drawn("axiom: F(1)").notes.empty());
   const std::vector<std::string> notes = drawn("axiom: F(1)\nA : ran(1)<0.5 --> F2").notes;
   REQUIRE(notes.size() == 2);
-  CHECK(notes[0] == "Line 2, column 20: F2 is one symbol of its own and draws nothing; write F(2).");
-  CHECK(notes[1].find("Line 2, column 1: A draws") == 0);
+  CHECK(english(notes[0]) == "Line 2, column 20: “F2” is read as a single symbol, which draws nothing; write “F(2)”.");
+  CHECK(english(notes[1]).find("Line 2, column 1: The random condition of “A”") == 0);
 }
 
 TEST_CASE("the ball is closed, round and faces outwards") {

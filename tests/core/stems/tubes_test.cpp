@@ -256,14 +256,14 @@ TEST_CASE("a branch begins within its parent and spreads at the parent's surface
 TEST_CASE("texture: u once round, v one unit to a circumference") {
   const Segment segment{-1, 0, {0, 0, 0}, {0, -200, 0}, 5, 5};
   const StemMesh stem = sweep_stems({{&segment, 1}}, twelve, 1);
-  float most_v = 0;
+  float max_v = 0;
   for (std::size_t i = 0; i < stem.mesh.uvs.size(); i += 2) {
     REQUIRE(stem.mesh.uvs[i] >= 0);
     REQUIRE(stem.mesh.uvs[i] <= 1);
     REQUIRE(stem.mesh.uvs[i + 1] >= 0);
-    most_v = std::max(most_v, stem.mesh.uvs[i + 1]);
+    max_v = std::max(max_v, stem.mesh.uvs[i + 1]);
   }
-  CHECK(most_v == doctest::Approx(200 / (2 * 3.14159265 * 5)).epsilon(0.06));
+  CHECK(max_v == doctest::Approx(200 / (2 * 3.14159265 * 5)).epsilon(0.06));
 }
 
 TEST_CASE("sides are clamped to 3 … 64; no segments make no mesh") {

@@ -73,8 +73,8 @@ describe("a link of a newer version", () => {
 			const { specimen, notes } = await decodeLink(model, link);
 			expect(specimen).toMatchObject({ model: model.name, seed: 7, v: SPECIMEN_VERSION });
 			expect(notes.map(({ text }) => text)).toEqual([
-				`v: made by a newer version (${SPECIMEN_VERSION + 1}); read as far as it is known here.`,
-				expect.stringMatching(/^unheard: not known here/),
+				expect.stringContaining(`v: The plant was made with a newer version (${SPECIMEN_VERSION + 1}).`),
+				expect.stringMatching(/^unheard: There is no such parameter/),
 			]);
 		},
 	);

@@ -41,7 +41,7 @@ export default [
 			},
 			{
 				id: "baked-as-rough-everywhere",
-				find: "finer?.at(corners, weights) ?? {",
+				find: "detail?.at(corners, weights) ?? {",
 				replace: "{",
 				breaks: "wax lies on berries with textures and does not show in their mirror",
 			},
@@ -65,8 +65,8 @@ export default [
 		faults: [
 			{
 				id: "baked-roughness-twice",
-				find: "textures.surface === undefined ? one(roughness) : 1",
-				replace: "one(roughness)",
+				find: "textures.surface === undefined ? shortNumber(roughness) : 1",
+				replace: "shortNumber(roughness)",
 				breaks: "berries with textures are as smooth as glass",
 			},
 		],
@@ -77,8 +77,8 @@ export default [
 		faults: [
 			{
 				id: "diffuse-brighter-than-light",
-				find: "one(most / (1 + most))",
-				replace: "one(most)",
+				find: "shortNumber(greatest / (1 + greatest))",
+				replace: "shortNumber(greatest)",
 				breaks: "leaves and petals of files let more light through than the view shows",
 			},
 			{
@@ -137,8 +137,8 @@ export default [
 		faults: [
 			{
 				id: "palette-second-axis-of-a-line",
-				find: "traceOf(left) > LEAST_SPREAD * all ?",
-				replace: "all >= 0 ?",
+				find: "traceOf(remaining) > LEAST_SPREAD * totalSpread ?",
+				replace: "totalSpread >= 0 ?",
 				breaks: "what has shades of one colour is brighter where it is bright and darker where it is dark",
 			},
 			{

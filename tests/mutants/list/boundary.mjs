@@ -39,8 +39,8 @@ export default [
 		faults: [
 			{
 				id: "reset-to-the-presets-place",
-				find: "end === near ? before[near] : box[near] + before[end] - before[near]",
-				replace: "before[end]",
+				find: "end === fixedEnd ? presetBox[fixedEnd] : box[fixedEnd] + presetBox[end] - presetBox[fixedEnd]",
+				replace: "presetBox[end]",
 				breaks: "a double click on the top changes the height where the trunk is another",
 			},
 		],
@@ -51,7 +51,7 @@ export default [
 		faults: [
 			{
 				id: "escape-brings-back-all",
-				find: "restored: (_, before) => only(before, lastChange),",
+				find: "restored: (_, before) => restrictedTo(before, lastChange),",
 				replace: "",
 				breaks: "Escape takes back what others changed during a drag",
 			},
@@ -75,7 +75,7 @@ export default [
 		faults: [
 			{
 				id: "boxes-and-rounds-apart",
-				find: ", agree: withObstacles",
+				find: ", agree: limitTogether",
 				replace: "",
 				breaks: "sixteen boxes and a round one come through a link, and the core refuses them",
 			},
@@ -141,7 +141,7 @@ export default [
 		faults: [
 			{
 				id: "svg-trunk-ends-at-a-twig",
-				find: "energy[i] > energy[next[from]]",
+				find: "energy[i] > energy[next[inner]]",
 				replace: "true",
 				breaks: "a trunk goes on in a twig",
 			},

@@ -59,7 +59,7 @@ export default [
 		faults: [
 			{
 				id: "cells-without-end",
-				find: "return cells >= 0 && cells < most_along ?",
+				find: "return cells >= 0 && cells < max_along ?",
 				replace: "return cells >= 0 ?",
 				breaks: "the cells of a box without end take all memory",
 			},
@@ -191,7 +191,7 @@ export default [
 			},
 			{
 				id: "glb-parts-without-bound",
-				find: "if (parts > MOST_PARTS)",
+				find: "if (parts > MAX_PARTS)",
 				replace: "if (false)",
 				breaks: "a GLB of many nodes that have many empty parts is read without an end",
 			},

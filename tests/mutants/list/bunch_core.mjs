@@ -68,10 +68,10 @@ export default [
 		suites: [`${TESTS}/model_test.cpp`],
 		faults: [
 			{
-				id: "paper-radius-unscaled",
-				find: "internode.radius_end *= scale;",
+				id: "paper-stems-unscaled",
+				find: "for (Internode& internode : internodes) scale(internode, metres);",
 				replace: "",
-				breaks: "stems end hundreds of times too thick",
+				breaks: "stems are hundreds of times too large",
 			},
 			{
 				id: "paper-scale-ignored",

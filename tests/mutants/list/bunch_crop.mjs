@@ -45,8 +45,8 @@ export default [
 			},
 			{
 				id: "situation-raceme-misplaced",
-				find: "one.misplaced = raceme ? 0 : one.misplaced / size;",
-				replace: "one.misplaced = one.misplaced / size;",
+				find: "situation.misplaced = raceme ? 0 : situation.misplaced / size;",
+				replace: "situation.misplaced = situation.misplaced / size;",
 				breaks: "currants lose their berries, which hang outside of what was drawn",
 			},
 			{
@@ -57,8 +57,8 @@ export default [
 			},
 			{
 				id: "situation-lit-as-if-upright",
-				find: "upright.way_back({own.x / x, 0, own.z / z})",
-				replace: "glm::vec3(own.x / x, 0, own.z / z)",
+				find: "upright.way_back({own.x / half_x, 0, own.z / half_z})",
+				replace: "glm::vec3(own.x / half_x, 0, own.z / half_z)",
 				breaks: "a wing that stands out is lit as if it hung",
 			},
 		],

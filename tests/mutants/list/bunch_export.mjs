@@ -9,8 +9,8 @@ export default [
 		faults: [
 			{
 				id: "csv-direction-y-is-x",
-				find: "direction(grown, i, 1)",
-				replace: "direction(grown, i, 0)",
+				find: "directionCell(grown, i, 1)",
+				replace: "directionCell(grown, i, 0)",
 				breaks: "the CSV's direction_y is direction_x",
 			},
 			{
@@ -99,7 +99,7 @@ export default [
 			},
 			{
 				id: "flowers-without-company",
-				find: "Math.floor(extra / flowers + hashFraction(berries.ids[berry], 40))",
+				find: "Math.floor(extra / flowers + hashFraction(berries.ids[berry], STREAM.count))",
 				replace: "0",
 				breaks: "an inflorescence has no more flowers than pedicels",
 			},
@@ -171,7 +171,7 @@ export default [
 			},
 			{
 				id: "colour-grey-among-clear-berries",
-				find: "visible < 1 ? colour * amongClear(colour, k, clear, visible) : colour",
+				find: "visible < 1 ? colour * neighbourLight(colour, k, clear, visible) : colour",
 				replace: "colour",
 				breaks: "the inside of pale bunches is dull in files, and warm in the view",
 			},
@@ -219,7 +219,7 @@ export default [
 		faults: [
 			{
 				id: "alike-of-one-shade",
-				find: "Math.min(SHADES - 1, Math.floor(SHADES * openOf(shape.mesh)))",
+				find: "Math.min(SHADES - 1, Math.floor(SHADES * skyShareOf(shape.mesh)))",
 				replace: "0",
 				breaks: "instances are as light inside a bunch as outside",
 			},
@@ -231,13 +231,13 @@ export default [
 			},
 			{
 				id: "alike-as-large-as-the-first",
-				find: "back, 1 / size, ORIGIN",
-				replace: "back, 1, ORIGIN",
+				find: "inverseRotation, 1 / size, ORIGIN",
+				replace: "inverseRotation, 1, ORIGIN",
 				breaks: "instances are specks",
 			},
 			{
 				id: "alike-without-flowers",
-				find: "...others, ...joined(attached)]",
+				find: "...others, ...joinInstances(attached)]",
 				replace: "...others]",
 				breaks: "a flowering bunch of instances has no stamens",
 			},
@@ -291,7 +291,7 @@ export default [
 		faults: [
 			{
 				id: "low-berries-never-merged",
-				find: "if (most >= SAME_OUTLINE) break;",
+				find: "if (bestAgreement >= SAME_OUTLINE) break;",
 				replace: "break;",
 				breaks: "a bunch of 500 triangles is shards of its berries",
 			},

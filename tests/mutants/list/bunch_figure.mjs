@@ -21,8 +21,8 @@ export default [
 			},
 			{
 				id: "casters-never-anew",
-				find: "if (settled?.receivers === receivers && same(settled.lamp, lamp)) return false;",
-				replace: "if (settled) return false;",
+				find: "if (before?.receivers === receivers && isSameLamp(before.lamp, lamp)) return false;",
+				replace: "if (before) return false;",
 				breaks: "shadows stay where they were when the bunch is turned",
 			},
 		],
@@ -45,7 +45,7 @@ export default [
 		faults: [
 			{
 				id: "receivers-fingers-as-balls",
-				find: "if (!(ratio >= TWO)) {",
+				find: "if (!(ratio >= TWO_SPHERES)) {",
 				replace: "if (ratio > 0) {",
 				breaks: "fingers cast the shadows of balls",
 			},
@@ -75,14 +75,14 @@ export default [
 		faults: [
 			{
 				id: "picking-the-farthest",
-				find: "distance < least) [best",
-				replace: "distance > -1) [best",
+				find: "distance < nearestDistance) [nearest",
+				replace: "distance > -1) [nearest",
 				breaks: "a click takes off a berry behind the one under it",
 			},
 			{
 				id: "picking-behind-the-eye",
-				find: "return near > 0 ? near : undefined;",
-				replace: "return near;",
+				find: "return nearest > 0 ? nearest : undefined;",
+				replace: "return nearest;",
 				breaks: "berries behind the eye are found",
 			},
 		],
@@ -105,14 +105,14 @@ export default [
 		faults: [
 			{
 				id: "kept-sky-by-place",
-				find: "const was = places.get(id);",
-				replace: "const was: number | undefined = berry;",
+				find: "const berryBefore = berriesBefore.get(id);",
+				replace: "const berryBefore: number | undefined = berry;",
 				breaks: "while a handle moves berries trade their shades when one before them goes",
 			},
 			{
 				id: "kept-sky-of-any-stem",
-				find: "const like = known.get(kind)?.filter(",
-				replace: "const like = known.get(0)?.filter(",
+				find: "const sameKind = byKindBefore.get(kind)?.filter(",
+				replace: "const sameKind = byKindBefore.get(0)?.filter(",
 				breaks: "while a handle moves pedicels are as bright as the peduncle",
 			},
 		],

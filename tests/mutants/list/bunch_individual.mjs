@@ -51,14 +51,14 @@ export default [
 			},
 			{
 				id: "wing-in-the-bunch",
-				find: "beside * widest(bunch, stalk.side, upper_part) + ",
+				find: "beside * largest_half_width(bunch, stalk.side, upper_part) + ",
 				replace: "",
 				breaks: "a wing hangs within the first bunch",
 			},
 			{
 				id: "wing-always-left",
-				find: "stalk.side, along(stalk, lean, length, 1)};",
-				replace: "1, along(stalk, lean, length, 1)};",
+				find: "stalk.side, stalk_point(stalk, lean, length, 1)};",
+				replace: "1, stalk_point(stalk, lean, length, 1)};",
 				breaks: "wings put elsewhere lean to the left",
 			},
 		],

@@ -21,8 +21,8 @@ export default [
 			},
 			{
 				id: "measures-spill-of-the-front",
-				find: "over(front.spilled + side.spilled,",
-				replace: "over(front.spilled,",
+				find: "ratio(front.spilled + side.spilled,",
+				replace: "ratio(front.spilled,",
 				breaks: "what hangs out at the side goes untold",
 			},
 			{

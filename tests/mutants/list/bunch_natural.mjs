@@ -27,7 +27,7 @@ export default [
 			},
 			{
 				id: "plan-no-lengths-beyond-its-nodes",
-				find: "beyonds.resize(beyonds.size() + most_nodes, 0);",
+				find: "beyonds.resize(beyonds.size() + max_nodes, 0);",
 				replace: "",
 				breaks: "a text whose axes are longer than the plan's asks for a length that is not there",
 			},
@@ -57,8 +57,8 @@ export default [
 		faults: [
 			{
 				id: "sprout-wing-of-the-same-seed",
-				find: "draw_one(scaled(profile, wing), second_seed(request_.seed), slender",
-				replace: "draw_one(scaled(profile, wing), request_.seed, slender",
+				find: "draw_one(scaled(profile, wing), second_seed(request_.seed), ",
+				replace: "draw_one(scaled(profile, wing), request_.seed, ",
 				breaks: "the wing branches as the bunch does",
 			},
 			{
@@ -69,9 +69,9 @@ export default [
 			},
 			{
 				id: "sprout-unit-ignored",
-				find: "internode.radius_end *= unit;",
+				find: "scale(internode, unit);",
 				replace: "",
-				breaks: "stems widen towards their ends as the scale shrinks",
+				breaks: "stems keep their size as the scale shrinks",
 			},
 		],
 	},
@@ -99,8 +99,8 @@ export default [
 		faults: [
 			{
 				id: "natural-plan-count-unheeded",
-				find: "plan.berries = std::min(is_count_requested ? values[Parameter::count] : filling, most_berries);",
-				replace: "plan.berries = std::min(filling, most_berries);",
+				find: "plan.berries = std::min(is_count_requested(values) ? values[Parameter::count] : filling, max_berries);",
+				replace: "plan.berries = std::min(filling, max_berries);",
 				breaks: "the slider of the count does nothing",
 			},
 			{
@@ -111,7 +111,7 @@ export default [
 			},
 			{
 				id: "natural-plan-axes-upwards",
-				find: "std::min(most_upward, arc_tangent(out, down) * (180 / pi))",
+				find: "std::min(max_upward, arc_tangent(out, down) * (180 / pi))",
 				replace: "150.0f",
 				breaks: "axes grow up past the peduncle",
 			},
@@ -123,8 +123,8 @@ export default [
 			},
 			{
 				id: "natural-plan-wide-sides-no-nearer",
-				find: "arc_tangent(along * way.sine, across * way.cosine)",
-				replace: "arc_tangent(way.sine, way.cosine)",
+				find: "arc_tangent(along * direction.sine, across * direction.cosine)",
+				replace: "arc_tangent(direction.sine, direction.cosine)",
 				breaks: "a flat bunch has as many axes to its narrow sides",
 			},
 			{
@@ -159,7 +159,7 @@ export default [
 			},
 			{
 				id: "sagging-stout-axes-bend-as-thin-ones",
-				find: "/ (square * square)",
+				find: "/ (radius_squared * radius_squared)",
 				replace: "",
 				breaks: "a shoulder's axis bends like a twig",
 			},

@@ -63,8 +63,8 @@ export default [
 			},
 			{
 				id: "extent-forgets-the-berry",
-				find: "let needHeight = shape.l + reach;",
-				replace: "let needHeight = shape.l;",
+				find: "let neededHeight = shape.l + reach;",
+				replace: "let neededHeight = shape.l;",
 				breaks: "the lowest berry is cut off by the view",
 			},
 		],
@@ -75,8 +75,8 @@ export default [
 		faults: [
 			{
 				id: "outline-natural-as-paper",
-				find: "natural ? naturalReach(parameters) : paperReach(parameters, w)",
-				replace: "paperReach(parameters, w)",
+				find: "natural ? naturalEndReach(parameters) : paperEndReach(parameters, w)",
+				replace: "paperEndReach(parameters, w)",
 				breaks: "the drawn outline is not the one that is filled",
 			},
 			{
@@ -99,8 +99,8 @@ export default [
 			},
 			{
 				id: "silhouette-turn-reversed",
-				find: "Math.atan2(-up, along)",
-				replace: "Math.atan2(up, along)",
+				find: "Math.atan2(-up, across)",
+				replace: "Math.atan2(up, across)",
 				breaks: "outlines of leaning fingers lean the other way",
 			},
 		],
@@ -147,8 +147,8 @@ export default [
 			},
 			{
 				id: "octahedron-finds-the-mirrored-handle",
-				find: "x: ((place.x + 1) / 2) * box.width,",
-				replace: "x: ((1 - place.x) / 2) * box.width,",
+				find: "x: ((position.x + 1) / 2) * box.width,",
+				replace: "x: ((1 - position.x) / 2) * box.width,",
 				breaks: "handles are taken hold of at the wrong side",
 			},
 			{

@@ -140,12 +140,6 @@ export default [
 		suites: [`${TESTS}/foliage/leaf_test.cpp`],
 		faults: [
 			{
-				id: "leaf-normals-not-unit",
-				find: "normal[axis] /= length;",
-				replace: "normal[axis] *= 1;",
-				breaks: "leaves shine or go dark with their triangles' size",
-			},
-			{
 				id: "leaf-triangles-unchecked",
 				find: "return i >= points;",
 				replace: "return i > points;",

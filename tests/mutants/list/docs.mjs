@@ -8,8 +8,8 @@ export default [
 		faults: [
 			{
 				id: "docs-link-cut-short",
-				find: "A link to the bunch of 2. | `?v=2&procedure=paper&m=4&n=0,1,3`",
-				replace: "A link to the bunch of 2. | `?v=2&procedure=paper&m=4&n=0,1`",
+				find: "Write a link to the bunch of exercise 2. | `?v=2&procedure=paper&m=4&n=0,1,3`",
+				replace: "Write a link to the bunch of exercise 2. | `?v=2&procedure=paper&m=4&n=0,1`",
 				breaks: "the sheet's answer is another bunch than it says",
 			},
 			{

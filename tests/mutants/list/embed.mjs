@@ -74,8 +74,8 @@ export default [
 		faults: [
 			{
 				id: "handle-goes-along-the-sight",
-				find: "one <= other ? along[0] : along[1]",
-				replace: "one <= other ? along[1] : along[0]",
+				find: "firstDepth <= secondDepth ? along[0] : along[1]",
+				replace: "firstDepth <= secondDepth ? along[1] : along[0]",
 				breaks: "a handle whose plane is seen edge-on runs away from the pointer",
 			},
 			{
@@ -116,8 +116,8 @@ export default [
 		faults: [
 			{
 				id: "element-says-no-kind",
-				find: "title.toLowerCase().includes(model.noun) ?",
-				replace: "title ?",
+				find: "if (title.toLowerCase().includes(plant))",
+				replace: "if (title)",
 				breaks: "a screen reader does not hear whether an oak is a leaf or a tree",
 			},
 		],
@@ -140,7 +140,7 @@ export default [
 		faults: [
 			{
 				id: "frame-listeners-unlimited",
-				find: "this.#listeners.size >= MOST_LISTENERS",
+				find: "this.#listeners.size >= MAX_LISTENERS",
 				replace: "false",
 				breaks: "a page that makes frames without end has a plant hold them all",
 			},

@@ -21,8 +21,8 @@ export default [
 			},
 			{
 				id: "file-of-a-list-taken",
-				find: "specimen !== null && !Array.isArray(specimen)",
-				replace: "specimen !== null",
+				find: "return isRecord(specimen) ? specimen : undefined;",
+				replace: "return specimen as object;",
 				breaks: "a file with a list in the specimen's place opens the default bunch without a word",
 			},
 		],
@@ -105,7 +105,7 @@ export default [
 			},
 			{
 				id: "glb-instances-unscaled",
-				find: "scales.fill(transforms[at + 7] * unit,",
+				find: "scales.fill(transforms[first + 7] * unit,",
 				replace: "scales.fill(unit,",
 				breaks: "all berries of an instanced GLB are of one size",
 			},
@@ -117,8 +117,8 @@ export default [
 			},
 			{
 				id: "glb-children-where-their-parent-is",
-				find: "held.push(...children.map((child) => this.#part(child, frame)));",
-				replace: "held.push(...children.map((child) => this.#part(child, parent)));",
+				find: "held.push(...children.map((child) => this.#writePart(child, frame)));",
+				replace: "held.push(...children.map((child) => this.#writePart(child, parent)));",
 				breaks: "flowers hang in the air",
 			},
 		],

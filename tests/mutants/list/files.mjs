@@ -61,8 +61,8 @@ export default [
 		faults: [
 			{
 				id: "address-back-leaves-the-app",
-				find: "if (another) this.#history.pushState(",
-				replace: "if (another && false) this.#history.pushState(",
+				find: "if (isOtherOrigin) this.#history.pushState(",
+				replace: "if (isOtherOrigin && false) this.#history.pushState(",
 				breaks: "Back leaves the app after three presets",
 			},
 		],

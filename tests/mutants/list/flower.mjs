@@ -107,8 +107,8 @@ export default [
 		faults: [
 			{
 				id: "flower-blocks-need-all",
-				find: "    if (of_blocks) uses.add(of_blocks_);",
-				replace: "    for (std::size_t i = 0; of_blocks && i < program_.variables.size(); ++i) uses.variables.set(i);",
+				find: "if (of_blocks) uses.add(of_blocks_);",
+				replace: "for (std::size_t i = 0; of_blocks && i < program_.variables.size(); ++i) uses.variables.set(i);",
 				breaks: "a panicle's length grows it anew, since its branches are counted by a name of a block",
 			},
 		],
@@ -198,13 +198,13 @@ export default [
 		faults: [
 			{
 				id: "flower-orders-place-anew",
-				find: "if (of_map) pin_figures(at_, end);",
+				find: "if (of_map) pin_numbers(at_, end);",
 				replace: ";",
 				breaks: "another order in the text places the old map",
 			},
 			{
 				id: "flower-calls-place-anew",
-				find: "if (program_.variables[variable].rebuilds) pin_figures(statement.begin, statement.end);",
+				find: "if (program_.variables[variable].rebuilds) pin_numbers(statement.begin, statement.end);",
 				replace: ";",
 				breaks: "what a call gives a variable that orders depend on places the old map",
 			},

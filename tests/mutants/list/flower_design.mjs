@@ -13,7 +13,7 @@ export default [
 		faults: [
 			{
 				id: "volume-first-of-its-name",
-				find: " && before++ === nth",
+				find: " && matches++ === nth",
 				replace: "",
 				breaks: "another petal than the one clicked on is chosen",
 			},
@@ -25,8 +25,8 @@ export default [
 			},
 			{
 				id: "volume-behind-what-it-bears",
-				find: "const from = Math.min(parent[at], count);",
-				replace: "const from = parent[at] > at ? count : parent[at];",
+				find: "const parentOrCount = Math.min(parent[volume], count);",
+				replace: "const parentOrCount = parent[volume] > volume ? count : parent[volume];",
 				breaks: "where a text splits, what is clicked on is not chosen",
 			},
 		],
@@ -97,7 +97,7 @@ export default [
 		faults: [
 			{
 				id: "flower-three-lobes-always",
-				find: ".some(([, lobe]) => Number(lobe) > across)",
+				find: ".some(([, lobe]) => Number(lobe) > lobeCount)",
 				replace: ".some(([, lobe]) => Number(lobe) > 3)",
 				breaks: "petals as narrow as a thread have three lobes to a side",
 			},
@@ -109,8 +109,8 @@ export default [
 		faults: [
 			{
 				id: "flower-choice-forgets-edits",
-				find: "same(other, was) ? own : inWords",
-				replace: "same(other, was) ? was : inWords",
+				find: "equalLines(generated, base)\n\t\t\t\t? edited",
+				replace: "equalLines(generated, base)\n\t\t\t\t? base",
 				breaks: "what was edited by hand goes with the next choice, and nobody is told",
 			},
 			{
@@ -121,13 +121,13 @@ export default [
 			},
 			{
 				id: "flower-rules-lost-beside-choices",
-				find: "areParallel(was, other) ? 2 : areParallel(was, own) ? 1 : undefined",
-				replace: "areParallel(was, own) ? 1 : undefined",
+				find: "areParallel(base, generated) ? 2 : areParallel(base, edited) ? 1 : undefined",
+				replace: "areParallel(base, edited) ? 1 : undefined",
 				breaks: "a production edited by hand goes where a choice changes the one above it",
 			},
 			{
 				id: "flower-colours-lost-beside-choices",
-				find: ": inWords([was, own, other]);",
+				find: ": mergeWords([base, edited, generated]);",
 				replace: ": undefined;",
 				breaks: "a material's foot that was coloured by hand goes with the choice of its tip",
 			},
@@ -157,8 +157,8 @@ export default [
 		faults: [
 			{
 				id: "flower-bends-away-from-the-hand",
-				find: "bend: bend + degrees((8 * more)",
-				replace: "bend: bend - degrees((8 * more)",
+				find: "bend: bend + degrees((8 * change)",
+				replace: "bend: bend - degrees((8 * change)",
 				breaks: "an organ bends outwards where its middle is taken so that it bends inwards",
 			},
 		],

@@ -12,7 +12,7 @@ export default [
 			},
 			{
 				id: "flower-levels-all-unlike",
-				find: "i < strides.size() && triangles(there, all) > most;",
+				find: "i < strides.size() && triangles(retained, no_limit) > most;",
 				replace: "false;",
 				breaks: "organs that are all unlike are never too many, and a flower afar has thousands of triangles",
 			},
@@ -30,8 +30,8 @@ export default [
 		faults: [
 			{
 				id: "flower-levels-crowd-stays-narrow",
-				find: "place = on + times * (place - on);",
-				replace: "place = on + (place - on);",
+				find: "place = foot_point + times * (place - foot_point);",
+				replace: "place = foot_point + (place - foot_point);",
 				breaks: "what is left of a crowd from afar is as wide as near by, and its colour is gone",
 			},
 		],
@@ -48,7 +48,7 @@ export default [
 			},
 			{
 				id: "thinning-turns-over",
-				find: "if (turns(vertex, into)) continue;",
+				find: "if (turns_triangle(vertex, into)) continue;",
 				replace: "",
 				breaks: "a level has triangles that face inwards",
 			},

@@ -18,8 +18,8 @@ export default [
 		faults: [
 			{
 				id: "flower-no-veins",
-				find: "return veins.count >= 1 ? mixed(edged",
-				replace: "return veins.count >= 99 ? mixed(edged",
+				find: "return veins.count >= 1\n\t\t? mixed(withMargin",
+				replace: "return veins.count >= 99\n\t\t? mixed(withMargin",
 				breaks: "petals have no veins",
 			},
 			{
@@ -36,8 +36,8 @@ export default [
 		faults: [
 			{
 				id: "flower-children-behind-their-parents",
-				find: "const from = Math.min(parent[at], count);",
-				replace: "const from = parent[at] > at ? count : parent[at];",
+				find: "const parentOrCount = Math.min(parent[volume], count);",
+				replace: "const parentOrCount = parent[volume] > volume ? count : parent[volume];",
 				breaks: "where a text splits, another volume is chosen than was clicked on",
 			},
 		],
@@ -48,13 +48,13 @@ export default [
 		faults: [
 			{
 				id: "flower-dead-sliders",
-				find: ".filter(({ name }) => !set.has(name))",
+				find: ".filter(({ name }) => !setByCalls.has(name))",
 				replace: "",
 				breaks: "a chosen volume has sliders of variables that every call sets, which move nothing",
 			},
 			{
 				id: "flower-dead-figures-of-definitions",
-				find: ".filter(({ name }) => !idle.has(FIELDS.indexOf(name))),",
+				find: ".filter(({ name }) => !overriddenFields.has(FIELDS.indexOf(name))),",
 				replace: ",",
 				breaks: "a chosen volume has sliders of a definition's figures that every growth gives otherwise",
 			},
@@ -78,8 +78,8 @@ export default [
 		faults: [
 			{
 				id: "flower-counts-from-nothing",
-				find: "-reach : Number(whole), reach",
-				replace: "-reach : 0, reach",
+				find: "-limit : Number(isWhole), limit",
+				replace: "-limit : 0, limit",
 				breaks: "a chosen volume's slider of its module's steps goes to 0, by which it is divided",
 			},
 		],
@@ -168,7 +168,7 @@ export default [
 		faults: [
 			{
 				id: "flower-any-map-is-sent",
-				find: "if (count <= MOST_DARTS) return undefined;",
+				find: "if (count <= MAX_DARTS) return undefined;",
 				replace: "return undefined;",
 				breaks: "a text of a few lines has a server send 300 MB",
 			},
@@ -192,8 +192,8 @@ export default [
 		faults: [
 			{
 				id: "organ-of-any-call",
-				find: "known[root] = WITHIN;",
-				replace: "known.fill(WITHIN);",
+				find: "states[root] = WITHIN;",
+				replace: "states.fill(WITHIN);",
 				breaks: "a click on a petal lights up the whole flower",
 			},
 			{

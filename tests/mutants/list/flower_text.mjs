@@ -6,8 +6,8 @@ export default [
 		faults: [
 			{
 				id: "flower-xml-short-lists",
-				find: "whole ? listed : [listed[0], undefined, ...listed.slice(1)]",
-				replace: "listed",
+				find: "hasTranslation ? withoutExtra : [withoutExtra[0], undefined, ...withoutExtra.slice(1)]",
+				replace: "withoutExtra",
 				breaks: "lists without a translation are shifted in XML",
 			},
 			{
@@ -90,8 +90,8 @@ export default [
 		faults: [
 			{
 				id: "flower-xml-document-type",
-				find: '} else if (this.#on("<!")) {',
-				replace: '} else if (this.#on("<!") && false) {',
+				find: '} else if (this.#startsWith("<!")) {',
+				replace: '} else if (this.#startsWith("<!") && false) {',
 				breaks: "a document type is no mistake of its own",
 			},
 		],

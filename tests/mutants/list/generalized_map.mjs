@@ -162,8 +162,8 @@ export default [
 			},
 			{
 				id: "frame-turns-swapped",
-				find: "  turn(own.y, own.z, shape.turn_x);\n  turn(own.z, own.x, shape.turn_y);",
-				replace: "  turn(own.z, own.x, shape.turn_y);\n  turn(own.y, own.z, shape.turn_x);",
+				find: "  rotate_pair(own.y, own.z, shape.turn_x);\n  rotate_pair(own.z, own.x, shape.turn_y);",
+				replace: "  rotate_pair(own.z, own.x, shape.turn_y);\n  rotate_pair(own.y, own.z, shape.turn_x);",
 				breaks: "a petal that is bent and fanned leans elsewhere",
 			},
 		],

@@ -6,8 +6,8 @@ export default [
 		faults: [
 			{
 				id: "gestures-not-mirrored",
-				find: "within(1 - mean(({ x }) => x))",
-				replace: "within(mean(({ x }) => x))",
+				find: "withoutMargin(1 - mean(({ x }) => x))",
+				replace: "withoutMargin(mean(({ x }) => x))",
 				breaks: "the circle goes left where the hand goes right",
 			},
 			{
@@ -18,7 +18,7 @@ export default [
 			},
 			{
 				id: "gestures-tremble",
-				find: "shareIn(passed, REST + HASTE * Math.abs(speed))",
+				find: "shareIn(elapsed, REST + HASTE * Math.abs(speed))",
 				replace: "1",
 				breaks: "a hand at rest makes the flower tremble",
 			},

@@ -70,7 +70,7 @@ export default [
 			},
 			{
 				id: "sketch-unknown-surfaces-all-named",
-				find: "if (unknown_.size() == most_unknown || unknown_.contains(name)) return;",
+				find: "if (unknown_.size() == max_unknown || unknown_.contains(name)) return;",
 				replace: "if (unknown_.contains(name)) return;",
 				breaks: "a text of unknown surfaces gives a note for each",
 			},
@@ -215,7 +215,7 @@ export default [
 			},
 			{
 				id: "dressing-leaves-lit-at-their-feet",
-				find: "std::max(base, open.at(along(organ, organ.scale + open.edge())))",
+				find: "std::max(base, visible_sky.at(point_on_axis(organ, organ.scale + visible_sky.edge())))",
 				replace: "base",
 				breaks: "leaves at the outside of what is dense are as dark as its inside",
 			},
@@ -224,12 +224,6 @@ export default [
 				find: "counts[organ.tag] > many_surfaces",
 				replace: "false",
 				breaks: "tens of thousands of leaves have as many triangles each as one alone",
-			},
-			{
-				id: "dressing-half-turns",
-				find: "if (m[k][k] > m[i][i]) i = k;",
-				replace: ";",
-				breaks: "what is turned by half a circle stands askew",
 			},
 			{
 				id: "dressing-never-coarse",
@@ -263,8 +257,8 @@ export default [
 		faults: [
 			{
 				id: "plate-thin-at-bends",
-				find: "std::min(areas[corner] / length, most_mitre)",
-				replace: "std::min(0.98f, most_mitre)",
+				find: "std::min(areas[corner] / length, max_mitre)",
+				replace: "std::min(0.98f, max_mitre)",
 				breaks: "bent blades are thinner than said",
 			},
 			{

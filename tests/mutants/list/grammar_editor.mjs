@@ -9,7 +9,7 @@ export default [
 		faults: [
 			{
 				id: "grammar-editor-operator-taken-for-a-sign",
-				find: "(!ends || isDefined(pieces, at - 2))",
+				find: "(!endsValue || isDefined(pieces, index - 2))",
 				replace: "true",
 				breaks: "dragging the 2 of x-2 rewrites the minus",
 			},
@@ -21,8 +21,8 @@ export default [
 			},
 			{
 				id: "grammar-editor-constant-outside-its-slider",
-				find: "const ends = [read(low), read(high), value];",
-				replace: "const ends = [read(low), read(high)];",
+				find: "const ends = [readSigned(low), readSigned(high), value];",
+				replace: "const ends = [readSigned(low), readSigned(high)];",
 				breaks: "a slider jumps when it is touched, where the text's number lies beyond the comment's range",
 			},
 		],
@@ -69,7 +69,7 @@ export default [
 		faults: [
 			{
 				id: "grammar-editor-handle-for-each-point",
-				find: "points.length <= MOST_POINTS",
+				find: "points.length <= MAX_POINTS",
 				replace: "true",
 				breaks: "a curve of 50,000 points puts 50,000 handles into the page",
 			},
@@ -81,7 +81,7 @@ export default [
 		faults: [
 			{
 				id: "grammar-editor-curve-points-cross",
-				find: "points[at + 1][0] - gap : right",
+				find: "points[moving + 1][0] - gap : right",
 				replace: "right : right",
 				breaks: "a point is dragged past the next, and the text is no curve",
 			},
@@ -117,7 +117,7 @@ export default [
 		faults: [
 			{
 				id: "grammar-editor-search-unknown",
-				find: "\t\t\t\t\tfinding,\n",
+				find: "\t\t\t\t\tfinding(),\n",
 				replace: "",
 				breaks: "Ctrl and F opens nothing",
 			},
@@ -165,7 +165,7 @@ export default [
 			},
 			{
 				id: "range-words-looked-at-again",
-				find: "at = separated ?? low;",
+				find: "at = separated ?? lowEnd;",
 				replace: "at++;",
 				suites: ["tests/web/hostile_texts.test.ts"],
 				breaks: "a link with a long number in a comment hangs the page",
@@ -203,7 +203,7 @@ export default [
 		faults: [
 			{
 				id: "footprints-in-footprints",
-				find: "if (head.index < (found.at(-1)?.to ?? 0)) continue;",
+				find: "if (head.index < (footprints.at(-1)?.end ?? 0)) continue;",
 				replace: "",
 				breaks: "a text of many volumes that are never closed hangs the page",
 				hangs: true,

@@ -77,7 +77,7 @@ export default [
 			},
 			{
 				id: "divisors-lines-after-a-condition-ignored",
-				find: "return at_ == end || wrong(here(), \"An arrow is expected here, not '%'.\", {found()});",
+				find: "return at_ == end || wrong(here(), message(messages::growth::arrow_expected, found_text()));",
 				replace: "return at_ = end, true;",
 				breaks: "what stands between a condition and its arrow is passed over",
 			},
@@ -119,8 +119,9 @@ export default [
 			},
 			{
 				id: "divisors-given-twice-unsaid",
-				find: "if (const DivisorFunction* const again = given_twice(rules))",
-				replace: "if (const DivisorFunction* const again = given_twice(rules); again != nullptr && rules.tree.empty())",
+				find: "if (const DivisorFunction* const duplicate = given_twice(rules))",
+				replace:
+					"if (const DivisorFunction* const duplicate = given_twice(rules); duplicate != nullptr && rules.tree.empty())",
 				breaks: "of two divisor functions for branches one is passed over without a word",
 			},
 		],
@@ -203,8 +204,8 @@ export default [
 			},
 			{
 				id: "growth-leaves-of-another-turn",
-				find: "noise.about[held] = about + golden_turn * static_cast<float>(k);",
-				replace: "noise.about[held] = about + golden_turn * static_cast<float>(held);",
+				find: "noise.about[batch_size] = first_turn + golden_turn * static_cast<float>(k);",
+				replace: "noise.about[batch_size] = first_turn + golden_turn * static_cast<float>(batch_size);",
 				breaks: "leaves that are worked out with others hang elsewhere",
 			},
 		],

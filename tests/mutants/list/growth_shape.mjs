@@ -17,8 +17,8 @@ export default [
 			},
 			{
 				id: "growth-shoots-leave-their-room",
-				find: "i < most_halvings && regard > 0 && !about_.contains",
-				replace: "i < 0 && regard > 0 && !about_.contains",
+				find: "i < max_halvings && regard > 0 && !surroundings_.contains",
+				replace: "i < 0 && regard > 0 && !surroundings_.contains",
 				breaks: "branches grow into the crowns beside them",
 			},
 			{
@@ -84,7 +84,7 @@ export default [
 			},
 			{
 				id: "growth-room-is-a-circle",
-				find: "const std::size_t i = eighth(p.x, p.z), next",
+				find: "const std::size_t i = octant_of(p.x, p.z), next",
 				replace: "const std::size_t i = 0, next",
 				breaks: "room is that of the east all about",
 			},
@@ -102,8 +102,8 @@ export default [
 			},
 			{
 				id: "growth-spiral-leans",
-				find: "open - glm::vec3(whole.x, 0, whole.z)",
-				replace: "open",
+				find: "visible_sky - glm::vec3(full_sky.x, 0, full_sky.z)",
+				replace: "visible_sky",
 				breaks: "a tree with nothing about it is another than one that stands alone",
 			},
 		],
@@ -114,8 +114,8 @@ export default [
 		faults: [
 			{
 				id: "levels-thin-wood-first",
-				find: "return one != other ? one > other : a.first < b.first;",
-				replace: "return one != other ? one < other : a.first < b.first;",
+				find: "return radius_a != radius_b ? radius_a > radius_b : a.first < b.first;",
+				replace: "return radius_a != radius_b ? radius_a < radius_b : a.first < b.first;",
 				breaks: "far trees have twigs and no trunk",
 			},
 			{
@@ -150,7 +150,7 @@ export default [
 			},
 			{
 				id: "levels-crowns-shrink",
-				find: "reach(merged, target);",
+				find: "stretch_to(merged, target);",
 				replace: "",
 				breaks: "crowns shrink as one walks away",
 			},

@@ -70,7 +70,7 @@ export default [
 		faults: [
 			{
 				id: "octahedron-deaf-to-escape",
-				find: 'if (on) window.addEventListener("keydown", this.#heard, { capture: true });',
+				find: 'if (on) window.addEventListener("keydown", this.#onKey, { capture: true });',
 				replace: "if (on) return;",
 				breaks: "Escape calls off no drag in 3-D",
 			},

@@ -19,7 +19,7 @@ export default [
 			},
 			{
 				id: "side-veins-on-the-left-upside-down",
-				find: "if (side > 0) std::reverse(all.begin(), all.end());",
+				find: "if (side > 0) std::reverse(tips.begin(), tips.end());",
 				replace: "",
 				breaks: "teeth of the left side are taken from the tip down",
 			},
@@ -31,7 +31,7 @@ export default [
 			},
 			{
 				id: "side-veins-cross-the-next",
-				find: "if (above && within(above->places, next, near)) break;",
+				find: "if (above && any_within(above->places, next, min_distance)) break;",
 				replace: "",
 				breaks: "arches run through the vein above",
 			},

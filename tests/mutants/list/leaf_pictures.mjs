@@ -9,14 +9,14 @@ export default [
 		faults: [
 			{
 				id: "leaf-normals-green-down",
-				find: "const ny = -steep * up;",
-				replace: "const ny = steep * up;",
+				find: "const ny = -slopeFactor * up;",
+				replace: "const ny = slopeFactor * up;",
 				breaks: "light from above shows veins as if it came from below",
 			},
 			{
 				id: "leaf-normals-not-mirrored",
-				find: "const nx = -sign * steep * right;",
-				replace: "const nx = -steep * right;",
+				find: "const nx = -sign * slopeFactor * right;",
+				replace: "const nx = -slopeFactor * right;",
 				breaks: "light from the left shows the lower face's veins as if it came from the right",
 			},
 		],
@@ -27,7 +27,7 @@ export default [
 		faults: [
 			{
 				id: "leaf-veins-alike-whatever-passes",
-				find: "radius, strength(energy[piece], range));",
+				find: "radius, opacityOf(energy[piece], range));",
 				replace: "radius, 1);",
 				breaks: "the finest veins are as bright as the midrib",
 			},
@@ -39,7 +39,7 @@ export default [
 		faults: [
 			{
 				id: "leaf-fed-alike-by-all-veins",
-				find: "REACH * side * share ** REACH_POWER",
+				find: "REACH * side * relativeWidth ** REACH_POWER",
 				replace: "REACH * side",
 				breaks: "in autumn green bands are as broad about a twig of a vein as about the midrib",
 			},

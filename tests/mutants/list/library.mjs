@@ -20,7 +20,7 @@ export default [
 			},
 			{
 				id: "library-link-is-a-preset",
-				find: 'if (query < 0 && hash < 0 && !text.includes("://")) return undefined;',
+				find: 'if (query < 0 && hash < 0 && !source.includes("://")) return undefined;',
 				replace: "if (query < 0) return undefined;",
 				breaks: "an address that has all in its fragment is taken for a preset's name",
 			},
@@ -32,7 +32,7 @@ export default [
 		faults: [
 			{
 				id: "library-keeps-notes-of-links",
-				find: "notes: [...notes.map(({ text }) => text), ...found.notes, ...plant.notes],",
+				find: "notes: [...notes.map((note) => note.text), ...found.notes, ...plant.notes],",
 				replace: "notes: [...plant.notes],",
 				breaks: "nobody hears that a link was not used as it was",
 			},
@@ -75,24 +75,6 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/page_runtime.ts`,
-		suites: ["tests/web/library/page_runtime.test.ts"],
-		faults: [
-			{
-				id: "library-keeps-its-workers",
-				find: "this.#pool?.close();",
-				replace: "",
-				breaks: "a page that grew one plant has two workers for ever",
-			},
-			{
-				id: "library-ends-workers-at-work",
-				find: "clearTimeout(this.#leaving);",
-				replace: "",
-				breaks: "a plant that takes long is given up with the workers of the one before",
-			},
-		],
-	},
-	{
 		file: "web/src/core/cores.ts",
 		suites: ["tests/web/core/cores.test.ts"],
 		faults: [
@@ -104,7 +86,7 @@ export default [
 			},
 			{
 				id: "cores-keep-their-memory",
-				find: "if (core.memoryBytes > MOST_MEMORY) this.#cores.delete(wasm);",
+				find: "if (core.memoryBytes > MAX_MEMORY) this.#cores.delete(wasm);",
 				replace: "",
 				breaks: "one large plant's memory is kept for good",
 			},

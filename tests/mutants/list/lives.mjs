@@ -24,14 +24,14 @@ export default [
 			},
 			{
 				id: "life-of-an-open-flower-only-wilts",
-				find: "age >= end || age === height ?",
+				find: "age >= end || age === bestAge ?",
 				replace: "age >= end ?",
 				breaks: "a flower that stands open is played from there, and never seen to open",
 				suites: ["tests/web/models/flower/age.test.ts"],
 			},
 			{
 				id: "life-fights-the-hand",
-				find: "if (this.#made && context.state.specimen !== this.#made) {",
+				find: "if (this.#lastFrameSpecimen && context.state.specimen !== this.#lastFrameSpecimen) {",
 				replace: "if (false) {",
 				breaks: "a play overrides the hand on a slider",
 			},

@@ -123,8 +123,8 @@ export default [
 			},
 			{
 				id: "refusals-bracket-of-any-branch",
-				find: "levels.back() = {here, false};",
-				replace: "levels.back().last = here;",
+				find: "levels.back() = {current, false};",
+				replace: "levels.back().last = current;",
 				breaks: "a branch that is closed somewhere before is reported as if nothing were between",
 			},
 		],
@@ -159,8 +159,8 @@ export default [
 		faults: [
 			{
 				id: "macros-without-a-limit",
-				find: "if (macros_.nodes > Macros::most_nodes)",
-				replace: "if (macros_.nodes > 4 * Macros::most_nodes)",
+				find: "if (macros_.nodes > Macros::max_nodes)",
+				replace: "if (macros_.nodes > 4 * Macros::max_nodes)",
 				breaks: "functions that call each other take more memory than the text says",
 			},
 			{
@@ -196,7 +196,7 @@ export default [
 			{
 				id: "chronicle-reasons-take-work-of-the-plant",
 				suites: [`${TESTS}/models/grammar/limits_test.cpp`],
-				find: "own.budget = &budget;\n  Refusals",
+				find: "own_limits.budget = &budget;\n  Refusals",
 				replace: "Refusals",
 				breaks: "tracing a step leaves less work for drawing, so that the plant has fewer leaves",
 			},
@@ -256,8 +256,8 @@ export default [
 			},
 			{
 				id: "growth-touching-by-nothing",
-				find: "depth < 0.005f ?",
-				replace: "depth < -1 ?",
+				find: "depth < 0.005f;",
+				replace: "depth < -1;",
 				breaks: "what is only touched overlaps by 0",
 			},
 		],

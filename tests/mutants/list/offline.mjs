@@ -166,7 +166,7 @@ export default [
 			},
 			{
 				id: "offline-queue-unlimited",
-				find: "this.#waiting.length >= MOST_WAITING",
+				find: "this.#waiting.length >= MAX_WAITING",
 				replace: "false",
 				breaks: "requests for specimens pile up without a limit",
 				hangs: true,

@@ -46,7 +46,7 @@ export default [
 			},
 			{
 				id: "crowd-printed-rule-damped",
-				find: "rules_.printed ? towards(glm::vec3(0), to_neighbour + ahead)",
+				find: "rules_.printed ? direction_to(glm::vec3(0), to_neighbour + ahead)",
 				replace: "rules_.printed ? (to_neighbour + ahead) * 0.5f",
 				breaks: "the printed rule is not the printed one",
 			},
@@ -76,7 +76,7 @@ export default [
 		faults: [
 			{
 				id: "moment-piece-by-piece",
-				find: "(moment - left) / (there - left)) * way",
+				find: "(moment - left_at) / (arrives_at - left_at)) * way",
 				replace: "0.0f) * way",
 				breaks: "particles stand at a place until they jump to the next",
 			},
@@ -88,8 +88,8 @@ export default [
 		faults: [
 			{
 				id: "outline-edges-in-one-cell",
-				find: "see(static_cast<std::size_t>(y * across_ + x));",
-				replace: "return see(static_cast<std::size_t>(y * across_ + x));",
+				find: "visit(static_cast<std::size_t>(y * across_ + x));",
+				replace: "return visit(static_cast<std::size_t>(y * across_ + x));",
 				breaks: "straight ways go out over edges",
 			},
 			{

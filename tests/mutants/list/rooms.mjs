@@ -16,6 +16,60 @@ export default [
 		],
 	},
 	{
+		file: `${SRC}/foundation/rotation.hpp`,
+		suites: [`${TESTS}/foundation/rotation_test.cpp`],
+		faults: [
+			{
+				id: "rotation-half-turns",
+				find: "if (frame[k][k] > frame[i][i]) i = k;",
+				replace: ";",
+				breaks: "organs turned by half a circle are placed askew",
+			},
+			{
+				id: "rotation-perpendicular-to-itself",
+				find: "std::fabs(glm::dot(way, first)) < limit ? first : second",
+				replace: "first",
+				breaks: "vertical directions have no perpendicular",
+			},
+		],
+	},
+	{
+		file: `${SRC}/foundation/golden_spiral.hpp`,
+		suites: [`${TESTS}/foundation/golden_spiral_test.cpp`],
+		faults: [
+			{
+				id: "golden-disc-crowded-in-the-middle",
+				find: "std::sqrt((static_cast<float>(i) + 0.5f) / static_cast<float>(count))",
+				replace: "(static_cast<float>(i) + 0.5f) / static_cast<float>(count)",
+				breaks: "samples of a disc are densest in its middle",
+			},
+		],
+	},
+	{
+		file: `${SRC}/mesh/normals.hpp`,
+		suites: [`${TESTS}/mesh/normals_test.cpp`],
+		faults: [
+			{
+				id: "normals-not-unit",
+				find: "length > least ? normal / length",
+				replace: "length > least ? normal",
+				breaks: "leaves are brighter or darker with their triangles' size",
+			},
+		],
+	},
+	{
+		file: `${SRC}/stems/segment.hpp`,
+		suites: [`${TESTS}/stems/segment_test.cpp`],
+		faults: [
+			{
+				id: "segment-end-unscaled",
+				find: "segment.radius_end *= factor;",
+				replace: "",
+				breaks: "stems end hundreds of times too thick",
+			},
+		],
+	},
+	{
 		file: `${SRC}/foundation/random.cpp`,
 		suites: [`${TESTS}/foundation/random_test.cpp`],
 		faults: [
@@ -129,7 +183,7 @@ export default [
 			},
 			{
 				id: "sky-lit-from-behind",
-				find: "return greater(sum, Four{});",
+				find: "return max_of(sum, Four{});",
 				replace: "return sum;",
 				breaks: "what lies behind a point makes it brighter",
 			},
@@ -255,8 +309,8 @@ export default [
 		faults: [
 			{
 				id: "request-unknown-blocks-pass",
-				find: "    if (!read_[i])\n",
-				replace: "    if (false)\n",
+				find: "    if (!read_[i]) return",
+				replace: "    if (false) return",
 				breaks: "a misspelt block is taken without a word",
 			},
 			{
@@ -297,7 +351,7 @@ export default [
 			},
 			{
 				id: "boundary-endless-requests",
-				find: "return bytes <= most_request_bytes ?",
+				find: "return bytes <= max_request_bytes ?",
 				replace: "return bytes != 1 ?",
 				breaks: "a request may take all memory there is",
 			},

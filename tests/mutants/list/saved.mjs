@@ -22,7 +22,7 @@ export default [
 			},
 			{
 				id: "saved-twice-brought",
-				find: "known.add(sameness(each));",
+				find: "existing.add(sameness(each));",
 				replace: "",
 				breaks: "twins in a file both come",
 			},
@@ -40,14 +40,14 @@ export default [
 			},
 			{
 				id: "saved-import-undone-once",
-				find: "\t\tthis.#done(step);\n\t\treturn undefined;",
+				find: "\t\tthis.#addStep(step);\n\t\treturn undefined;",
 				replace: "\t\treturn undefined;",
 				breaks: "an import that could not be undone now cannot be undone later",
 			},
 			{
 				id: "saved-others-deletion-undone",
-				find: "gone = edited(stored, { put: this.unstored }).filter",
-				replace: "gone = this.all.filter",
+				find: "removed = edited(stored, { put: this.unstored }).filter",
+				replace: "removed = this.all.filter",
 				breaks: "undo brings back what another tab has deleted",
 			},
 		],

@@ -9,8 +9,8 @@ export default [
 		faults: [
 			{
 				id: "cut-out-edges-dark",
-				find: "(255 * onBlack[at + k]) / cover",
-				replace: "onBlack[at + k]",
+				find: "(255 * onBlack[pixel + k]) / cover",
+				replace: "onBlack[pixel + k]",
 				breaks: "a plant that is cut out has a dark rim",
 			},
 		],
@@ -21,20 +21,20 @@ export default [
 		faults: [
 			{
 				id: "turntable-orbit-reversed",
-				find: "at.theta -= right;",
-				replace: "at.theta += right;",
+				find: "angles.theta -= right;",
+				replace: "angles.theta += right;",
 				breaks: "the plant turns against the arrow keys",
 			},
 			{
 				id: "turntable-tilt-reversed",
-				find: "at.phi - down,",
-				replace: "at.phi + down,",
+				find: "angles.phi - down,",
+				replace: "angles.phi + down,",
 				breaks: "the plant tilts against the arrow keys",
 			},
 			{
 				id: "turntable-out-of-sight",
-				find: "const back = away.setLength(-excess);",
-				replace: "const back = away.setLength(0);",
+				find: "const correction = fromCentre.setLength(-excess);",
+				replace: "const correction = fromCentre.setLength(0);",
 				breaks: "the plant can be shifted out of sight",
 			},
 			{
@@ -57,8 +57,8 @@ export default [
 		faults: [
 			{
 				id: "camera-fit-by-height-alone",
-				find: "near + up / tall, near + across / wide)",
-				replace: "near + up / tall)",
+				find: "nearness + vertical / halfHeight, nearness + horizontal / halfWidth)",
+				replace: "nearness + vertical / halfHeight)",
 				breaks: "wide plants are cut off on a phone",
 			},
 			{
@@ -106,7 +106,7 @@ export default [
 			},
 			{
 				id: "light-blurred-away",
-				find: "const gain = integral(lobe.sharpness) / integral(wide);",
+				find: "const gain = integral(lobe.sharpness) / integral(combined);",
 				replace: "const gain = 1;",
 				breaks: "the surroundings are far too bright",
 			},
@@ -148,8 +148,8 @@ export default [
 		faults: [
 			{
 				id: "sphere-index-one-cell-short",
-				find: "const toX = this.#along(0, x + distance);",
-				replace: "const toX = this.#along(0, x);",
+				find: "const toX = this.#cellAlong(0, x + distance);",
+				replace: "const toX = this.#cellAlong(0, x);",
 				breaks: "neighbours at the right are missed: too much light",
 			},
 		],

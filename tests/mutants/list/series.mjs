@@ -9,7 +9,7 @@ export default [
 		faults: [
 			{
 				id: "seconds-part-of-a-plant-in-a-series",
-				find: 'if (plant.cutShort === "time") throw this.#nothing();',
+				find: 'if (plant.cutShort === "time") throw this.#timeOverError();',
 				replace: "",
 				breaks: "a series with a time limit writes a part of a plant as if it were whole, and never grows it again",
 			},
@@ -39,7 +39,7 @@ export default [
 			},
 			{
 				id: "draws-alike-in-every-series",
-				find: "const draw = hashFunction(specificationOf(species, from));",
+				find: "const draw = hashFunction(specificationOf(schema, from));",
 				replace: 'const draw = hashFunction("");',
 				breaks: "plants of one number have the same values in every variety and setting",
 			},
@@ -87,8 +87,8 @@ export default [
 			},
 			{
 				id: "series-writes-without-its-lock",
-				find: "const made = await grower.grow(member);\n\t\t\tawait lock.renew();",
-				replace: "const made = await grower.grow(member);",
+				find: "const plant = await grower.grow(member);\n\t\t\tawait lock.renew();",
+				replace: "const plant = await grower.grow(member);",
 				breaks: "two processes write one table after one of them was silent for long",
 			},
 			{
@@ -148,8 +148,8 @@ export default [
 		faults: [
 			{
 				id: "ply-points-that-are-hidden",
-				find: "if (!isHidden(cover, candidates.at(i))) seen[found++] = i;",
-				replace: "seen[found++] = i;",
+				find: "if (!isHidden(cover, candidates.at(i))) visible[visibleCount++] = i;",
+				replace: "visible[visibleCount++] = i;",
 				breaks: "points where berries touch are of either, by chance",
 			},
 		],

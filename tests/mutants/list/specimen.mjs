@@ -58,8 +58,8 @@ export default [
 			},
 			{
 				id: "link-length-unsaid",
-				find: "if (search.length > LONGEST_QUERY) notes.add",
-				replace: "if (search.length < 0) notes.add",
+				find: "if (search.length > LONGEST_QUERY)\n",
+				replace: "if (search.length < 0)\n",
 				breaks: "nothing says that a link was cut",
 			},
 			{
@@ -70,7 +70,7 @@ export default [
 			},
 			{
 				id: "link-given-twice-unsaid",
-				find: "if (values.has(key)) notes.add(key, ...REPEATED);",
+				find: "if (values.has(key)) noteRepeated(key, notes);",
 				replace: "",
 				breaks: "of two values in a link one is dropped without a word",
 			},
@@ -118,7 +118,7 @@ export default [
 			},
 			{
 				id: "restore-unknown-keys-unsaid",
-				find: 'else notes.add(key, "not known here", "ignored");',
+				find: 'else notes.add(key, text.message("unknown_key"), text("ignored"));',
 				replace: "",
 				breaks: "misspelt parameters are dropped without a word",
 			},
@@ -142,8 +142,8 @@ export default [
 			},
 			{
 				id: "history-without-end",
-				find: ".slice(-LONGEST_HISTORY)",
-				replace: "",
+				find: "settled.present].slice(-LONGEST_HISTORY)",
+				replace: "settled.present]",
 				breaks: "the history fills the memory",
 			},
 		],
@@ -154,8 +154,8 @@ export default [
 		faults: [
 			{
 				id: "grammar-bytes-as-letters",
-				find: "return lengthProblem(text.length) ?? lengthProblem(new TextEncoder().encode(text).length);",
-				replace: "return lengthProblem(text.length);",
+				find: "return lengthProblem(grammar.length) ?? lengthProblem(new TextEncoder().encode(grammar).length);",
+				replace: "return lengthProblem(grammar.length);",
 				breaks: "a long grammar of accented letters is refused by the core only",
 			},
 		],
@@ -178,7 +178,7 @@ export default [
 		faults: [
 			{
 				id: "thinned-unlimited",
-				find: "if (thinned.includes(id) || thinned.length >= MOST_THINNED) return specimen;",
+				find: "if (thinned.includes(id) || thinned.length >= MAX_THINNED) return specimen;",
 				replace: "if (thinned.includes(id)) return specimen;",
 				breaks: "links become longer than address bars take",
 			},
@@ -208,8 +208,8 @@ export default [
 		faults: [
 			{
 				id: "request-overrules-the-text",
-				find: "entry.define !== undefined && value === entry.default ? Number.NaN : value",
-				replace: "value",
+				find: "entry.define !== undefined && number === entry.default ? Number.NaN : number",
+				replace: "number",
 				breaks: "a person's own #define is overruled by sliders that nobody moved",
 			},
 			{
@@ -220,8 +220,8 @@ export default [
 			},
 			{
 				id: "request-thinned-forgotten",
-				find: '{ name: "thinned", data: words("thinned", thinned) },',
-				replace: '{ name: "thinned", data: words("thinned", []) },',
+				find: '{ name: "thinned", data: wholeNumbers("thinned", thinned) },',
+				replace: '{ name: "thinned", data: wholeNumbers("thinned", []) },',
 				breaks: "berries that were taken off grow back",
 			},
 		],

@@ -10,8 +10,8 @@ export default [
 		faults: [
 			{
 				id: "stand-blue-darts-come-near",
-				find: "free = glm::distance(spots[static_cast<std::size_t>(at)], dart) >= apart;",
-				replace: "free = glm::distance(spots[static_cast<std::size_t>(at)], dart) >= 0.5f * apart;",
+				find: "free = glm::distance(spots[static_cast<std::size_t>(spot)], dart) >= apart;",
+				replace: "free = glm::distance(spots[static_cast<std::size_t>(spot)], dart) >= 0.5f * apart;",
 				breaks: "plants stand nearer to each other than the plan says",
 			},
 			{
@@ -28,14 +28,14 @@ export default [
 			},
 			{
 				id: "stand-borne-on-the-ground",
-				find: "const float high = by.scale * drawn(kind.high, draws.unit(8 * k + 5));",
-				replace: "const float high = 0 * draws.unit(8 * k + 5);",
+				find: "const float height = host.scale * value_at(kind.high, draws.unit(8 * k + 5));",
+				replace: "const float height = 0 * draws.unit(8 * k + 5);",
 				breaks: "bunches lie on the ground",
 			},
 			{
 				id: "stand-fewer-fill-the-back",
-				find: "if (fewer) keep_middle(found, count);",
-				replace: "if (fewer && found.size() > count) found.resize(count);",
+				find: "if (is_reduced) keep_middle(found, count);",
+				replace: "if (is_reduced && found.size() > count) found.resize(count);",
 				breaks: "a vineyard of few vines has them all in its rear rows",
 			},
 		],
@@ -58,8 +58,8 @@ export default [
 			},
 			{
 				id: "stand-room-as-if-at-scale-1",
-				find: "/ sincos_degrees(off).cosine / plants[i].scale);",
-				replace: "/ sincos_degrees(off).cosine);",
+				find: "/ sincos_degrees(from_axis).cosine / plants[i].scale);",
+				replace: "/ sincos_degrees(from_axis).cosine);",
 				breaks: "small plants grow as if they had less room than they have",
 			},
 			{
@@ -113,8 +113,8 @@ export default [
 		faults: [
 			{
 				id: "stand-bunches-are-plants",
-				find: "countInWords(counts.plants - attached,",
-				replace: "countInWords(counts.plants,",
+				find: "const count = counts.plants - attached;",
+				replace: "const count = counts.plants;",
 				breaks: "a vineyard is said to have five times its vines",
 			},
 		],
@@ -197,7 +197,7 @@ export default [
 		faults: [
 			{
 				id: "stand-middle-of-the-back",
-				find: "!fewer ? i - rows : i % 2 == 0 ? i / 2 : -(i + 1) / 2",
+				find: "!is_reduced ? i - rows : i % 2 == 0 ? i / 2 : -(i + 1) / 2",
 				replace: "i - rows",
 				breaks: "fewer plants than a large ground has places stand at its back",
 			},

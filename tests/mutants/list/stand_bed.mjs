@@ -8,14 +8,14 @@ export default [
 		faults: [
 			{
 				id: "stand-map-shows-leaves",
-				find: "const meshes = flowers.length > 0 ? flowers : (most ?? []);",
-				replace: "const meshes = most ?? flowers;",
+				find: "const meshes = flowers.length > 0 ? flowers : (largest ?? []);",
+				replace: "const meshes = largest ?? flowers;",
 				breaks: "on the map poppies are as green as grass",
 			},
 			{
 				id: "stand-map-dark-plants",
-				find: "separateColours(seen, [LIGHT, LIGHTEST])",
-				replace: "separateColours(seen, [0 * LIGHT, LIGHTEST])",
+				find: "separateColours(ownColours, PLANT_LIGHTNESS)",
+				replace: "separateColours(ownColours, [0, PLANT_LIGHTNESS[1]])",
 				breaks: "a dark plant is lost on the map's ground",
 			},
 		],
@@ -26,14 +26,14 @@ export default [
 		faults: [
 			{
 				id: "stand-map-sorts-alike",
-				find: "if (free(shown)) return shown;",
-				replace: "if (free(shown) || true) return shown;",
+				find: "if (isFree(candidate)) return candidate;",
+				replace: "if (isFree(candidate) || true) return candidate;",
 				breaks: "two yellow flowers are one on the map",
 			},
 			{
 				id: "stand-map-hue-first",
-				find: "for (const more of eitherWay(STEP, most - least)) {",
-				replace: "for (const more of [0, STEP]) {",
+				find: "for (const lightnessShift of shiftsUpTo(LIGHTNESS_STEP, most - least)) {",
+				replace: "for (const lightnessShift of [0, LIGHTNESS_STEP]) {",
 				breaks: "a globeflower is as green as grass on the map, beside a buttercup",
 			},
 			{
@@ -56,26 +56,26 @@ export default [
 		faults: [
 			{
 				id: "stand-ring-as-wide-as-near",
-				find: "const r = radius + off * WIDE * seen;",
-				replace: "const r = radius + off * WIDE;",
+				find: "const r = radius + offset * HALF_WIDTH * viewHeight;",
+				replace: "const r = radius + offset * HALF_WIDTH;",
 				breaks: "the ring about a chosen plant is too thin to see from afar",
 			},
 			{
 				id: "stand-ring-in-the-slope",
-				find: "const y = stands ? heightAt(stand, x, z) : this.#at.y;",
-				replace: "const y = stands || heightAt(stand, x, z) ? this.#at.y : 0;",
+				find: "const y = isOnGround ? heightAt(stand, x, z) : this.#at.y;",
+				replace: "const y = isOnGround || heightAt(stand, x, z) ? this.#at.y : 0;",
 				breaks: "the ring about a chosen plant is half in the ground of a slope",
 			},
 			{
 				id: "stand-ring-under-what-hangs",
-				find: "const stands = places.parent[this.#plant] < 0;",
-				replace: "const stands = places.count > 0;",
+				find: "const isOnGround = places.parent[this.#plant] < 0;",
+				replace: "const isOnGround = places.count > 0;",
 				breaks: "the ring about a chosen bunch lies under its vine",
 			},
 			{
 				id: "stand-ring-of-no-size",
-				find: "Math.max(ABOUT * crown, LEAST * seen)",
-				replace: "Math.max(ABOUT * crown, 0 * LEAST)",
+				find: "Math.max(CROWN_SHARE * crown, LEAST_RADIUS * viewHeight)",
+				replace: "Math.max(CROWN_SHARE * crown, 0 * LEAST_RADIUS)",
 				breaks: "nobody sees the ring about a small plant from afar",
 			},
 			{
@@ -98,14 +98,14 @@ export default [
 		faults: [
 			{
 				id: "stand-ground-built-anew",
-				find: "this.#material ??= fading(",
+				find: "this.#material ??= groundMaterial(",
 				replace: "this.#material?.dispose();\n\t\tthis.#material = fading(",
 				breaks: "the ground's program is built anew at each step of its colour's dragging",
 			},
 			{
 				id: "stand-ground-patches-stay",
-				find: "this.#patches.value = PATCHES / side;",
-				replace: "if (this.#patches.value === 1) this.#patches.value = PATCHES / side;",
+				find: "this.#patches.value = PATCHES / shorterSide;",
+				replace: "if (this.#patches.value === 1) this.#patches.value = PATCHES / shorterSide;",
 				breaks: "a small ground after a large one fades evenly all round",
 			},
 			{
@@ -182,7 +182,7 @@ export default [
 		faults: [
 			{
 				id: "stand-rim-is-level",
-				find: "y - FALL * far * share,",
+				find: "y - FALL * distance * share,",
 				replace: "y,",
 				breaks: "the ground ends like a cloth",
 			},
@@ -200,8 +200,8 @@ export default [
 		faults: [
 			{
 				id: "stand-ground-sky-cut-down",
-				find: "Math.round(all(mesh.sky, 1)[0])",
-				replace: "all(mesh.sky, 1)[0]",
+				find: "Math.round(interpolated(mesh.sky, 1)[0])",
+				replace: "interpolated(mesh.sky, 1)[0]",
 				breaks: "the ground is darker between the core's places than at them",
 			},
 		],
@@ -224,14 +224,14 @@ export default [
 		faults: [
 			{
 				id: "stand-thin-stems-made-longer",
-				find: "ways[at + 1] += y - along * way[1];",
-				replace: "ways[at + 1] += y;",
+				find: "vectors[at + 1] += y - component * direction[1];",
+				replace: "vectors[at + 1] += y;",
 				breaks: "stems thinner than a pixel are made longer, and stay rows of dashes",
 			},
 			{
 				id: "stand-edge-normals-found-again",
-				find: "known.get(mesh) ?? found(mesh)",
-				replace: "found(mesh)",
+				find: "cache.get(mesh) ?? computeEdgeNormals(mesh)",
+				replace: "computeEdgeNormals(mesh)",
 				breaks: "who walks through many plants halts as each comes near, also for the tenth time",
 			},
 		],
@@ -242,7 +242,7 @@ export default [
 		faults: [
 			{
 				id: "stand-bare-without-a-word",
-				find: "mesh && !soil ? [...plant.notes, BARE] : plant.notes",
+				find: 'mesh && !soil ? [...plant.notes, text("no_soil")] : plant.notes',
 				replace: "plant.notes",
 				breaks: "where part of the page did not come, the same link has another ground, and nothing says so",
 			},

@@ -8,19 +8,19 @@ export default [
 		faults: [
 			{
 				id: "stand-draws-all-anew-in-each-frame",
-				find: "if (each.wanted !== each.shown) this.#set(each);",
-				replace: "this.#set(each);",
+				find: "if (each.wanted !== each.shown) this.#showLevel(each);",
+				replace: "this.#showLevel(each);",
 				breaks: "every step of a walker sends all plants to the graphics card",
 			},
 			{
 				id: "stand-borne-sways-by-itself",
-				find: "const of = parent[plant] < 0 ? plant : parent[plant];",
-				replace: "const of = plant;",
+				find: "const swaying = parent[plant] < 0 ? plant : parent[plant];",
+				replace: "const swaying = plant;",
 				breaks: "bunches come off their vines in the wind",
 			},
 			{
 				id: "stand-all-finest-at-once",
-				find: "if (nearing.length > NEAREST) nearing.length = NEAREST;",
+				find: "if (candidates.length > NEAREST) candidates.length = NEAREST;",
 				replace: "",
 				breaks: "where many trees are near there are too many draws",
 			},
@@ -50,7 +50,7 @@ export default [
 		faults: [
 			{
 				id: "stand-levels-pop",
-				find: "const remaining = Math.ceil((STEPS * (size - from)) / (BAND * from));",
+				find: "const remaining = Math.ceil((STEPS * (size - leastSize)) / (BAND * leastSize));",
 				replace: "const remaining = STEPS + 0 * BAND;",
 				breaks: "trees jump from one level of detail to the next",
 			},
@@ -74,15 +74,15 @@ export default [
 		faults: [
 			{
 				id: "stand-stems-have-holes",
-				find: "Math.min(1, 2 - 2 * gone), bright);",
-				replace: "1 - gone, bright);",
+				find: "Math.min(1, 2 - 2 * faded), bright);",
+				replace: "1 - faded, bright);",
 				breaks: "stems between two levels of detail are rows of dots",
 			},
 			{
 				id: "stand-stems-have-holes-half-way",
-				find: "this.#set(slot, slot.other, gone > 0 ? level + 1 : -1, Math.min(1, 2 * gone), bright);",
+				find: "this.#setInstance(slot, slot.other, faded > 0 ? level + 1 : -1, Math.min(1, 2 * faded), bright);",
 				replace:
-					"if (gone > 0.5) this.object.setVisibleAt(slot.now, false);\n\t\tthis.#set(slot, slot.other, gone > 0 ? level + 1 : -1, 0.4, bright);",
+					"if (faded > 0.5) this.object.setVisibleAt(slot.now, false);\n\t\tthis.#setInstance(slot, slot.other, faded > 0 ? level + 1 : -1, 0.4, bright);",
 				breaks: "the farther of two levels of detail comes as dots, and the nearer has gone",
 			},
 			{
@@ -99,8 +99,8 @@ export default [
 		faults: [
 			{
 				id: "stand-shadows-stay-behind",
-				find: "const stepped = (value: number) => step * Math.round(value / step);",
-				replace: "const stepped = (value: number) => 0 * step * value;",
+				find: "const toStep = (value: number) => step * Math.round(value / step);",
+				replace: "const toStep = (value: number) => 0 * step * value;",
 				breaks: "who walks on comes to where nothing throws a shadow",
 			},
 		],

@@ -10,14 +10,14 @@ export default [
 		faults: [
 			{
 				id: "stand-wires-do-not-follow-the-ground",
-				find: "return {at.x, relief_.at(at.x, at.y) + high, at.y};",
-				replace: "return {at.x, high, at.y};",
+				find: "return {at.x, relief_.at(at.x, at.y) + height, at.y};",
+				replace: "return {at.x, height, at.y};",
 				breaks: "wires hang over hollows and are buried in rises, off the vines that are tied to them",
 			},
 			{
 				id: "stand-posts-at-plants",
-				find: "begin = from - 0.5f * step;",
-				replace: "begin = from;",
+				find: "start = first_plant - 0.5f * step;",
+				replace: "start = first_plant;",
 				breaks: "posts stand in vines",
 			},
 		],
@@ -34,8 +34,8 @@ export default [
 			},
 			{
 				id: "stand-left-out-untold",
-				find: "if (spots) full += among - hangs;",
-				replace: "if (!spots) full += among - hangs;",
+				find: "if (spots) unplaced += siblings - placed;",
+				replace: "if (!spots) unplaced += siblings - placed;",
 				breaks: "nobody hears that fewer bunches hang than the plan says",
 			},
 		],

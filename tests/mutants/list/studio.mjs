@@ -21,8 +21,8 @@ export default [
 			},
 			{
 				id: "studio-notes-unsaid",
-				find: "if (texts.length > 0) this.notify(",
-				replace: "if (texts.length > 99) this.notify(",
+				find: "if (lines.length > 0) this.notify(",
+				replace: "if (lines.length > 99) this.notify(",
 				breaks: "nothing says what of a link could not be used",
 			},
 			{
@@ -142,8 +142,8 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/preset_search.ts`,
-		suites: [`${TESTS}/preset_search.test.ts`],
+		file: `${SRC}/search/words.ts`,
+		suites: [`${TESTS}/search/words.test.ts`],
 		faults: [
 			{
 				id: "search-accents-matter",
@@ -213,7 +213,7 @@ export default [
 			},
 			{
 				id: "studio-notices-without-end",
-				find: ".slice(-MOST_NOTICES)",
+				find: ".slice(-MAX_NOTICES)",
 				replace: "",
 				breaks: "notices cover the page",
 			},
@@ -232,14 +232,14 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/parts/download_menu.ts`,
-		suites: [`${TESTS}/parts/escape.test.ts`],
+		file: `${SRC}/files/purposes.ts`,
+		suites: [`${TESTS}/purposes.test.ts`],
 		faults: [
 			{
-				id: "studio-escape-from-downloads-goes-on",
-				find: "event.preventDefault();\n\t\t\tthis.#leave();",
-				replace: "this.#leave();",
-				breaks: "who closes the menu of downloads by Escape loses the chosen plant",
+				id: "studio-download-recommends-impossible-file",
+				find: "suitable.find(canMake) ?? suitable[0]",
+				replace: "suitable[0]",
+				breaks: "the download sheet recommends a file that is too large to be made",
 			},
 		],
 	},
@@ -249,9 +249,57 @@ export default [
 		faults: [
 			{
 				id: "studio-escape-from-presets-goes-on",
-				find: 'event.preventDefault();\n\t\t\tthis.querySelector<HTMLElement>("input[type=search]")?.focus();',
-				replace: 'this.querySelector<HTMLElement>("input[type=search]")?.focus();',
+				find: 'event.preventDefault();\n\t\t\tthis.querySelector<HTMLElement>(".find button")?.focus();',
+				replace: 'this.querySelector<HTMLElement>(".find button")?.focus();',
 				breaks: "who leaves the strip of presets by Escape loses the chosen plant",
+			},
+		],
+	},
+	{
+		file: `${SRC}/search/text_index.ts`,
+		suites: [`${TESTS}/preset_search.test.ts`],
+		faults: [
+			{
+				id: "search-typos-beside-matches",
+				find: "exact.size > 0 || !forgives ? exact : this.#scoresOf(words, true)",
+				replace: "this.#scoresOf(words, true)",
+				breaks: "a search for a pine lists vines",
+			},
+			{
+				id: "search-titles-like-descriptions",
+				find: "level * LEVEL + cost",
+				replace: "cost",
+				breaks: "plants whose description has the word come before those of that name",
+			},
+			{
+				id: "search-any-word",
+				find: "if (other !== undefined) both.set(at, join(score, other));",
+				replace: "both.set(at, join(score, other ?? 0));",
+				breaks: "a search for two words finds plants with one of them",
+			},
+		],
+	},
+	{
+		file: `${SRC}/search/words.ts`,
+		suites: [`${TESTS}/search/words.test.ts`],
+		faults: [
+			{
+				id: "search-exchange-is-two-typos",
+				find: "short[from] === long[from + 1] && short[from + 1] === long[from]",
+				replace: "false",
+				breaks: "two letters in the wrong order find nothing",
+			},
+		],
+	},
+	{
+		file: `${SRC}/palette/entries.ts`,
+		suites: [`${TESTS}/palette/search.test.ts`],
+		faults: [
+			{
+				id: "palette-offers-what-cannot-run",
+				find: 'key !== "palette" && (isAvailable?.(studio) ?? true)',
+				replace: 'key !== "palette"',
+				breaks: "the palette offers to undo where there is no step",
 			},
 		],
 	},

@@ -40,7 +40,7 @@ export default [
 			},
 			{
 				id: "swelling-one-sided-push",
-				find: "centres_[j] += way * push;",
+				find: "centres_[j] += direction * push;",
 				replace: "",
 				breaks: "of two berries that touch only one gives way",
 			},
@@ -58,7 +58,7 @@ export default [
 			},
 			{
 				id: "swelling-pedicels-turn-round",
-				find: "if (turned < most_bent)",
+				find: "if (turned < max_bent)",
 				replace: "if (turned < -2)",
 				breaks: "a pedicel may point back into the stem",
 				survives:
@@ -72,13 +72,13 @@ export default [
 			},
 			{
 				id: "swelling-late-join-unasked",
-				find: "if (static_cast<float>(remaining) >= near_enough * static_cast<float>(wanted)) return;",
+				find: "if (static_cast<float>(remaining) >= near_enough * static_cast<float>(wanted)) return index;",
 				replace: "",
 				breaks: "more berries grow than were asked for",
 			},
 			{
 				id: "swelling-foot-never-moves",
-				find: "foot += heading * (off * give);",
+				find: "foot += heading * (excess * give);",
 				replace: "",
 				breaks: "a berry's pull is not felt by the branch it hangs on",
 			},
@@ -90,7 +90,7 @@ export default [
 		faults: [
 			{
 				id: "swelling-all-that-join-stay",
-				find: "there() > wanted; young_.pop_back()",
+				find: "present_count() > wanted; young_.pop_back()",
 				replace: "false; young_.pop_back()",
 				breaks: "more berries than were asked for",
 			},
@@ -102,8 +102,8 @@ export default [
 		faults: [
 			{
 				id: "thinning-neighbours-go-too",
-				find: "sizes.size(); ++i)\n    if (pressed[i] > most_pressed && !keeps[i])",
-				replace: "sizes.size(); ++i)\n    if (pressed[i] > most_pressed || !keeps[i])",
+				find: "sizes.size(); ++i)\n    if (pressed[i] > max_pressed && !keeps[i])",
+				replace: "sizes.size(); ++i)\n    if (pressed[i] > max_pressed || !keeps[i])",
 				breaks: "berries are lost that have room once their neighbour is gone",
 			},
 			{

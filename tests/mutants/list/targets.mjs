@@ -128,8 +128,8 @@ export default [
 		faults: [
 			{
 				id: "photo-scales-away",
-				find: "return { x: about.x + by * (x - about.x), y: about.y + by * (y - about.y), scale: after };",
-				replace: "return { x, y, scale: after };",
+				find: "x: fixedPoint.x + appliedFactor * (x - fixedPoint.x),\n\t\ty: fixedPoint.y + appliedFactor * (y - fixedPoint.y),",
+				replace: "x,\n\t\ty,",
 				breaks: "a photograph runs away from the pointer that scales it",
 			},
 		],

@@ -23,7 +23,7 @@ export default [
 			},
 			{
 				id: "volume-turned-the-other-way",
-				find: "to_local_rotation_(glm::conjugate(sound(rotation)))",
+				find: "to_local_rotation_(glm::conjugate(normalised(rotation)))",
 				replace: "back_(sound(rotation))",
 				breaks: "a turned area clips what it does not show",
 			},
@@ -77,7 +77,7 @@ export default [
 		faults: [
 			{
 				id: "areas-widen-about-their-middle",
-				find: "centre: moved(area.centre, times(axis, (width - area.size[k]) / 2)) });",
+				find: "centre: sum(area.centre, scaled(axis, (width - area.size[k]) / 2)) });",
 				replace: "centre: area.centre });",
 				breaks: "the side opposite to the one in hand moves too",
 			},
@@ -101,8 +101,8 @@ export default [
 		faults: [
 			{
 				id: "warnings-mark-the-next-area",
-				find: "?? 0) - 1)",
-				replace: "?? 0))",
+				find: "Number(area) - 1)",
+				replace: "Number(area))",
 				breaks: "the glass beside the area that is missed is red",
 			},
 			{
@@ -131,7 +131,7 @@ export default [
 		faults: [
 			{
 				id: "shells-marked-by-their-parts",
-				find: "marked.has(at >> 1)",
+				find: "marked.has(index >> 1)",
 				replace: "marked.has(at)",
 				breaks: "half of the wrong area is red",
 			},

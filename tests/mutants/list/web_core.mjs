@@ -21,8 +21,8 @@ export default [
 			},
 			{
 				id: "pool-never-a-second-try",
-				find: "const MOST_ATTEMPTS = 2;",
-				replace: "const MOST_ATTEMPTS = 1;",
+				find: "const MAX_ATTEMPTS = 2;",
+				replace: "const MAX_ATTEMPTS = 1;",
 				breaks: "a worker that dies takes its growth with it",
 			},
 			{
@@ -33,8 +33,8 @@ export default [
 			},
 			{
 				id: "pool-last-comes-first",
-				find: "const job = this.#waiting.shift();",
-				replace: "const job = this.#waiting.pop();",
+				find: "this.#waiting.find(({ background }) => !background)",
+				replace: "this.#waiting.findLast(({ background }) => !background)",
 				breaks: "who waits longest waits on",
 			},
 			{
@@ -42,6 +42,30 @@ export default [
 				find: "if (!job || message.id !== job.id) return;",
 				replace: "if (!job) return;",
 				breaks: "an old answer is taken for the newest",
+			},
+		],
+	},
+	{
+		file: `${SRC}/page_pool.ts`,
+		suites: [`${TESTS}/page_pool.test.ts`],
+		faults: [
+			{
+				id: "page-pool-never-ends",
+				find: "this.#pool?.close();",
+				replace: "",
+				breaks: "workers stay after the last plant of the page has gone",
+			},
+			{
+				id: "page-pool-ends-in-use",
+				find: "clearTimeout(this.#closing);",
+				replace: "",
+				breaks: "a growth is cancelled by the end of the use before it",
+			},
+			{
+				id: "page-pool-for-each-user",
+				find: "this.#pool ??= this.#start();",
+				replace: "this.#pool = this.#start();",
+				breaks: "each element of a page starts workers of its own",
 			},
 		],
 	},
@@ -82,8 +106,8 @@ export default [
 		faults: [
 			{
 				id: "seat-uncloneable-waits",
-				find: "this.#die(`its request could not be sent",
-				replace: "console.info(`its request could not be sent",
+				find: 'this.#die(text("worker_request_not_sent", { reason }));',
+				replace: "",
 				breaks: "a request that cannot be copied to a worker is waited for without end",
 				hangs: true,
 			},
@@ -143,7 +167,7 @@ export default [
 		faults: [
 			{
 				id: "loader-in-the-words-of-the-engine",
-				find: "return WebAssembly.compile(bytes).catch(notACore(type));",
+				find: "return WebAssembly.compile(bytes).catch(throwerOfNotACore(type));",
 				replace: "return WebAssembly.compile(bytes);",
 				breaks: "what is no core is told in the engine's words",
 			},
@@ -185,7 +209,7 @@ export default [
 		faults: [
 			{
 				id: "pool-last-seat-keeps-memory",
-				find: "(this.#memory.get(worker) ?? 0) <= MOST_MEMORY",
+				find: "(this.#memory.get(worker) ?? 0) <= MAX_MEMORY",
 				replace: "true",
 				breaks: "the page's last worker keeps the memory of its largest plant",
 			},
@@ -197,7 +221,7 @@ export default [
 		faults: [
 			{
 				id: "export-instances-count-once",
-				find: "bytes += times * bytesOf(mesh);",
+				find: "bytes += copies * bytesOf(mesh);",
 				replace: "bytes += bytesOf(mesh);",
 				breaks: "a file of a million leaves is made until there is no memory left",
 			},

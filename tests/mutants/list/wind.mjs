@@ -32,7 +32,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/plant/swing.ts",
+		file: "web/src/plant/point_sway.ts",
 		suites: ["tests/web/plant/sway.test.ts", "tests/web/formats/wind_glb.test.ts"],
 		faults: [
 			{
@@ -62,7 +62,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/render/wind.ts",
+		file: "web/src/render/wind_shader.ts",
 		suites: ["tests/e2e/wind.spec.ts: draws sways while the wind blows, and is at rest before, after and in pictures"],
 		faults: [
 			{

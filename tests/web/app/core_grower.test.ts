@@ -86,10 +86,10 @@ describe("the core grower", () => {
 		expect(warm).toHaveBeenCalledExactlyOnceWith("/cores/toy.wasm");
 	});
 
-	it("rejects with the model's name if its core is missing", async () => {
+	it("rejects if the model's core is missing", async () => {
 		const cores = new CoreGrower(() => undefined, { grow: vi.fn(), warm: vi.fn(), growMember: vi.fn() });
 		await expect(cores.grow(model, fromPreset(model))).rejects.toThrow(
-			"The core of the pole is not part of this page.",
+			"This version of the app cannot grow this kind of plant.",
 		);
 	});
 });

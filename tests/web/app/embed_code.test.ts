@@ -13,7 +13,7 @@ import { FRAME_KEYS, frameSettings } from "../../../web/src/element/embed/frame_
 const of = {
 	app: "https://plants.example/app/",
 	link: "?v=2&preset=riesling&p3=80,76#g=Ab-_9",
-	words: "“Riesling” bunch: 99 berries",
+	description: "“Riesling” bunch: 99 berries",
 	file: "riesling-7.glb",
 };
 const choice: EmbedChoice = {
@@ -51,7 +51,7 @@ describe("embed code", () => {
 			embedCode(of, { ...choice, form: "frame", wind: true, controls: true, lazy: true }),
 		);
 		expect(others).toEqual([]);
-		expect(frame).toMatchObject({ tag: "iframe", title: of.words, width: "320", height: "480", loading: "lazy" });
+		expect(frame).toMatchObject({ tag: "iframe", title: of.description, width: "320", height: "480", loading: "lazy" });
 		const { search, hash } = new URL((frame as unknown as { src: string }).src);
 		expect(frameSettings({ search, hash })).toEqual({
 			link: "?v=2&preset=riesling&p3=80%2C76#g=Ab-_9",
@@ -69,7 +69,7 @@ describe("embed code", () => {
 			expect.objectContaining({
 				tag: "model-viewer",
 				src: of.file,
-				alt: of.words,
+				alt: of.description,
 				"camera-controls": "",
 				"auto-rotate": "",
 			}),
@@ -93,8 +93,11 @@ describe("embed code", () => {
 				fc.constantFrom(...EMBED_FORMS),
 				fc.string({ unit: fc.constantFrom(..."\"'<>&= a/") }),
 				(form, text) => {
-					const before = tagsOf(embedCode({ ...of, words: "", file: "a" }, { ...choice, form }));
-					const html = embedCode({ ...of, link: `?a=${text}`, words: text, file: `a${text}` }, { ...choice, form });
+					const before = tagsOf(embedCode({ ...of, description: "", file: "a" }, { ...choice, form }));
+					const html = embedCode(
+						{ ...of, link: `?a=${text}`, description: text, file: `a${text}` },
+						{ ...choice, form },
+					);
 					const after = tagsOf(html);
 					expect(after.map((tag) => Object.keys(tag))).toEqual(before.map((tag) => Object.keys(tag)));
 					if (form === "element") expect(after[1]).toHaveProperty("link", `?a=${text}`);

@@ -133,7 +133,7 @@ describe("growing", () => {
 	it.each([
 		[new CoreError("syntax", "unexpected )", 3, 7), "notify", "Line 3, column 7 of the grammar: unexpected )"],
 		[new CoreError("limit", "too large"), "notify", "too large"],
-		[new CoreTrap("unreachable"), "notify", "The last bunch stays"],
+		[new CoreTrap("unreachable"), "notify", "Still showing the last plant."],
 		[new UnsupportedError("fetch", "no core"), "fail", "no core"],
 		[new Error("odd"), "fail", "odd"],
 	] as const)("reports %o while a bunch is in view", async (error, how, words) => {
@@ -144,22 +144,24 @@ describe("growing", () => {
 		expect(JSON.stringify(studio[how].mock.lastCall)).toContain(words);
 	});
 
-	it("names the requested model, or the model of the plant that stays", async () => {
+	it("says whether a plant is still shown", async () => {
 		const failing = () => calls[calls.length - 1].reject(new CoreTrap("unreachable"));
 		const beside = growing.grow(toy as unknown as PageModel, specimen(1));
 		failing();
 		await beside;
-		expect(studio.notify.mock.lastCall?.[1]).toEqual(["The last bunch stays; any change grows again."]);
+		expect(studio.notify.mock.lastCall?.[1]).toEqual([
+			"Still showing the last plant. Change any setting to try again.",
+		]);
 		studio.state.shown = undefined;
 		const first = growing.grow(toy as unknown as PageModel, specimen(1));
 		failing();
 		await first;
-		expect(studio.fail.mock.lastCall?.[0].details).toEqual(["There is no pole yet; any change grows again."]);
+		expect(studio.fail.mock.lastCall?.[0].details).toEqual(["Nothing has grown yet. Change any setting to try again."]);
 	});
 
 	it.each([
 		[new CoreError("syntax", "unexpected )", 3, 7), ["other"], "Line 3, column 7 of the grammar: unexpected )"],
-		[new CoreTrap("unreachable"), ["again", "other"], "There is no bunch yet"],
+		[new CoreTrap("unreachable"), ["again", "other"], "Nothing has grown yet."],
 		[new UnsupportedError("fetch", "no core"), ["again"], "no core"],
 	] as const)("shows a failure in place of the first bunch: %o", async (error, remedies, words) => {
 		studio.state.shown = undefined;
@@ -170,10 +172,10 @@ describe("growing", () => {
 		expect(studio.fail.mock.lastCall?.[0]).toMatchObject({ remedies });
 		const message = JSON.stringify(studio.fail.mock.lastCall);
 		expect(message).toContain(words);
-		expect(message).not.toContain("last bunch");
+		expect(message).not.toContain("last plant");
 	});
 
-	it("does not mention a last bunch when the first growth is cancelled", async () => {
+	it("does not mention a last plant when the first growth is cancelled", async () => {
 		studio.state.shown = undefined;
 		const done = growing.grow(bunchModel, specimen(1));
 		growing.cancel();

@@ -45,7 +45,7 @@ describe("a link that is unpacked late", () => {
 		await opened;
 		expect([studio.state.specimen, studio.state.history]).toEqual([specimen, history]);
 		const [notice] = studio.state.notices;
-		expect(notice.title).toBe("The link is not opened yet");
+		expect(notice.title).toBe("The link has not been opened yet");
 		notice.act?.run();
 		expect(studio.state.specimen).toBe(linked.specimen);
 		studio.undo();
@@ -56,7 +56,7 @@ describe("a link that is unpacked late", () => {
 		const { studio, fail, opened } = await opening();
 		fail(new TypeError("Failed to fetch"));
 		await opened;
-		expect(studio.state.notices[0].title).toBe("The link could not be read to its end");
+		expect(studio.state.notices[0].title).toBe("The link could not be read completely");
 	});
 
 	it("rejects with an error of opening, without reporting a failed fetch", async () => {

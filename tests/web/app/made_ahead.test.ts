@@ -19,6 +19,8 @@ function format(key: string, make: DownloadFormat["make"], sized = true): Downlo
 	return { key, title: key, about: "", suffix: `.${key}`, sized, make };
 }
 
+const wanted = (formats: readonly DownloadFormat[]) => formats.map((each) => ({ format: each, request }));
+
 it("makes one file after the other, each once, slow ones last", async () => {
 	const order: string[] = [];
 	const named = (key: string) =>
@@ -31,8 +33,8 @@ it("makes one file after the other, each once, slow ones last", async () => {
 	const ahead = new MadeAhead(changed);
 	expect(ahead.file(one, request)).toBeUndefined();
 	const slow = { ...named("slow"), slow: true };
-	await ahead.start([slow, one, two, unsized], request);
-	await ahead.start([slow, one, two, unsized], request);
+	await ahead.start(wanted([slow, one, two, unsized]));
+	await ahead.start(wanted([slow, one, two, unsized]));
 	expect(order).toEqual(["one", "two", "slow"]);
 	expect(changed).toHaveBeenCalledTimes(3);
 	expect(await ahead.file(two, request)?.text()).toBe("two");
@@ -42,7 +44,7 @@ it("makes one file after the other, each once, slow ones last", async () => {
 it("returns a file only for the request and plant that it was made from", async () => {
 	const one = format("one", async () => new Blob(["one"]));
 	const ahead = new MadeAhead(() => undefined);
-	await ahead.start([one], request);
+	await ahead.start(wanted([one]));
 	expect(ahead.file(one, { ...request, options: { triangles: 600 } })).toBeUndefined();
 	expect(ahead.file(one, { ...request, link: "?model=toy&seed=2" })).toBeUndefined();
 	const grown = { ...EMPTY_PLANT };
@@ -61,17 +63,21 @@ it("continues after a failed file, and stops on request", async () => {
 		expect(signal?.aborted).toBe(true);
 		return new Blob(["late"]);
 	});
-	await ahead.start([broken, stopping, format("last", last)], request);
+	await ahead.start(wanted([broken, stopping, format("last", last)]));
 	expect(last).not.toHaveBeenCalled();
 	expect(ahead.file(stopping, request)).toBeUndefined();
-	await ahead.start([broken, format("last", last)], request);
+	await ahead.start(wanted([broken, format("last", last)]));
 	expect(last).toHaveBeenCalledOnce();
+	expect(ahead.file(broken, request)).toBeUndefined();
+	expect(ahead.problem(broken, request)).toBe("no");
+	expect(ahead.problem(broken, { ...request, options: {} })).toBeUndefined();
+	expect(ahead.problem(format("last", last), request)).toBeUndefined();
 });
 
 it("stops if the script that makes files cannot be fetched", async () => {
 	const last = vi.fn(async () => new Blob(["last"]));
 	const ahead = new MadeAhead(() => undefined);
-	await ahead.start([format("far", async () => Promise.reject(new NotFetched())), format("last", last)], request);
+	await ahead.start(wanted([format("far", async () => Promise.reject(new NotFetched())), format("last", last)]));
 	expect(last).not.toHaveBeenCalled();
 });
 

@@ -41,9 +41,9 @@ describe("a file that is opened or dropped", () => {
 
 	it("goes to the tool that takes it if it holds no plant: a picture is traced on a leaf", async () => {
 		const { bring, studio } = await brought(leafModel);
-		expect(dropsOf(studio).map(({ words }) => words)).toEqual(["a picture of a leaf is traced"]);
+		expect(dropsOf(studio).map(({ description }) => description)).toEqual(["Drop a picture of a leaf to trace it"]);
 		const notices = await bring(new File([Uint8Array.of(0xff, 0xd8, 0xff)], "oak.jpg", { type: "image/jpeg" }));
-		expect(notices).toEqual([expect.stringMatching(/^The picture was not traced The file is no picture/)]);
+		expect(notices).toEqual([expect.stringMatching(/^The picture was not traced The file is not a picture/)]);
 	});
 
 	it("is refused with a notice if no tool takes it", async () => {
@@ -56,28 +56,28 @@ describe("a file that is opened or dropped", () => {
 		const picture = await (await brought(treeModel)).bring(
 			new File([Uint8Array.of(0xff)], "oak.jpg", { type: "image/jpeg" }),
 		);
-		expect(picture[0]).toMatch(/ Leaf: a picture of a leaf is traced\.$/);
+		expect(picture[0]).toMatch(/ Leaf: Drop a picture of a leaf to trace it\.$/);
 		const mesh = await (await brought(leafModel)).bring(new File(["v 0 0 0"], "cube.obj"));
 		expect(mesh[0]).toContain(
-			" Root: a closed mesh (OBJ, GLB, STL) becomes the boundary. Tree: a closed mesh (OBJ, GLB, STL) becomes the boundary.",
+			" Root: Drop a closed mesh (OBJ, GLB, STL) to use it as the boundary. Tree: Drop a closed mesh (OBJ, GLB, STL) to use it as the boundary.",
 		);
 		const notes = await (await brought(leafModel)).bring(new File(["?"], "notes.txt"));
 		expect(notes[0]).toMatch(
-			/exported by Panicle\. A grammar as text \(\.lsys, \.gl3, \.growth, \.stand, \.xml\) grows, whatever is shown\. Leaf: a picture of a leaf is traced\.$/,
+			/exported from Panicle\. Grammar files \(\.lsys, \.gl3, \.growth, \.stand, \.xml\) can be opened at any time\. Leaf: Drop a picture of a leaf to trace it\.$/,
 		);
 	});
 
 	it("becomes a tree's boundary if it is a mesh of a supported format; others are refused with the formats", async () => {
 		const { bring, studio } = await brought(treeModel);
 		expect(await bring(new File(["ply"], "ball.ply"))).toEqual([
-			expect.stringContaining("ball.ply is neither an OBJ nor a GLB nor an STL: save the mesh as one of them."),
+			expect.stringContaining("ball.ply is not an OBJ, GLB or STL file. Save the mesh in one of these formats."),
 		]);
 		expect(await bring(new File([[...BALL, ...FACES].join("\n")], "ball.obj"))).toEqual([
-			expect.stringMatching(/^The mesh is the boundary now/),
+			expect.stringMatching(/^The mesh is now the boundary/),
 		]);
 		expect(studio.state.specimen).toMatchObject({ volume: { triangles: { length: 24 } } });
 		expect(await bring(new File([[...BALL, ...FACES.slice(1)].join("\n")], "open.obj"))).toEqual([
-			expect.stringMatching(/^The mesh was not read The mesh is not closed: 3 of its edges/),
+			expect.stringMatching(/^The mesh could not be read The mesh has holes \(3 open edges\)/),
 		]);
 	});
 
@@ -92,9 +92,7 @@ describe("a file that is opened or dropped", () => {
 		// A link from outside is not trusted: values are limited to their ranges, with a note.
 		await openFile(studio, await picture("javascript:alert(1)?v=9&model=leaf&seed=-3&__proto__=x"));
 		expect(studio.state.specimen).toMatchObject({ model: "leaf", seed: 0 });
-		expect(messages()).toEqual([
-			expect.stringMatching(/^Not everything in the file could be used.*newer version \(9\)/),
-		]);
+		expect(messages()).toEqual([expect.stringMatching(/^Some of this file could not be read.*newer version \(9\)/)]);
 		expect(await bring(new File([bare], "bare.png", { type: "image/png" }))).toEqual([
 			expect.stringMatching(/^The picture was not traced/),
 		]);
@@ -107,16 +105,16 @@ describe("a file that is opened or dropped", () => {
 		expect(studio.state.specimen).toMatchObject({ model: "flower", grammar: "#axiom: A\n" });
 		expect(messages()).toEqual([]);
 		expect(await bring(new File([" ".repeat(300_000)], "a.gl3"))).toEqual([
-			"The file was not opened a.gl3 is longer than 256 KiB.",
+			"The file was not opened a.gl3: The grammar is longer than 256 KiB.",
 		]);
 		expect(await bring(new File([axiom.padEnd(8_400_000)], "a.xml"))).toContain(
-			"The file was not opened a.xml is longer than 8192 KiB.",
+			"The file was not opened a.xml: The grammar is longer than 8,192 KiB.",
 		);
 		// The plant stays if the text in the XML is too long.
 		const before = studio.state.specimen;
 		const long = `<axiom>${"A".repeat(300_000)}</axiom>`;
 		expect(await bring(new File([long], "long.xml"))).toContain(
-			"The file was not opened long.xml is longer than 256 KiB as a grammar’s text.",
+			"The file was not opened The grammar in long.xml: The grammar is longer than 256 KiB.",
 		);
 		expect(studio.state.specimen).toBe(before);
 	});

@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { applying, groupsFor } from "../../../web/src/app/panel_groups";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
+import { NO_PARAMETER } from "../../../web/src/ui/quantity";
 import type { Tool } from "../../../web/src/ui/tool";
 import { BUNCH, specimenFromPreset } from "../bunch";
 import { toy } from "../toy";
@@ -41,6 +42,44 @@ describe("the panel's groups", () => {
 		expect(keysOf(groupsFor(toy.table, fromPreset(toy), tools))).toEqual(["front", "pole", "end"]);
 	});
 
+	it("begin with the basics in their order, which no other group repeats", () => {
+		const quantity: Tool = {
+			name: "size",
+			initial: 0,
+			quantities: () => [
+				{
+					...NO_PARAMETER,
+					key: "girth",
+					label: "Girth",
+					help: "",
+					kind: "number",
+					unit: "m",
+					min: 0,
+					max: 9,
+					step: 1,
+					read: () => 2,
+					change: () => ({}),
+				},
+			],
+		};
+		const specimen = specimenFromPreset();
+		const groups = groupsFor(BUNCH.table, specimen, [quantity]);
+		expect(keysOf(groups)[0]).toBe("basics");
+		expect(groups[0].entries.map(({ key }) => key)).toEqual([
+			"girth",
+			"l",
+			"count",
+			"size",
+			"density",
+			"elongation",
+			"skin",
+			"stem",
+		]);
+		const others = entriesOf(groups.slice(1));
+		expect(others).toEqual(expect.arrayContaining(["p3w", "seeds"]));
+		for (const { key } of groups[0].entries) expect(others).not.toContain(key);
+	});
+
 	it("of a bunch show the parameters of its procedure; the age is in the bar below the view", async () => {
 		const { studio } = await studioWith(specimenFromPreset());
 		const shown = (version: number) => {
@@ -53,11 +92,6 @@ describe("the panel's groups", () => {
 		expect(keysOf(shown(2))).toContain("age");
 		expect(entriesOf(shown(2))).not.toContain("age");
 		expect(entriesOf(shown(2))).toContain("sun");
-		// The switch between the procedures is in sight, before the numbers.
-		for (const version of [1, 2]) {
-			const procedure = shown(version).find(({ group }) => group.key === "procedure");
-			expect(procedure?.group).toMatchObject({ everyday: true });
-			expect(procedure?.group.closed).toBeUndefined();
-		}
+		expect(keysOf(shown(2))[0]).toBe("basics");
 	});
 });

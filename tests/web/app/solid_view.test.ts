@@ -225,7 +225,7 @@ describe("the 3-D view", () => {
 		const broken = { ...toy, render } as unknown as PageModel;
 		studio.grew(grown, studio.state.specimen);
 		const end = studio.subscribe(update);
-		const notices = () => studio.state.notices.filter(({ title }) => title === `The ${toy.noun} cannot be drawn`);
+		const notices = () => studio.state.notices.filter(({ title }) => title === "This plant cannot be drawn yet");
 		studio.choosePreset("plain", broken);
 		await vi.waitFor(() => expect(studio.state.modelUi).toBeDefined());
 		const toyPlant = { ...grown, measures: undefined };

@@ -89,23 +89,26 @@ describe("the studio", () => {
 
 	it("removes the notice about a link with the first change, and no other notice", () => {
 		studio.open(
-			{ specimen: specimenFromPreset("lychee"), notes: [{ key: "l", problem: "", text: "l: too long." }] },
+			{
+				specimen: specimenFromPreset("lychee"),
+				notes: [{ key: "l", problem: "", text: "l: too long.", code: "", args: {} }],
+			},
 			"link",
 		);
 		studio.notify("Mind the gap");
 		const titles = () => studio.state.notices.map(({ title }) => title);
 		studio.settle();
-		expect(titles()).toEqual(["Not everything in the link could be used", "Mind the gap"]);
+		expect(titles()).toEqual(["Some of this link could not be read", "Mind the gap"]);
 		studio.edit({ parameters: { l: 300 } });
 		expect(titles()).toEqual(["Mind the gap"]);
 	});
 
 	it("shows one notice about the parts of a link that could not be used, until it is dismissed", () => {
-		const notes = [{ key: "l", problem: "", text: "l: too long." }];
+		const notes = [{ key: "l", problem: "", text: "l: too long.", code: "", args: {} }];
 		studio.take(bunchModel, { specimen: specimenFromPreset("lychee"), notes }, "link");
 		studio.take(bunchModel, { specimen: specimenFromPreset("lychee"), notes }, "link");
 		expect(studio.state.notices).toMatchObject([
-			{ title: "Not everything in the link could be used", details: ["l: too long."] },
+			{ title: "Some of this link could not be read", details: ["l: too long."] },
 		]);
 		studio.dismiss(studio.state.notices[0].id);
 		expect(studio.state.notices).toHaveLength(0);
@@ -135,7 +138,10 @@ describe("the studio", () => {
 
 	it("opens a document as the first of its history, grows it, writes the address and shows its notes", () => {
 		const grammar = { ...specimenFromPreset("lychee"), grammar: "axiom: F" };
-		studio.open({ specimen: grammar, notes: [{ key: "l", problem: "", text: "l: too long." }] }, "link");
+		studio.open(
+			{ specimen: grammar, notes: [{ key: "l", problem: "", text: "l: too long.", code: "", args: {} }] },
+			"link",
+		);
 		expect(studio.state.specimen).toEqual(grammar);
 		expect(studio.state.history).toEqual({ past: [], present: grammar, future: [] });
 		expect(services.grow).toHaveBeenCalledExactlyOnceWith(bunchModel, grammar, { preview: false });
@@ -193,8 +199,8 @@ describe("the studio", () => {
 		const titles = () => studio.state.notices.map(({ title }) => title);
 		studio.notify("Mind the gap");
 		studio.notify("The file was not opened", [], { topic: "file" });
-		studio.notify("The mesh is the boundary now", [], { topic: "file" });
-		expect(titles()).toEqual(["Mind the gap", "The mesh is the boundary now"]);
+		studio.notify("The mesh is now the boundary", [], { topic: "file" });
+		expect(titles()).toEqual(["Mind the gap", "The mesh is now the boundary"]);
 		studio.take(toyModel, { specimen: fromPreset(toyModel), notes: [] }, "file");
 		expect(titles()).toEqual(["Mind the gap"]);
 	});

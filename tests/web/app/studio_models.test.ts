@@ -69,7 +69,7 @@ describe("a preset of another model", () => {
 		const broken: PageModel = { ...toyModel, ui: () => Promise.reject(new Error("offline")) };
 		studio.choosePreset("plain", broken);
 		await vi.waitFor(() => expect(studio.state.modelUi).toEqual({ tools: [] }));
-		expect(studio.state.notices.map(({ title }) => title)).toEqual(["The tools of the pole could not be fetched"]);
+		expect(studio.state.notices.map(({ title }) => title)).toEqual(["This plant’s tools could not be loaded"]);
 	});
 
 	it("loads tools on request after a failed fetch", async () => {

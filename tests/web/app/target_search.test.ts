@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import type { Studio } from "../../../web/src/app/studio";
 import { currentAims, searchTarget, TARGET_SEARCH } from "../../../web/src/app/target_search";
-import { MOST_GROWTHS } from "../../../web/src/targets/solve";
+import { MAX_GROWTHS } from "../../../web/src/targets/solve";
 import { BUNCH, type Specimen, specimenFromPreset } from "../bunch";
 import { studioWith } from "./context";
 
@@ -30,7 +30,7 @@ describe("a search for a target value", () => {
 		const before = studio.state.specimen;
 		await searchTarget(studio, { measure: "bunch_length", value: 160 });
 		expect(length()).toBeCloseTo(400, -1);
-		expect(notices()).toEqual([expect.stringMatching(/^Bunch length: 160 mm reached \| Length .* in \d growths\.$/)]);
+		expect(notices()).toEqual([expect.stringMatching(/^Bunch length: 160 mm reached \| Length .*, after \d tries\.$/)]);
 		expect(studio.toolState(TARGET_SEARCH).now).toBeUndefined();
 		studio.undo();
 		expect(studio.state.specimen).toBe(before);
@@ -63,7 +63,7 @@ describe("a search for a target value", () => {
 		});
 		await searchTarget(studio, { measure: "bunch_length", value: 160 });
 		expect(growths).toEqual([0, 1, 2]);
-		expect(growths.length).toBeLessThan(MOST_GROWTHS);
+		expect(growths.length).toBeLessThan(MAX_GROWTHS);
 		expect(studio.state.specimen).toBe(before);
 		expect(studio.toolState(TARGET_SEARCH)).toEqual({});
 		expect(notices()).toEqual([]);
@@ -112,7 +112,7 @@ describe("a search for a target value", () => {
 	it("reports the error", async () => {
 		services.measure.mockRejectedValue(new Error("no core"));
 		await searchTarget(studio, { measure: "bunch_length", value: 160 });
-		expect(notices()).toEqual(["What was asked for could not be looked for | no core"]);
+		expect(notices()).toEqual(["Could not search for that value | no core"]);
 		expect(studio.toolState(TARGET_SEARCH)).toEqual({});
 	});
 });

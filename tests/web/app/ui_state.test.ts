@@ -17,6 +17,9 @@ describe("what the page remembers", () => {
 			...FIRST_VISIT,
 			theme: "dark",
 			letters: false,
+			toolNames: true,
+			symbols: true,
+			scaleBar: false,
 			groups: { rates: true, look: false },
 			tools: { bunch: { sides: { leftRight: true } } },
 		};
@@ -56,9 +59,26 @@ describe("what the page remembers", () => {
 		});
 	});
 
-	it("shares only theme and keyboard setting with other tabs", () => {
-		const ui: UiState = { ...FIRST_VISIT, theme: "dark", groups: { look: true } };
-		expect(pageOf(ui)).toEqual({ theme: "dark", letters: true });
+	it("shares only theme, language, keyboard setting, names of tools, symbols, scale bar, favourites and recent presets with other tabs", () => {
+		const ui: UiState = { ...FIRST_VISIT, theme: "dark", scaleBar: true, groups: { look: true } };
+		expect(pageOf(ui)).toEqual({
+			theme: "dark",
+			language: "",
+			letters: true,
+			toolNames: false,
+			symbols: false,
+			scaleBar: true,
+			favourites: [],
+			recentPresets: [],
+		});
+	});
+
+	it("reads at most 200 favourites and 12 recent presets, each once, and nothing that is not a preset's key", () => {
+		const many = Array.from({ length: 300 }, (_, i) => `growth/tree-${i}`);
+		const stored = { favourites: [...many, ...many], recentPresets: ["growth/oak", "growth/oak", 3, "<b>", ...many] };
+		const { favourites, recentPresets } = loadUi({ getItem: () => JSON.stringify(stored) });
+		expect(favourites).toEqual(many.slice(0, 200));
+		expect(recentPresets).toEqual(["growth/oak", ...many.slice(0, 11)]);
 	});
 
 	it("works without storage", () => {

@@ -62,12 +62,12 @@ describe("a series as one archive", () => {
 	it("is refused where none could be grown, with why", async () => {
 		const make = () => Promise.reject(new Error("no room."));
 		await expect(zipOf(series, [1, 2], { ...means, make }, watching())).rejects.toThrow(
-			"none of the 2 plants could be grown: no room",
+			"None of the 2 plants could be grown: no room",
 		);
 	});
 
 	it("is refused where it would hold too many", async () => {
 		const numbers = Array.from({ length: 1001 }, (_, number) => number);
-		await expect(zipOf(series, numbers, means, watching())).rejects.toThrow(/an archive holds at most 1000/);
+		await expect(zipOf(series, numbers, means, watching())).rejects.toThrow(/An archive can hold at most 1,000 plants/);
 	});
 });

@@ -1,9 +1,9 @@
 import { describe, expect, it } from "vitest";
-import { crc32 } from "../../../web/src/batch/crc32";
 import { independentDraws } from "../../../web/src/batch/draws";
 import { readPlantNumbers } from "../../../web/src/batch/plant_numbers";
 import { partOf } from "../../../web/src/batch/shard";
 import { drawn, readVary } from "../../../web/src/batch/vary";
+import { crc32Digits } from "../../../web/src/formats/crc32";
 import { model } from "../../../web/src/models/bunch/index";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
 
@@ -72,6 +72,6 @@ it("parts follow one another and differ by one plant at the most", () => {
 });
 
 it("CRC-32 is the one of ZIP and PNG", () => {
-	expect(crc32(new TextEncoder().encode("123456789"))).toBe("cbf43926");
-	expect(crc32(new Uint8Array())).toBe("00000000");
+	expect(crc32Digits(new TextEncoder().encode("123456789"))).toBe("cbf43926");
+	expect(crc32Digits(new Uint8Array())).toBe("00000000");
 });

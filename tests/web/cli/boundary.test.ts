@@ -33,13 +33,21 @@ describe("--boundary", () => {
 	it("is refused where it cannot be used", async () => {
 		const tree = (file: string, text: string, ...more: string[]) =>
 			complaint(["tree", "--boundary", file, ...more], { [file]: text });
-		expect(await complaint(["tree", "--boundary", "none.obj"])).toBe("--boundary none.obj: no such file or folder");
-		expect(await tree("m.ply", BOX)).toMatch(/^--boundary m\.ply: m\.ply is neither an OBJ nor a GLB nor an STL/);
-		expect(await tree("m.obj", "v 0 0 x")).toBe("--boundary m.obj: Line 1 of the OBJ has “x”, which is no number.");
-		expect(await tree("m.obj", BOX.replace("f 4 1 5 8", ""))).toMatch(/^--boundary m\.obj: The mesh is not closed: 4 /);
-		expect(await tree("m.obj", BOX, "--set", "shape=box")).toBe(
-			"--boundary m.obj: shape=box does not heed it; leave --set shape out",
+		expect(await complaint(["tree", "--boundary", "none.obj"])).toBe(
+			"--boundary none.obj: There is no such file or folder.",
 		);
-		expect(await complaint(["leaf/oak", "--boundary", "m.obj"])).toBe("--boundary m.obj: the leaf has no boundary");
+		expect(await tree("m.ply", BOX)).toMatch(/^--boundary m\.ply: m\.ply is not an OBJ, GLB or STL file\./);
+		expect(await tree("m.obj", "v 0 0 x")).toBe(
+			"--boundary m.obj: Line 1 of the OBJ: “x” is not a number. Export the mesh again.",
+		);
+		expect(await tree("m.obj", BOX.replace("f 4 1 5 8", ""))).toMatch(
+			/^--boundary m\.obj: The mesh has holes \(4 open edges\)/,
+		);
+		expect(await tree("m.obj", BOX, "--set", "shape=box")).toBe(
+			"--boundary m.obj: This option has no effect with shape=box. Leave --set shape out.",
+		);
+		expect(await complaint(["leaf/oak", "--boundary", "m.obj"])).toBe(
+			"--boundary m.obj: The model leaf has no boundary. Leave the option out.",
+		);
 	});
 });

@@ -36,7 +36,7 @@ describe("files with meshes", () => {
 			"x.stl",
 		]);
 		expect(status).toBe(0);
-		expect(messages.join()).toMatch(/note: Nothing is thinner than [\d.]+ mm, not 0\.5 mm/);
+		expect(messages.join()).toMatch(/note: The minimum thickness is [\d.]+ mm, .* as thin as 0\.5 mm\./);
 	});
 
 	it("let light through pale skins where that is asked for alone", async () => {

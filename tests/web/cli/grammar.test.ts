@@ -61,7 +61,7 @@ describe("--grammar", () => {
 		expect(json).toMatchObject({ specimen: { model: "flower" }, counts: { volumes: 11 } });
 		expect(json.specimen.grammar).toBe("#define A\n#axiom: A\nA -> A[A]_{E}\n");
 		expect(await complaint(["--grammar", "b.xml"], files)).toBe(
-			"--grammar b.xml: Line 2, column 1: A rule has a <predecessor>.",
+			"--grammar b.xml: Line 2, column 1: A rule needs a <predecessor>.",
 		);
 		// The core's messages count the lines of the text, which differ from those of the file.
 		const wrong = { "a.xml": files["a.xml"].replace("{E}", "{C9}") };
@@ -72,19 +72,25 @@ describe("--grammar", () => {
 		const long = { "a.xml": files["a.xml"].concat(" ".repeat(300_000)) };
 		expect((await grow(["--grammar", "a.xml"], long)).json.fingerprint).toBe(json.fingerprint);
 		expect(await complaint(["--grammar", "a.xml"], { "a.xml": files["a.xml"].concat(" ".repeat(8_400_000)) })).toBe(
-			"--grammar a.xml: longer than 8192 KiB; make it shorter",
+			"--grammar a.xml: The grammar is longer than 8,192 KiB. Shorten it.",
 		);
 	});
 
 	it("gives the derived string where it is asked for", async () => {
 		const { json } = await grow(["--grammar", "g.lsys", "--string"], { "g.lsys": TEXT });
 		expect(json.string).toBe("F(2)F(2)A(1)");
-		expect(await complaint(["riesling", "--string"])).toBe("--string: of a bunch’s text there is no string to tell");
-		expect(await complaint(["flower/tulip", "--string"])).toBe(
-			"--string: of a flower’s text there is no string to tell",
+		expect(await complaint(["riesling", "--string"])).toBe(
+			"--string: The model bunch has no string. Leave the option out.",
 		);
-		expect(await complaint(["leaf", "--string"])).toBe("--string: the leaf is not grown by a text");
-		expect(await complaint(["grammar", "--string", "--out", "x.glb"])).toBe("--string: the string stands in JSON");
+		expect(await complaint(["flower/tulip", "--string"])).toBe(
+			"--string: The model flower has no string. Leave the option out.",
+		);
+		expect(await complaint(["leaf", "--string"])).toBe(
+			"--string: The model leaf does not use a grammar. Leave the option out.",
+		);
+		expect(await complaint(["grammar", "--string", "--out", "x.glb"])).toBe(
+			"--string: Only a JSON file contains the string. Choose a name that ends in .json.",
+		);
 	});
 
 	it("tells a step of the derivation where it is asked for", async () => {
@@ -94,11 +100,13 @@ describe("--grammar", () => {
 		const part = await grow(["--grammar", "g.lsys", "--chronicle", "2,1,1"], { "g.lsys": TEXT });
 		expect(part.json.chronicle).toMatchObject({ step: 2, first: 1, modules: [{ text: "F(2)" }] });
 		expect((await grow(["duku", "--chronicle", "0"])).json.chronicle.modules).toHaveLength(1);
-		expect(await complaint(["leaf", "--chronicle", "0"])).toBe("--chronicle: the leaf is not grown by a text");
-		const alone = "--chronicle: what is told of the derivation stands in JSON";
+		expect(await complaint(["leaf", "--chronicle", "0"])).toBe(
+			"--chronicle: The model leaf does not use a grammar. Leave the option out.",
+		);
+		const alone = "--chronicle: Only a JSON file contains the derivation. Choose a name that ends in .json.";
 		expect(await complaint(["grammar", "--chronicle", "0", "--out", "x.glb"])).toBe(alone);
 		for (const wrong of ["x", "", "1,", "1,2,3,4", "-1", "1,0,2001"])
-			expect(await complaint(["grammar", `--chronicle=${wrong}`])).toMatch(/a step, 0 or more/);
+			expect(await complaint(["grammar", `--chronicle=${wrong}`])).toMatch(/Write STEP or STEP,FIRST,COUNT/);
 	});
 
 	it("--set reaches the text's constants, steps and the table", async () => {
@@ -107,10 +115,10 @@ describe("--grammar", () => {
 		expect(json.specimen).toMatchObject({ constants: { a: 3 }, steps: 1, parameters: { unit: 1000 } });
 		expect(json.segments[0].end[1]).toBe(3);
 		expect(await complaint(["--grammar", "g.lsys", "--set", "a=x"], { "g.lsys": TEXT })).toBe(
-			"--set constants: a is “x”, which is not a number",
+			"--set constants: a is “x”, which is not a number.",
 		);
 		expect(await complaint(["--grammar", "g.lsys", "--set", "b=1"], { "g.lsys": TEXT })).toMatch(
-			/^--set b: no parameter has that key, and the text defines no such constant; there are? /,
+			/^--set b: There is no such parameter\. The grammar does not define this constant\. It defines /,
 		);
 	});
 

@@ -48,7 +48,7 @@ describe("files of the command", () => {
 			printError: (line: string) => messages.push(line),
 		};
 		expect(await run(["redcurrant", "--set", "count=5", "--out", path], world)).toBe(1);
-		expect(messages).toEqual([`grow: ${path} cannot be written: the disk is full`]);
+		expect(messages).toEqual([`grow: ${path} could not be written. The disk is full.`]);
 		await rm(path);
 	});
 });

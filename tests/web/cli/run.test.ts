@@ -78,7 +78,7 @@ describe("many models", () => {
 		const { fingerprint } = (await grow(["rubus"])).json;
 		expect((await grow(["bunch/rubus"])).json.fingerprint).toBe(fingerprint);
 		expect((await grow(["bunch"])).json.specimen.preset).toBe("long-conical");
-		expect(await complaint(["bunch/plum"])).toBe("“bunch/plum”: the bunch has no preset “plum”; --list lists them");
+		expect(await complaint(["bunch/plum"])).toBe("The model bunch has no preset “plum”. --list shows all presets.");
 		expect(await complaint(["leaf/oak/red"])).toMatch(/neither a preset nor a link/);
 	});
 });
@@ -109,8 +109,8 @@ describe("what is asked for", () => {
 		expect(status).toBe(0);
 		expect(json.specimen.parameters.l).toBe(580);
 		expect(json.notes).toEqual([
-			"l: 9999 is above the greatest value, 580; 580 is used.",
-			"plum: not known here; ignored.",
+			"l: 9999 is above the maximum, 580. Using 580.",
+			"plum: There is no such parameter. This part was ignored.",
 		]);
 		expect(messages).toEqual([]);
 	});
@@ -151,11 +151,11 @@ describe("what is asked for", () => {
 		]);
 		expect(status).toBe(0);
 		expect(json.notes).toEqual([
-			"rmin: procedure=natural does not heed it; --set procedure=paper does.",
-			"m: procedure=natural does not heed it; --set procedure=paper does.",
+			"rmin: This parameter has no effect with procedure=natural. Add --set procedure=paper.",
+			"m: This parameter has no effect with procedure=natural. Add --set procedure=paper.",
 		]);
 		expect((await grow(["?v=1", "--set", "rmin=10", "--set", "size=15"])).json.notes).toEqual([
-			"size: procedure=paper does not heed it; --set procedure=natural does.",
+			"size: This parameter has no effect with procedure=paper. Add --set procedure=natural.",
 		]);
 	});
 
@@ -257,7 +257,7 @@ describe("files", () => {
 	it("leave notes to standard error", async () => {
 		const { status, messages } = await grow(["?l=1", "--out", "x.json"]);
 		expect(status).toBe(0);
-		expect(messages).toEqual(["note: l: 1 is below the least value, 29; 29 is used."]);
+		expect(messages).toEqual(["note: l: 1 is below the minimum, 29. Using 29."]);
 	});
 });
 

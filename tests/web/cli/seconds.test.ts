@@ -16,7 +16,7 @@ async function timed(words: string[], step: number, files: Record<string, string
 }
 
 const REPORTED =
-	/^grow: --seconds 10: the time limit was reached, and what grew so far is written; give it more seconds/;
+	/^grow: --seconds 10: The time limit was reached. The plant was written as far as it had grown. Increase the limit/;
 
 describe("--seconds", () => {
 	it("ends a plant with what has grown so far, a note and status 5", async () => {
@@ -25,7 +25,7 @@ describe("--seconds", () => {
 		});
 		expect(status).toBe(5);
 		expect(messages).toEqual([expect.stringMatching(REPORTED)]);
-		expect(json.notes[0]).toMatch(/^What grew so far is shown\. The time limit is reached; /);
+		expect(json.notes[0]).toMatch(/^The plant is shown as far as it has grown\. The time limit was reached; /);
 		expect(json.segments.length).toBeGreaterThan(100);
 	});
 
@@ -35,7 +35,9 @@ describe("--seconds", () => {
 		expect(status).toBe(5);
 		expect(written.has("a.glb")).toBe(true);
 		expect(messages.filter((line) => REPORTED.test(line))).toHaveLength(1);
-		expect(messages.filter((line) => line.startsWith("note: What grew so far is shown. "))).toHaveLength(1);
+		expect(
+			messages.filter((line) => line.startsWith("note: The plant is shown as far as it has grown. ")),
+		).toHaveLength(1);
 	});
 
 	it("looks at the clock more often the more time there is, and grows more", async () => {
@@ -58,7 +60,7 @@ describe("--seconds", () => {
 	it("ends a flower with what has grown so far", async () => {
 		const { status, json } = await timed(["flower/meadow", "--seconds", "10"], 3000);
 		expect(status).toBe(5);
-		expect(json.notes[0]).toMatch(/^Growth ended in step \d+: the time limit is reached\. /);
+		expect(json.notes[0]).toMatch(/^Growth ended in step \d+: the time limit was reached\. /);
 	});
 
 	it("ends a stand with the plants that are there", async () => {
@@ -66,7 +68,7 @@ describe("--seconds", () => {
 		expect(status).toBe(5);
 		expect(messages).toEqual([expect.stringMatching(REPORTED)]);
 		expect(json.notes).toContainEqual(
-			expect.stringMatching(/^What grew so far is shown\. The time limit is reached: \d+ of \d+ plants are there; /),
+			expect.stringMatching(/^The time limit was reached, so only \d+ of \d+ different plants are shown\. /),
 		);
 	});
 
@@ -78,7 +80,7 @@ describe("--seconds", () => {
 		expect(status).toBe(5);
 		expect([written.size, printed]).toEqual([0, []]);
 		expect(messages.at(-1)).toMatch(
-			/^grow: --seconds 10: the time limit was reached before there was anything to write; /,
+			/^grow: --seconds 10: The time limit was reached before there was anything to write. /,
 		);
 	});
 
@@ -87,27 +89,31 @@ describe("--seconds", () => {
 		const some = await timed([...words, "--seconds", "10"], 700);
 		expect(some.status).toBe(5);
 		const [, count] =
-			/(\d+) of 9 plants are written; the same call continues the series/.exec(some.messages.at(-1) ?? "") ?? [];
+			/(\d+) of 9 plants have been written\. Run the same command again to continue the series/.exec(
+				some.messages.at(-1) ?? "",
+			) ?? [];
 		expect(Number(count)).toBeGreaterThan(0);
 		expect(Number(count)).toBeLessThan(9);
 		const files = [...some.written.keys()].filter((path) => path.endsWith(".json") && path !== "d/series.json");
 		expect(files).toHaveLength(Number(count));
 		const all = await timed(words, 0, {}, some.written);
 		expect(all.status).toBe(0);
-		expect(all.messages.at(-1)).toContain(`9 plants: ${9 - Number(count)} grown, ${count} there before`);
+		expect(all.messages.at(-1)).toContain(`9 plants: ${9 - Number(count)} grown, ${count} already there`);
 	});
 
 	it("leaves the plant that the time limit cut short out of a series", async () => {
 		const words = ["--grammar", "a.lsys", "--seeds", "1-2", "--as", "json", "--out", "d", "--seconds", "10"];
 		const { status, written, messages } = await timed(words, 500, { "a.lsys": ENDLESS });
 		expect(status).toBe(5);
-		expect(messages.at(-1)).toContain("0 of 2 plants are written");
+		expect(messages.at(-1)).toContain("0 of 2 plants have been written");
 		expect([...written.keys()].sort()).toEqual(["d/plants.csv.part", "d/series.json"]);
 	});
 
 	it("refuses what is no time", async () => {
 		for (const seconds of ["0", "-1", "soon", "1e9", ""]) {
-			expect(await complaint([`--seconds=${seconds}`])).toBe(`--seconds ${seconds}: a number from 0.1 to 1000000`);
+			expect(await complaint([`--seconds=${seconds}`])).toBe(
+				`--seconds ${seconds}: Use a number from 0.1 to 1,000,000.`,
+			);
 		}
 	});
 });
@@ -117,7 +123,7 @@ describe("a plant that a limit of the core cut short", () => {
 		const { status, json, messages } = await timed(["--grammar", "a.lsys"], 0, { "a.lsys": ENDLESS });
 		expect([status, messages]).toEqual([6, []]);
 		expect(json.notes[0]).toMatch(
-			/^What grew so far is shown\. The string grows beyond|^What grew so far is shown\. The grammar takes more/,
+			/^The plant is shown as far as it has grown\. The (?:string|grammar) exceeds the limit/,
 		);
 	});
 });

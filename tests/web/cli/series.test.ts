@@ -1,8 +1,8 @@
 import { createHash } from "node:crypto";
 import { unzipSync } from "fflate";
 import { describe, expect, it } from "vitest";
-import { crc32 } from "../../../web/src/batch/crc32";
 import { run } from "../../../web/src/cli/run";
+import { crc32Digits } from "../../../web/src/formats/crc32";
 import { documentOf } from "../formats/reading";
 import { complaint, grow, memoryWorld } from "./world";
 
@@ -56,7 +56,7 @@ describe("a series", () => {
 			"d/redcurrant-3.glb",
 			"d/series.json",
 		]);
-		expect(messages).toEqual(["3 plants: 3 grown, 0 there before; d/plants.csv"]);
+		expect(messages).toEqual(["3 plants: 3 grown, 0 already there; d/plants.csv"]);
 		const rows = rowsOf(files[TABLE]);
 		expect(rows.map(({ number }) => number)).toEqual(["1", "2", "3"]);
 		for (const { file, bytes, link, fingerprint, set_age, set_density, berry_count } of rows) {
@@ -100,7 +100,7 @@ describe("a series", () => {
 			"file_glb-low": "redcurrant-1-low.glb",
 		});
 		const ply = whole.files["d/redcurrant-1.ply"] as Uint8Array;
-		expect([Number(row.bytes_ply), row.crc32_ply]).toEqual([ply.length, crc32(ply)]);
+		expect([Number(row.bytes_ply), row.crc32_ply]).toEqual([ply.length, crc32Digits(ply)]);
 		expect(new TextDecoder("latin1").decode(ply)).toContain("element vertex 50\n");
 		const alone = await grow([row.link, "--triangles", "300", "--form", "low", "--out", "one.glb"]);
 		expect(digests({ a: alone.written.get("one.glb") as Uint8Array })).toEqual(
@@ -108,7 +108,7 @@ describe("a series", () => {
 		);
 		const { "d/redcurrant-2.ply": _, ...rest } = whole.files;
 		const again = await series(words, rest);
-		expect(again.messages).toEqual(["2 plants: 1 grown, 1 there before; d/plants.csv"]);
+		expect(again.messages).toEqual(["2 plants: 1 grown, 1 already there; d/plants.csv"]);
 		expect(digests(again.files)).toEqual(digests(whole.files));
 	});
 
@@ -177,7 +177,7 @@ describe("a series that was broken off", () => {
 		const whole = await series(words);
 		const again = await series(words, whole.files);
 		expect([again.grown, digests(again.files)]).toEqual([[], digests(whole.files)]);
-		expect(again.messages).toEqual(["4 plants: 0 grown, 4 there before; d/plants.csv"]);
+		expect(again.messages).toEqual(["4 plants: 0 grown, 4 already there; d/plants.csv"]);
 
 		const glb = whole.files["d/redcurrant-2.glb"] as Uint8Array;
 		const flipped = glb.slice();
@@ -215,14 +215,16 @@ it("what does not grow leaves a line that says why, and is tried again", async (
 	};
 	const words = [...SMALL, "--seeds", "1-2"];
 	expect(await run(words, { ...memory.world, loadCore })).toBe(1);
-	expect(memory.messages.at(-1)).toBe("grow: 1 could not be grown; the column “notes” of the table has the reasons");
+	expect(memory.messages.at(-1)).toBe(
+		"grow: 1 plant could not be grown. The table’s “notes” column gives the reasons.",
+	);
 	const rows = rowsOf(memory.written.get(TABLE));
 	expect(rows.map(({ file, notes }) => [file, notes])).toEqual([
 		["", "the core broke"],
 		["redcurrant-2.glb", ""],
 	]);
 	expect(await run(words, memory.world)).toBe(0);
-	expect(memory.messages.at(-1)).toBe("2 plants: 1 grown, 1 there before; d/plants.csv");
+	expect(memory.messages.at(-1)).toBe("2 plants: 1 grown, 1 already there; d/plants.csv");
 });
 
 it("a series in GLB has what each GLB says of itself", async () => {
@@ -238,34 +240,40 @@ describe("what of a series cannot be used", () => {
 	const refused = (words: string[], environment = {}) => complaint([...SMALL, ...words], {}, environment);
 
 	it.each([
-		[["--seeds", "x"], "--seeds x: “x” is not a number or a range of numbers; write 1-100 or 1,5,9"],
-		[["--seeds", "9-1"], "--seeds 9-1: 9-1 runs backwards; write 1-9"],
-		[["--seeds", "1-4294967296"], "--seeds 1-4294967296: 4294967296 is above the greatest number, 4294967295"],
-		[["--seeds", "0-200000"], /^--seeds 0-200000: more than 100000 plants; write several series/],
-		[["--seeds", "1", "--seed", "2"], "--seed and --seeds: write one of them"],
-		[["--vary", "age=1..2"], "--vary needs a series; add --seeds, as in --seeds 1-100"],
-		[["--seeds", "1", "--vary", "age"], /“age”: write KEY=FROM..TO or KEY=ONE\|ANOTHER/],
-		[["--seeds", "1", "--vary", "plum=1..2"], /plum: no parameter has that key/],
-		[["--seeds", "1", "--vary", "age=60..20"], /age=60\.\.20 runs backwards; write age=20\.\.60/],
-		[["--seeds", "1", "--vary", "age=60..900"], /age: 900 is above the greatest value, 125/],
+		[["--seeds", "x"], "--seeds x: “x” is not a number or a range. Try 1-100 or 1,5,9."],
+		[["--seeds", "9-1"], "--seeds 9-1: The range 9-1 is reversed. Write 1-9."],
+		[["--seeds", "1-4294967296"], "--seeds 1-4294967296: 4294967296 is too large. The largest number is 4294967295."],
+		[["--seeds", "0-200000"], /^--seeds 0-200000: A series can have at most 100,000 plants\. Make several series/],
+		[["--seeds", "1", "--seed", "2"], "Use either --seed or --seeds."],
+		[["--vary", "age=1..2"], "--vary: This option needs a series. Add --seeds, as in --seeds 1-100."],
+		[["--seeds", "1", "--vary", "age"], /“age” cannot be read\. Write KEY=FROM..TO or KEY=ONE\|ANOTHER/],
+		[["--seeds", "1", "--vary", "plum=1..2"], /There is no parameter plum\./],
+		[["--seeds", "1", "--vary", "age=60..20"], /The range age=60\.\.20 is reversed\. Write age=20\.\.60\./],
+		[["--seeds", "1", "--vary", "age=60..900"], /age: 900 is above the maximum, 125/],
 		[["--seeds", "1", "--vary", "age=60..x"], /age: “x” is not a number/],
 		[["--seeds", "1", "--vary", "age=1.234..9"], /age: 1\.234 has more than two decimals/],
-		[["--seeds", "1", "--vary", "p3=79,76"], /p3 is 2 numbers; vary p3w or p3r/],
-		[["--seeds", "1", "--vary", "fruit=0..2"], /fruit has no values between two others; write fruit=/],
-		[["--seeds", "1", "--vary", "thin=a"], /thin: is no parameter, and cannot be varied/],
+		[["--seeds", "1", "--vary", "p3=79,76"], /p3 consists of several numbers\. Vary one of p3w or p3r\./],
+		[["--seeds", "1", "--vary", "fruit=0..2"], /fruit cannot be given as a range\. Write fruit=/],
+		[["--seeds", "1", "--vary", "thin=a"], /thin is not a parameter, so it cannot vary\./],
 		[["--seeds", "1", "--vary", "age=1..2,age=3..4"], /age is given twice/],
 		[
 			["--seeds", "1", "--as", "fbx"],
-			/“fbx” is no kind of file of a bunch; there are glb, glb-web, glb-low, .*, obj, json, csv, csv-measures/,
+			/There is no file format “fbx” for this plant\. The formats are glb, glb-web, glb-low, .*, obj, json, csv, csv-measures/,
 		],
-		[["--seeds", "1", "--triangles", "300"], /--triangles is for glb-low and glb-wind, and changes nothing in glb/],
-		[["--seeds", "1", "--boundary", "box.obj"], /--boundary is for one plant: links do not hold meshes/],
-		[["--points", "10.5"], /--points 10.5: a whole number from 1 to/],
-		[["--triangles", "1000.5"], /--triangles 1000.5: a whole number from 100 to/],
-		[["--seeds", "1", "--shard", "4/3"], /--shard 4\/3: part 4 of 3; parts count from 1 to 3/],
-		[["--seeds", "1", "--shard", "0/0"], /0 parts; there may be 1 to 10000/],
-		[["--seeds", "1", "--shard", "third"], /“third”: write PART\/PARTS, as in 3\/16/],
-		[["--seeds", "1", "--shard", "auto"], /neither SLURM_ARRAY_TASK_ID nor JOB_COMPLETION_INDEX is set/],
+		[
+			["--seeds", "1", "--triangles", "300"],
+			/--triangles: This option applies to glb-low and glb-wind and has no effect on glb/,
+		],
+		[
+			["--seeds", "1", "--boundary", "box.obj"],
+			/--boundary: This option is only for a single plant, .* cannot hold meshes/,
+		],
+		[["--points", "10.5"], /^--points must be a whole number from 1 to/],
+		[["--triangles", "1000.5"], /^--triangles must be a whole number from 100 to/],
+		[["--seeds", "1", "--shard", "4/3"], /--shard 4\/3: There is no part 4 of 3\./],
+		[["--seeds", "1", "--shard", "0/0"], /The number of parts must be from 1 to 10,000, not 0\./],
+		[["--seeds", "1", "--shard", "third"], /“third” cannot be read\. Write PART\/PARTS, as in 3\/16/],
+		[["--seeds", "1", "--shard", "auto"], /Neither SLURM_ARRAY_TASK_ID nor JOB_COMPLETION_INDEX is set/],
 	])("%j", async (words, messages) => {
 		expect(await refused(words as string[])).toMatch(messages);
 	});
@@ -274,18 +282,20 @@ describe("what of a series cannot be used", () => {
 		const auto = ["--seeds", "1", "--shard"];
 		const slurm = { SLURM_ARRAY_TASK_ID: "7", SLURM_ARRAY_TASK_MIN: "1", SLURM_ARRAY_TASK_COUNT: "3" };
 		expect(await refused([...auto, "auto"], slurm)).toMatch(
-			/task 7 of 3 from 1 has no place; number the array without gaps/,
+			/Task 7 is not one of the 3 tasks numbered from 1\. Number the array without gaps/,
 		);
 		expect(await refused([...auto, "auto/4"], { ...slurm, SLURM_ARRAY_TASK_ID: "2" })).toMatch(
-			/the Slurm array has 3 tasks/,
+			/The Slurm array has 3 tasks, not 4/,
 		);
-		expect(await refused([...auto, "auto"], { JOB_COMPLETION_INDEX: "1" })).toMatch(/write auto\/16/);
+		expect(await refused([...auto, "auto"], { JOB_COMPLETION_INDEX: "1" })).toMatch(/as in auto\/16 for 16 parts/);
 	});
 
 	it("is a folder that is missing or cannot be written", async () => {
-		expect(await complaint(["rubus", "--seeds", "1"])).toBe("--seeds needs a folder for the files: --out DIR");
+		expect(await complaint(["rubus", "--seeds", "1"])).toBe(
+			"--seeds: A series needs a folder for its files: --out DIR.",
+		);
 		expect(await complaint(["rubus", "--seeds", "1", "--out", "nowhere"])).toMatch(
-			/^--out nowhere\/series\.json: no such/,
+			/^--out nowhere\/series\.json: There is no such/,
 		);
 	});
 });

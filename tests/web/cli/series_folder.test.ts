@@ -35,7 +35,9 @@ describe("two that are started together into one new folder", () => {
 		expect(both.map(({ status }) => status).sort()).toEqual([0, 2]);
 		const refused = both.find(({ status }) => status === 2);
 		expect(refused?.messages).toEqual([
-			expect.stringMatching(/^grow: --out d holds another series \(--seeds: \S+ there, \S+ here\)/),
+			expect.stringMatching(
+				/^grow: --out d: The folder contains a different series \(--seeds: \S+ in the folder, \S+ now\)/,
+			),
 		]);
 		const numbers = rowsIn(written).map((row) => row.split(",")[0]);
 		expect(["1 2 3", "4 5 6"]).toContain(numbers.join(" "));
@@ -48,13 +50,13 @@ describe("two that are started together into one new folder", () => {
 		expect(both.map(({ status }) => status).sort()).toEqual([0, 2]);
 		expect(both.flatMap(({ messages }) => messages)).toContainEqual(
 			expect.stringMatching(
-				/^grow: --out d\/plants\.csv: process \d+ on here is writing it \(last sign of life 0 s ago\); wait until it has ended$/,
+				/^grow: --out d\/plants\.csv: Process \d+ on here is writing this table \(last active 0 s ago\)\. Wait until it has finished\.$/,
 			),
 		);
 		expect(rowsIn(written)).toHaveLength(3);
 		expect(written.has(LOCK)).toBe(false);
 		expect((await series(["--seeds", "1-3"], written)).messages).toEqual([
-			"3 plants: 0 grown, 3 there before; d/plants.csv",
+			"3 plants: 0 grown, 3 already there; d/plants.csv",
 		]);
 	});
 
@@ -70,22 +72,24 @@ describe("a folder that holds another series", () => {
 	const words = ["--seeds", "1-3", "--vary", "age=60..110"];
 
 	it.each([
-		[["--seeds", "2-3", "--vary", "age=60..110"], "--seeds: 1-3 there, 2-3 here"],
-		[["--seeds", "1-12", "--vary", "age=60..110"], "--seeds: 1-3 there, 1-12 here"],
-		[["--seeds", "1-3", "--vary", "age=60..100"], "--vary age: 60..110 there, 60..100 here"],
-		[["--seeds", "1-3"], "--vary age: 60..110 there, not given here"],
-		[[...words, "--set", "density=3"], "--set density: not given there, 3 here"],
-		[[...words, "--set", "count=6"], "--set count: 5 there, 6 here"],
-		[[...words, "--as", "csv"], "--as: json there, json,csv here"],
-		[[...words, "--literal-seeds"], "draws: independent there, literal here"],
-		[[...words, "--shard", "1/2"], "parts of --shard: 1 there, 2 here"],
-		[[...words, "--target", "berry_width=8"], "--target berry_width: not given there, 8 here"],
+		[["--seeds", "2-3", "--vary", "age=60..110"], "--seeds: 1-3 in the folder, 2-3 now"],
+		[["--seeds", "1-12", "--vary", "age=60..110"], "--seeds: 1-3 in the folder, 1-12 now"],
+		[["--seeds", "1-3", "--vary", "age=60..100"], "--vary age: 60..110 in the folder, 60..100 now"],
+		[["--seeds", "1-3"], "--vary age: 60..110 in the folder, not given now"],
+		[[...words, "--set", "density=3"], "--set density: not given in the folder, 3 now"],
+		[[...words, "--set", "count=6"], "--set count: 5 in the folder, 6 now"],
+		[[...words, "--as", "csv"], "--as: json in the folder, json,csv now"],
+		[[...words, "--literal-seeds"], "draws: independent in the folder, literal now"],
+		[[...words, "--shard", "1/2"], "parts of --shard: 1 in the folder, 2 now"],
+		[[...words, "--target", "berry_width=8"], "--target berry_width: not given in the folder, 8 now"],
 	])("is left as it is, and the difference named: %j", async (others, difference) => {
 		const { written } = await series(words);
 		const before = copied(written);
 		const { status, messages } = await series(others, written);
 		expect(status).toBe(2);
-		expect(messages).toEqual([`grow: --out d holds another series (${difference}); choose another folder`]);
+		expect(messages).toEqual([
+			`grow: --out d: The folder contains a different series (${difference}). Choose another folder.`,
+		]);
 		expect(written).toEqual(before);
 	});
 
@@ -94,24 +98,26 @@ describe("a folder that holds another series", () => {
 		const texts = { "one.lsys": "axiom: F(10)[+F(5)]\n", "other.lsys": "axiom: F(10)[-F(5)]\n" };
 		const { world, messages } = memoryWorld(texts, {}, written);
 		expect(await run(["leaf/oak", "--seeds", "1-3", "--out", "d", "--as", "json"], world)).toBe(2);
-		expect(messages[0]).toContain("preset: bunch/redcurrant there, leaf/oak here");
+		expect(messages[0]).toContain("preset: bunch/redcurrant in the folder, leaf/oak now");
 		const grow = (text: string) => run(["--grammar", text, "--seeds", "1", "--as", "json", "--out", "e"], world);
 		expect([await grow("one.lsys"), await grow("other.lsys")]).toEqual([0, 2]);
 		expect(messages.at(-1)).toMatch(
-			/^grow: --out e holds another series \(text \w+: another text there, another text here\)/,
+			/^grow: --out e: The folder contains a different series \(text \w+: a different value in the folder, a different value now\)/,
 		);
 
 		const older = JSON.parse(textOf(written, "d/series.json"));
 		written.set("d/series.json", JSON.stringify({ ...older, program: "Panicle 0.0.1" }));
-		expect((await series(words, written)).messages[0]).toMatch(/program: Panicle 0\.0\.1 there, Panicle \d\S* here/);
+		expect((await series(words, written)).messages[0]).toMatch(
+			/program: Panicle 0\.0\.1 in the folder, Panicle \d\S* now/,
+		);
 		written.set("d/series.json", "{");
-		expect((await series(words, written)).messages[0]).toContain("series.json there cannot be read");
+		expect((await series(words, written)).messages[0]).toContain("series.json in the folder cannot be read");
 	});
 
 	it("takes the same series in other words", async () => {
 		const { written } = await series(["--seeds", "1-3"]);
 		const { status, messages } = await series(["--seeds", "1,2,3"], written);
-		expect([status, messages]).toEqual([0, ["3 plants: 0 grown, 3 there before; d/plants.csv"]]);
+		expect([status, messages]).toEqual([0, ["3 plants: 0 grown, 3 already there; d/plants.csv"]]);
 	});
 });
 
@@ -123,7 +129,7 @@ describe("a folder without a manifest", () => {
 			const { status, messages } = await series(["--seeds", "1-3"], written);
 			expect([status, [...written]]).toEqual([2, [[`d/${name}`, "mine"]]]);
 			expect(messages).toEqual([
-				`grow: --out d: ${name} exists, but no series.json that describes its series; choose another folder`,
+				`grow: --out d: ${name} exists, but the folder has no series.json to describe its series. Choose another folder.`,
 			]);
 		},
 	);
@@ -165,7 +171,7 @@ describe("the lock of a table", () => {
 		const { status, messages } = await series(words, written);
 		expect(status).toBe(2);
 		expect(messages[0]).toMatch(
-			/process 7 on t?here is writing it \(last sign of life \d+ s ago\); wait until it has ended$/,
+			/Process 7 on t?here is writing this table \(last active \d+ s ago\)\. Wait until it has finished\.$/,
 		);
 		expect(JSON.parse(textOf(written, LOCK))).toEqual(lock);
 		expect(written.has(`${TABLE}.part`)).toBe(false);
@@ -194,7 +200,7 @@ describe("the lock of a table", () => {
 			return world.loadCore(wasm);
 		};
 		expect(await run([...SMALL, ...words], { ...world, loadCore })).toBe(1);
-		expect(messages).toEqual(["grow: d/plants.csv.lock was taken by another process; this one stops"]);
+		expect(messages).toEqual(["grow: Another process has taken over d/plants.csv.lock, so this one stops."]);
 		expect([...written.keys()].filter((path) => path.includes("redcurrant"))).toEqual([]);
 		expect(written.get(LOCK)).toBe(theirs);
 	});
@@ -231,16 +237,16 @@ describe("what cannot be written", () => {
 	it("since the disk is full ends with 1, and the series goes on where it was", async () => {
 		const written: Written = new Map();
 		const { status, messages } = await series(["--seeds", "1-4"], written, failing("ENOSPC", /redcurrant-3/, written));
-		expect([status, messages]).toEqual([1, ["grow: d/redcurrant-3.json cannot be written: the disk is full"]]);
+		expect([status, messages]).toEqual([1, ["grow: d/redcurrant-3.json could not be written. The disk is full."]]);
 		expect(written.has(LOCK)).toBe(false);
 		expect((await series(["--seeds", "1-4"], written)).messages).toEqual([
-			"4 plants: 2 grown, 2 there before; d/plants.csv",
+			"4 plants: 2 grown, 2 already there; d/plants.csv",
 		]);
 	});
 
 	it("since the call names what is not allowed ends with 2", async () => {
 		const written: Written = new Map();
 		const { status, messages } = await series(["--seeds", "1-2"], written, failing("EACCES", /\.part$/, written));
-		expect([status, messages]).toEqual([2, ["grow: --out d/plants.csv.part: not allowed"]]);
+		expect([status, messages]).toEqual([2, ["grow: --out d/plants.csv.part: Access is not allowed."]]);
 	});
 });

@@ -53,7 +53,7 @@ it.runIf(isLongRun)("writes files", async () => {
 
 it("ends with 2 and one line where the call cannot be used", async () => {
 	const { status, out, err } = await grow("--set", "l=x");
-	expect({ status, out, err }).toEqual({ status: 2, out: "", err: "grow: --set l: “x” is not a number\n" });
+	expect({ status, out, err }).toEqual({ status: 2, out: "", err: "grow: --set l: “x” is not a number.\n" });
 });
 
 it.runIf(isLongRun)("grows a series into a folder that it makes, and goes on where it was broken off", async () => {
@@ -64,12 +64,12 @@ it.runIf(isLongRun)("grows a series into a folder that it makes, and goes on whe
 	expect({ ...first, err: last(first.err) }).toEqual({
 		status: 0,
 		out: "",
-		err: `2 plants: 2 grown, 0 there before; ${join(into, "plants.csv")}`,
+		err: `2 plants: 2 grown, 0 already there; ${join(into, "plants.csv")}`,
 	});
 	expect((await readdir(into)).sort()).toEqual(["plants.csv", "redcurrant-1.glb", "redcurrant-2.glb", "series.json"]);
 	await rm(join(into, "redcurrant-2.glb"));
 	const again = await grow(...words);
-	expect(last(again.err)).toBe(`2 plants: 1 grown, 1 there before; ${join(into, "plants.csv")}`);
+	expect(last(again.err)).toBe(`2 plants: 1 grown, 1 already there; ${join(into, "plants.csv")}`);
 	expect(await readdir(into)).toHaveLength(4);
 });
 

@@ -1,5 +1,6 @@
 import { describe, expect, it, vi } from "vitest";
 import { CoreError, Superseded } from "../../../web/src/core/errors";
+import { messageOf } from "../../../web/src/locale/message_error";
 import { client, FakeWorker, module, seedOf, settled, start, useFakeWorkers, withSeed } from "./fake_worker";
 
 useFakeWorkers();
@@ -50,7 +51,7 @@ describe("the client", () => {
 	});
 
 	it("may grow two side by side: the second at once, the third when one of them is done, the latest again", async () => {
-		start({ concurrency: 2 });
+		start({ workers: 2 });
 		const drag = [1, 2, 3, 4].map((seed) => client.grow(withSeed(seed)));
 		const outcomes = Promise.allSettled(drag);
 		await settled();
@@ -75,7 +76,7 @@ describe("the client", () => {
 			type: "failed",
 			id: worker.requests[0].id,
 			reason: "syntax",
-			message: "No.",
+			message: messageOf("No."),
 			line: 3,
 			column: 9,
 			memoryBytes: 0,
@@ -176,7 +177,7 @@ describe("cancelling", () => {
 	});
 });
 
-it("closing ends every worker and rejects what is under way", async () => {
+it("rejects running and waiting growths when it is closed, and ends all workers some time later", async () => {
 	start();
 	const first = client.grow(withSeed(1));
 	await settled();
@@ -188,6 +189,6 @@ it("closing ends every worker and rejects what is under way", async () => {
 	client.close();
 	await running;
 	await waiting;
-	await vi.advanceTimersByTimeAsync(1000);
+	await vi.advanceTimersByTimeAsync(10_000);
 	expect(FakeWorker.all.map((worker) => worker.terminated)).toEqual([true, true]);
 });

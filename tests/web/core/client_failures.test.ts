@@ -1,13 +1,14 @@
 import { describe, expect, it } from "vitest";
 import { writeContainer } from "../../../web/src/core/container";
 import { CoreTrap, Superseded, UnsupportedError } from "../../../web/src/core/errors";
+import { messageOf } from "../../../web/src/locale/message_error";
 import { client, FakeWorker, module, seedOf, settled, start, useFakeWorkers, withSeed } from "./fake_worker";
 
 useFakeWorkers();
 
 describe("a worker that breaks", () => {
 	const trap = (worker: FakeWorker) =>
-		worker.send({ type: "trapped", id: worker.requests.at(-1)?.id ?? 0, message: "The core broke." });
+		worker.send({ type: "trapped", id: worker.requests.at(-1)?.id ?? 0, message: messageOf("The core broke.") });
 
 	it("is replaced, and the request tried once more", async () => {
 		start();
@@ -82,7 +83,7 @@ describe("where nothing can be grown", () => {
 	it("a worker that cannot be made is named, and tried again with the next request", async () => {
 		let allowed = false;
 		start({
-			workerFactory: () => {
+			spawn: () => {
 				if (!allowed) throw new Error("denied by the page's policy");
 				return new FakeWorker() as unknown as Worker;
 			},

@@ -78,7 +78,7 @@ describe("the border", () => {
 		expect(refusal(() => core.growBytes(cut)).reason).toBe("bad request");
 		expect(refusal(() => core.grow([{ name: "model", data: "grapes" }])).reason).toBe("bad request");
 		const unknown = [...encodeRequest(specimenFromPreset()), { name: "wine", data: "red" }];
-		expect(refusal(() => core.grow(unknown)).message).toContain("“wine”");
+		expect(refusal(() => core.grow(unknown)).message).toContain("wine");
 		expect(grow(specimenFromPreset("rubus")).counts.berries).toBeGreaterThan(0);
 	});
 
@@ -129,7 +129,7 @@ describe("the border", () => {
 		const reported = refusal(() => fresh.grow([...blocks, { name: "grammar", data: "axiom: F(1)" }]));
 		expect([reported.reason, reported.message]).toEqual([
 			"bad request",
-			"The model grows from no grammar; leave it out.",
+			"This model does not use a grammar. Leave the grammar out.",
 		]);
 		expect(leafModel.read(fresh.grow(blocks)).segments.count).toBeGreaterThan(0);
 	});
@@ -160,7 +160,7 @@ describe("the border", () => {
 		instantiate.mockRestore();
 		const request = encodeRequest(specimenFromPreset());
 		expect(() => fresh.grow(request)).toThrow(CoreTrap);
-		expect(() => fresh.grow(request)).toThrow(/broken before/);
+		expect(() => fresh.grow(request)).toThrow(/crashed before/);
 	});
 
 	it("takes nothing but a core", async () => {

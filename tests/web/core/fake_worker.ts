@@ -1,9 +1,10 @@
 import { afterEach, beforeEach, vi } from "vitest";
-import { Client, type ClientOptions } from "../../../web/src/core/client";
+import { Client } from "../../../web/src/core/client";
 import { type Block, Columns, writeContainer } from "../../../web/src/core/container";
 import type { Answer } from "../../../web/src/core/core";
 import type { FromWorker, ToWorker } from "../../../web/src/core/messages";
-import type { CoreRequest } from "../../../web/src/core/pool";
+import { SharedPool } from "../../../web/src/core/page_pool";
+import { type CoreRequest, Pool, type PoolOptions } from "../../../web/src/core/pool";
 
 /** A worker that a test controls. */
 export class FakeWorker {
@@ -13,6 +14,8 @@ export class FakeWorker {
 	onmessageerror: (() => void) | null = null;
 	readonly heard: ToWorker[] = [];
 	terminated = false;
+	/** Number of requests that it has answered by `finish`. */
+	finished = 0;
 
 	constructor() {
 		FakeWorker.all.push(this);
@@ -46,6 +49,7 @@ export class FakeWorker {
 
 	/** @param memoryBytes that its cores hold then */
 	finish(memoryBytes = 0): void {
+		this.finished++;
 		const { id, blocks } = this.requests.at(-1) as { id: number; blocks: readonly Block[] };
 		const container = writeContainer([{ name: "seed", data: Uint32Array.of(seedIn(blocks)) }]);
 		this.send({ type: "grown", id, container, milliseconds: 1, memoryBytes });
@@ -64,27 +68,28 @@ export const settled = () => vi.advanceTimersByTimeAsync(0);
 /** The stand-in for the compiled core. */
 export const module = {} as WebAssembly.Module;
 
-/** A client of fake workers, one at a time. */
+/** A shared pool of fake workers. */
+export const sharedPool = (options: Partial<PoolOptions> = {}): SharedPool =>
+	new SharedPool(() => new Pool({ spawn: spawnFake, compile: async () => module, ...options }));
+const spawnFake = () => new FakeWorker() as unknown as Worker;
+
+/** A client of fake workers. */
 export let client: Client;
 
-/** Starts the worker; tests call `useFakeWorkers` first. */
-export function start(options: Partial<ClientOptions> = {}): void {
-	client = new Client({
-		workerFactory: () => new FakeWorker() as unknown as Worker,
-		compile: async () => module,
-		...options,
-	});
+/** Starts the client and a worker, by default with one growth at a time; tests call `useFakeWorkers` first. */
+export function start({ workers = 1, ...options }: Partial<PoolOptions> = {}): void {
+	client = new Client({ pool: sharedPool({ workers, ...options }), concurrency: workers });
 	client.warm("bunch.wasm");
 }
 
-/** Before each test no worker and no real time, after each no client. */
+/** Before each test no worker and no real time, after each no worker. */
 export function useFakeWorkers(): void {
 	beforeEach(() => {
 		vi.useFakeTimers();
 		FakeWorker.all = [];
 	});
 	afterEach(() => {
-		client.close();
+		vi.clearAllTimers();
 		vi.useRealTimers();
 	});
 }

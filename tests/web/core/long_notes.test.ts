@@ -1,4 +1,5 @@
 import { expect, it } from "vitest";
+import { coreText, loadCoreMessages } from "../../../web/src/core/core_message";
 import { model } from "../../../web/src/models/grammar/index";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
 import { freshCore } from "./wasm";
@@ -9,6 +10,9 @@ it("notes of any length are whole in the page: nothing is read where the core ha
 	const specimen = { ...fromPreset(model), constants: {}, grammar: ["axiom: A", ...lines].join("\n") };
 	const { notes } = model.read(core.grow(model.encode(specimen)));
 	expect(notes.join("\n").length).toBeGreaterThan(1 << 14);
-	expect(notes[0]).toBe("The grammar draws nothing.");
+	await loadCoreMessages();
+	expect(coreText(notes[0])).toBe(
+		"The grammar does not draw anything; add a symbol that draws, such as “F” for a line.",
+	);
 	expect(notes).toHaveLength(901);
 });

@@ -1,7 +1,9 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { Client } from "../../../web/src/core/client";
 import { Superseded } from "../../../web/src/core/errors";
+import { SharedPool } from "../../../web/src/core/page_pool";
 import { Pool, type PoolOptions } from "../../../web/src/core/pool";
+import { messageOf } from "../../../web/src/locale/message_error";
 import { FakeWorker, module, seedOf, settled, withSeed } from "./fake_worker";
 
 let pool: Pool;
@@ -106,9 +108,35 @@ describe("a pool of seats", () => {
 		]);
 	});
 
+	it("grows in the background with all workers but one, and last of all that wait", async () => {
+		start({ workers: 3 });
+		const all = [1, 2, 3].map((seed) => pool.run(withSeed(seed), { background: true }));
+		all.push(...[4, 5].map((seed) => pool.run(withSeed(seed))));
+		await settled();
+		const seeds = () => FakeWorker.all.map((worker) => worker.seeds);
+		expect(seeds()).toEqual([[1], [2], [4]]);
+		FakeWorker.all[0].finish();
+		await settled();
+		expect(seeds()).toEqual([[1, 5], [2], [4]]);
+		FakeWorker.all[2].finish();
+		await settled();
+		expect(seeds()).toEqual([[1, 5], [2], [4, 3]]);
+		for (const worker of FakeWorker.all) worker.finish();
+		expect((await Promise.all(all)).map(seedOf)).toEqual([1, 2, 3, 4, 5]);
+	});
+
+	it("grows in the background with its only worker", async () => {
+		start();
+		const growing = pool.run(withSeed(1), { background: true });
+		await settled();
+		FakeWorker.all[0].finish();
+		expect(seedOf(await growing)).toBe(1);
+	});
+
 	it("lets several clients share it, none of whom takes another's place", async () => {
 		start();
-		const [one, other] = [new Client({ pool }), new Client({ pool })];
+		const shared = new SharedPool(() => pool);
+		const [one, other] = [new Client({ pool: shared }), new Client({ pool: shared })];
 		const all = [one.grow(withSeed(1)), other.grow(withSeed(2))];
 		for (let turn = 0; turn < 2; turn++) {
 			await settled();
@@ -119,7 +147,8 @@ describe("a pool of seats", () => {
 
 	it("goes on when one of its clients is closed", async () => {
 		start({ workers: 2 });
-		const [one, other] = [new Client({ pool }), new Client({ pool })];
+		const shared = new SharedPool(() => pool);
+		const [one, other] = [new Client({ pool: shared }), new Client({ pool: shared })];
 		const ended = expect(one.grow(withSeed(1))).rejects.toBeInstanceOf(Superseded);
 		const stored = other.grow(withSeed(2));
 		await settled();
@@ -157,7 +186,7 @@ describe("a pool of seats", () => {
 		const next = pool.run(withSeed(2));
 		await settled();
 		ended.finish();
-		ended.send({ type: "broken", message: "late" });
+		ended.send({ type: "broken", message: messageOf("late") });
 		ended.crash("late");
 		await settled();
 		expect(FakeWorker.all).toHaveLength(2);

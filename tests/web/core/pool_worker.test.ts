@@ -1,5 +1,6 @@
 import { expect, it, vi } from "vitest";
 import { PoolWorker } from "../../../web/src/core/pool_worker";
+import { messageOf } from "../../../web/src/locale/message_error";
 import { FakeWorker, module, withSeed } from "./fake_worker";
 
 function seated() {
@@ -18,8 +19,16 @@ it("nothing is heard of a worker after its end, nor anything said to it", async 
 	await Promise.resolve();
 	expect(worker.terminated).toBe(true);
 	expect(worker.heard).toEqual([]);
-	worker.send({ type: "failed", id: 1, reason: "limit", message: "late", line: 0, column: 0, memoryBytes: 0 });
-	worker.send({ type: "broken", message: "late" });
+	worker.send({
+		type: "failed",
+		id: 1,
+		reason: "limit",
+		message: messageOf("late"),
+		line: 0,
+		column: 0,
+		memoryBytes: 0,
+	});
+	worker.send({ type: "broken", message: messageOf("late") });
 	worker.crash("late");
 	expect(events.answered).not.toHaveBeenCalled();
 	expect(events.died).not.toHaveBeenCalled();
@@ -45,6 +54,6 @@ it("ends a worker that a request cannot be sent to, so that its request is refus
 	});
 	seat.grow(1, withSeed(1).blocks, compiled);
 	await vi.waitFor(() => expect(events.died).toHaveBeenCalledOnce());
-	expect(events.died.mock.calls[0][0]).toMatch(/^its request could not be sent: /);
+	expect(events.died.mock.calls[0][0]).toMatch(/^the request could not be sent: /);
 	expect(worker.terminated).toBe(true);
 });

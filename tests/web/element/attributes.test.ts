@@ -42,12 +42,12 @@ describe("the specimen in attributes", () => {
 
 	it("has notes about attributes that cannot be used", async () => {
 		expect(textsOf(await read({ preset: "nettle" }))).toEqual([expect.stringMatching(/^preset: .*nettle/)]);
-		expect(textsOf(await read({ age: "900" }))).toEqual(["age: 900 is above the greatest value, 125; 125 is used."]);
+		expect(textsOf(await read({ age: "900" }))).toEqual(["age: 900 is above the maximum, 125. Using 125."]);
 		expect(textsOf(await read({ model: "fern" }))).toEqual([
-			"model: there is none called “fern”; the default is used.",
+			"model: There is no model “fern”. The default model is used.",
 		]);
 		expect(textsOf(await read({ colour: "red" }))).toEqual([
-			"colour: no parameter of the bunch has that name; it is passed over.",
+			"colour: The model bunch has no such parameter. The attribute was ignored.",
 		]);
 	});
 

@@ -1,34 +1,30 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
-import type { Pool } from "../../../web/src/core/pool";
 import { Commons } from "../../../web/src/element/commons";
 import type { Renderer } from "../../../web/src/render/renderer";
 
-const pool = vi.fn(() => ({ close: vi.fn() }) as unknown as Pool);
 const renderer = vi.fn(async () => ({ dispose: vi.fn() }) as unknown as Renderer);
 const hold = vi.fn();
 let commons: Commons;
 beforeEach(() => {
 	vi.useFakeTimers();
 	vi.clearAllMocks();
-	commons = new Commons({ pool, renderer, hold });
+	commons = new Commons({ renderer, hold });
 });
 afterEach(() => vi.useRealTimers());
 
-it("creates one pool and one renderer for all plants, on first use", async () => {
+it("creates one renderer for all plants, on first use", async () => {
 	const leave = [commons.enter(), commons.enter()];
-	expect([pool.mock.calls.length, renderer.mock.calls.length]).toEqual([0, 0]);
-	commons.client();
-	commons.client();
-	expect(await commons.renderer()).toBe(await commons.renderer());
-	expect([pool.mock.calls.length, renderer.mock.calls.length]).toEqual([1, 1]);
+	expect(renderer).not.toHaveBeenCalled();
+	const drawn = await commons.renderer();
+	expect(await commons.renderer()).toBe(drawn);
+	expect(renderer).toHaveBeenCalledOnce();
 	leave[0]();
-	vi.advanceTimersByTime(60_000);
-	expect(pool.mock.results[0].value.close).not.toHaveBeenCalled();
+	await vi.advanceTimersByTimeAsync(60_000);
+	expect(drawn.dispose).not.toHaveBeenCalled();
 });
 
-it("releases them some time after the last plant has left, unless another comes", async () => {
+it("releases it some time after the last plant has left, unless another comes", async () => {
 	const first = commons.enter();
-	commons.client();
 	const drawn = await commons.renderer();
 	first();
 	vi.advanceTimersByTime(500);
@@ -38,10 +34,9 @@ it("releases them some time after the last plant has left, unless another comes"
 	second();
 	await vi.advanceTimersByTimeAsync(1000);
 	expect(drawn.dispose).toHaveBeenCalledOnce();
-	expect(pool.mock.results[0].value.close).toHaveBeenCalledOnce();
 	commons.enter();
-	commons.client();
-	expect(pool).toHaveBeenCalledTimes(2);
+	await commons.renderer();
+	expect(renderer).toHaveBeenCalledTimes(2);
 });
 
 it("tries again after a failure to create the renderer", async () => {

@@ -108,7 +108,7 @@ describe("what is finer than vertices, baked", () => {
 			...group,
 			children: group.children?.map((part, i) => ({
 				...part,
-				shape: { ...(part.shape as Shape), finer: async () => finer(i === 0) },
+				shape: { ...(part.shape as Shape), loadDetail: async () => finer(i === 0) },
 			})),
 		}));
 

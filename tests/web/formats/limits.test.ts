@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { FileTooLargeError } from "../../../web/src/formats/file_error";
-import { checkMeshBytes, MOST_MESH_BYTES, meshBytes } from "../../../web/src/formats/limits";
+import { checkMeshBytes, MAX_MESH_BYTES, meshBytes } from "../../../web/src/formats/limits";
 import { exportObj } from "../../../web/src/formats/obj";
 import { PLANT_FILES } from "../../../web/src/formats/plant_files";
 import { TextBuffer } from "../../../web/src/formats/text_buffer";
@@ -24,7 +24,7 @@ function leaves(count: number, own = false): Part[] {
 	] as unknown as Part[];
 }
 
-const TOO_MANY = Math.ceil(MOST_MESH_BYTES / 300) + 1;
+const TOO_MANY = Math.ceil(MAX_MESH_BYTES / 300) + 1;
 
 describe("the limit of meshes in a file", () => {
 	it("counts instances as often as a file has their mesh", () => {
@@ -39,7 +39,7 @@ describe("the limit of meshes in a file", () => {
 		expect(() => checkMeshBytes(leaves(TOO_MANY - 2), "meshes")).not.toThrow();
 		const many = leaves(TOO_MANY);
 		const message =
-			"The file would have 321 MB, which is more than the limit of 320 MB; make the plant smaller or let it have fewer parts; or choose a file whose parts share meshes (GLB, instanced).";
+			"The file would be 321 MB, which is more than the limit of 320 MB. Make the plant smaller, give it fewer parts, or choose GLB with instancing, which stores each shared mesh only once.";
 		expect(() => exportObj(many, ABOUT, "hedge")).toThrow(message);
 		for (const file of PLANT_FILES.filter(({ instances }) => instances && instances !== "shared"))
 			await expect(file.make(many, ABOUT, {}), file.key).rejects.toThrow(FileTooLargeError);

@@ -54,15 +54,15 @@ describe("a picture’s link", () => {
 	});
 
 	it.each([
-		["without a link", [bare], "is a picture without a link"],
-		["of another program’s words", saved(chunk("tEXt", "Software\0?v=2")), "is a picture without a link"],
-		["with packed text", saved(chunk("iTXt", "Panicle\0\x01\0\0\0x")), "is a picture without a link"],
-		["with no link in its place", saved(chunk("tEXt", "Panicle\0grapes")), "has other text where its link ought to be"],
-		["cut short", [bare.subarray(0, bare.length - 1)], "is a damaged or unfinished PNG"],
-		["cut before its end", [bare.subarray(0, bare.length - 12)], "is a damaged or unfinished PNG"],
-		["of a signature", [bare.subarray(0, 8)], "is a damaged or unfinished PNG"],
-		["without its header", [bare.subarray(0, 8), bare.subarray(33)], "is a damaged or unfinished PNG"],
-		["with a damaged link", [linked.with(60, 0x41)], "is a damaged or unfinished PNG"],
+		["without a link", [bare], "has no link to a plant"],
+		["of another program’s words", saved(chunk("tEXt", "Software\0?v=2")), "has no link to a plant"],
+		["with packed text", saved(chunk("iTXt", "Panicle\0\x01\0\0\0x")), "has no link to a plant"],
+		["with no link in its place", saved(chunk("tEXt", "Panicle\0grapes")), "contains is not valid"],
+		["cut short", [bare.subarray(0, bare.length - 1)], "is damaged or incomplete"],
+		["cut before its end", [bare.subarray(0, bare.length - 12)], "is damaged or incomplete"],
+		["of a signature", [bare.subarray(0, 8)], "is damaged or incomplete"],
+		["without its header", [bare.subarray(0, 8), bare.subarray(33)], "is damaged or incomplete"],
+		["with a damaged link", [linked.with(60, 0x41)], "is damaged or incomplete"],
 	])("says what is wrong with a picture %s", async (_, parts, message) => {
 		await expect(open(...parts)).rejects.toThrow(FileError);
 		await expect(open(...parts)).rejects.toThrow(`plant.png ${message}`);

@@ -73,7 +73,7 @@ describe("a specimen out of a file", () => {
 		const size = JSON_BYTES + 1000;
 		for (const parts of [[headed(size, JSON_BYTES + 1)], ["{}"]]) {
 			const reading = specimenFromFile("large", new LargeFile(parts, size));
-			await expect(reading).rejects.toThrow("large is too large: drop a GLB, JSON or PNG exported by Panicle.");
+			await expect(reading).rejects.toThrow("large is too large. Open a GLB, JSON or PNG exported from Panicle.");
 		}
 	});
 
@@ -94,16 +94,16 @@ describe("a specimen out of a file", () => {
 		["empty.glb", new Uint8Array(), "empty.glb is empty."],
 		["grapes.png", Uint8Array.of(0x89, 0x50, 0x4e, 0x47, 0xff), "grapes.png is neither a GLB nor readable JSON"],
 		["notes.txt", "a bunch", "notes.txt is neither a GLB nor readable JSON"],
-		["other.json", '{"plan":{}}', "other.json holds no specimen"],
-		["null.json", "null", "null.json holds no specimen"],
-		["list.json", '{"specimen":[1]}', "list.json holds no specimen"],
-		["proto.json", '{"asset":{"extras":"specimen"}}', "proto.json holds no specimen"],
-		["cut.glb", glb.subarray(0, 100), "cut.glb is a damaged or unfinished GLB"],
+		["other.json", '{"plan":{}}', "other.json wasn’t made by Panicle"],
+		["null.json", "null", "null.json wasn’t made by Panicle"],
+		["list.json", '{"specimen":[1]}', "list.json wasn’t made by Panicle"],
+		["proto.json", '{"asset":{"extras":"specimen"}}', "proto.json wasn’t made by Panicle"],
+		["cut.glb", glb.subarray(0, 100), "cut.glb is damaged or incomplete"],
 		// All of the JSON is there, of the meshes all but a byte.
-		["nearly.glb", glb.subarray(0, glb.length - 1), "nearly.glb is a damaged or unfinished GLB"],
-		["short.glb", glb.subarray(0, 15), "short.glb is a damaged or unfinished GLB"],
-		["old.glb", glb.with(4, 1), "old.glb is glTF of version 1"],
-		["kind.glb", glb.with(16, 0), "kind.glb is a damaged or unfinished GLB"],
+		["nearly.glb", glb.subarray(0, glb.length - 1), "nearly.glb is damaged or incomplete"],
+		["short.glb", glb.subarray(0, 15), "short.glb is damaged or incomplete"],
+		["old.glb", glb.with(4, 1), "old.glb is glTF version 1;"],
+		["kind.glb", glb.with(16, 0), "kind.glb is damaged or incomplete"],
 	])("says what is wrong with %s", async (name, file, message) => {
 		await expect(open(name, file)).rejects.toThrow(FileError);
 		await expect(open(name, file)).rejects.toThrow(message);

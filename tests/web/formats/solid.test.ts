@@ -115,12 +115,12 @@ describe("a body for printers", () => {
 		const far = await apart(0.03);
 		expect([shellsOf(far.indices), far.loose]).toEqual([1, 1]);
 		expect(extentOf(far.positions, 0)).toBeLessThan(0.0105);
-		expect(solidNotes(far, 0.0005)).toEqual([expect.stringMatching(/^Pieces left out: 1\./)]);
+		expect(solidNotes(far, 0.0005)).toEqual([expect.stringMatching(/^1 loose piece was left out/)]);
 	});
 
 	it("says where it is thicker than was asked for", async () => {
 		expect(solidNotes({ thickness: 0.0012, loose: 0 }, 0.0002)).toEqual([
-			expect.stringMatching(/^Nothing is thinner than 1\.2 mm, not 0\.2 mm:/),
+			expect.stringMatching(/^The minimum thickness is 1\.2 mm, .* as thin as 0\.2 mm\.$/),
 		]);
 		expect(solidNotes(await solidOf([ball], 0.001), 0.001)).toEqual([]);
 	});

@@ -5,6 +5,7 @@ import { difference } from "../../../web/src/grammar_editor/difference";
 import { problemsOf, sameProblems } from "../../../web/src/grammar_editor/reported_problems";
 import { reach, stepped } from "../../../web/src/grammar_editor/scrub";
 import { type GrammarSource, withText } from "../../../web/src/grammar_editor/source";
+import type { Message } from "../../../web/src/locale/texts";
 import { specimenFromPreset } from "../bunch";
 
 const number = (text: string) => ({ text, value: Number(text) });
@@ -75,7 +76,7 @@ describe("the difference of two texts", () => {
 	});
 
 	it("does not count as the document's own text if it equals the built-in one", () => {
-		const source: GrammarSource = { noun: "bunch", group: "branching", builtIn: () => "axiom: F" };
+		const source: GrammarSource = { plantName: "bunch", group: "branching", builtIn: () => "axiom: F" };
 		const specimen = specimenFromPreset("long-conical");
 		expect(withText(source, specimen, "axiom: F F")).toEqual({ details: { grammar: "axiom: F F" } });
 		expect(withText(source, specimen, "axiom: F")).toEqual({ details: { grammar: undefined } });
@@ -90,14 +91,21 @@ describe("a number typed for a constant", () => {
 		expect([3, 2e9, -2e9].map(takenOf)).toEqual([3, 1e9, -1e9]);
 		expect(complaintOf("length", "3", 3, number(3))).toBeUndefined();
 		expect(complaintOf("length", "2e9", 2e9, number(1e9))).toBe(
-			"length takes -1000000000 … 1000000000. 2000000000 became 1000000000.",
+			"length: 2000000000 was changed to 1000000000. -1000000000 … 1000000000.",
 		);
-		expect(complaintOf("length", "long", Number.NaN, number(3))).toBe("“long” is not a number; length stays 3.");
+		expect(complaintOf("length", "long", Number.NaN, number(3))).toBe("“long” is not a number. length is still 3.");
 	});
 });
 
 describe("problems reported by the core", () => {
-	const notes = ["Line 3, column 5: F1 is one symbol.", "4 pedicels found no room."];
+	const notes: Message[] = [
+		{
+			code: "core.expression.at_line_and_column",
+			args: { line: 3, column: 5, problem: "F1 is one symbol." },
+			text: "Line 3, column 5: F1 is one symbol.",
+		},
+		{ code: "core.bunch.no_room", args: { count: 4 }, text: "4 pedicels found no room." },
+	];
 
 	it("are the fault, or else the remarks with a place", () => {
 		expect(problemsOf(undefined, notes)).toEqual([

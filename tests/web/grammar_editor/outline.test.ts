@@ -39,8 +39,18 @@ describe("tokens of a grammar's text", () => {
 
 describe("constants", () => {
 	it("have their range from the following comment", () => {
-		expect(constant("#define x 30 /* 0 … 90 */")).toMatchObject({ name: "x", min: 0, max: 90, step: 1, words: "" });
-		expect(constant("#define x 30 /* a turn, −10 to 90.5 */")).toMatchObject({ min: -10, max: 90.5, words: "a turn" });
+		expect(constant("#define x 30 /* 0 … 90 */")).toMatchObject({
+			name: "x",
+			min: 0,
+			max: 90,
+			step: 1,
+			description: "",
+		});
+		expect(constant("#define x 30 /* a turn, −10 to 90.5 */")).toMatchObject({
+			min: -10,
+			max: 90.5,
+			description: "a turn",
+		});
 		expect(constant("#define x 2 /* 0..90 step 5 */")).toMatchObject({ min: 0, max: 90, step: 5 });
 	});
 
@@ -52,7 +62,9 @@ describe("constants", () => {
 		const { constants } = outlineOf(
 			"#define length=-320 /* -450 … 0 mm */\n#define w=2*length\n#module PETAL\n#define K=12",
 		);
-		expect(constants).toMatchObject([{ name: "length", min: -450, max: 0, words: "mm", number: { text: "-320" } }]);
+		expect(constants).toMatchObject([
+			{ name: "length", min: -450, max: 0, description: "mm", number: { text: "-320" } },
+		]);
 	});
 
 	it("have a guessed range without a comment", () => {

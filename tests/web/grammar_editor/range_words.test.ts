@@ -13,8 +13,8 @@ it.each([
 	["in 1998 from 3 to 4", "3", "4", undefined, "in 1998 from "],
 	["3 or 4 … 5 steps", "4", "5", undefined, "3 or  steps"],
 	["0..9 step wide", "0", "9", undefined, " step wide"],
-] as const)("reads %j", (text, low, high, step, words) => {
-	expect(findRange(text)).toEqual({ low, high, step, words });
+] as const)("reads %j", (text, low, high, step, description) => {
+	expect(findRange(text)).toEqual({ low, high, step, description });
 });
 
 it.each(["", "90", "0 tons", "0to9", "from to 9", "0 .. x", "a..b", ". .. ."])("finds no range in %j", (text) =>

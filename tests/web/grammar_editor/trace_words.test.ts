@@ -42,19 +42,23 @@ describe("the description of a module", () => {
 
 	it("names the productions that wrote and rewrite it, with their values, and its result", () => {
 		expect(moduleInWords(module, false)).toBe(
-			"Written by the production in line 7. Rewritten next by line 9 with n = 3, t = 0.5, by chance: 0.333 of 1 is its weight, 0.612 was drawn. It becomes 3 modules.",
+			"Produced by line 7. Rewritten in the next step by line 9 with n = 3, t = 0.5. This production was chosen at random, with weight 0.333 of 1 (random number: 0.612). The module is replaced by 3 modules.",
 		);
 		expect(chanceInWords({ total: 3, weight: 2, drawn: 0 })).toContain("2 of 3");
 	});
 
 	it("includes query and response of the environment, and the reason", () => {
-		expect(answerInWords({ asked: ["0.1", "2"], answered: ["0.31", "1"] })).toBe("Asked 0.1, 2 → answered 0.31, 1");
-		expect(answerInWords({ asked: [], answered: ["1"] })).toBe("Asked nothing → answered 1");
-		expect(answerInWords({ answered: ["0", "1", "0"] })).toBe("Was told 0, 1, 0");
+		expect(answerInWords({ asked: ["0.1", "2"], answered: ["0.31", "1"] })).toBe("Query: 0.1, 2. Response: 0.31, 1.");
+		expect(answerInWords({ asked: [], answered: ["1"] })).toBe("Query: nothing. Response: 1.");
+		expect(answerInWords({ answered: ["0", "1", "0"] })).toBe("Received 0, 1, 0.");
 		const { fires, production, chance, ...rest } = module;
-		const answer = { asked: ["1"], answered: ["0"], words: "no room: it overlaps the berry of module 64 by 4.6" };
+		const answer = {
+			asked: ["1"],
+			answered: ["0"],
+			words: "There is no room. It overlaps the berry of module #64 by 4.6.",
+		};
 		expect(moduleInWords({ ...rest, answer }, true)).toBe(
-			"Asked 1 → answered 0. No room: it overlaps the berry of module 65 by 4.6. The derivation ends here.",
+			"Query: 1. Response: 0. There is no room. It overlaps the berry of module 65 by 4.6. The derivation ends here.",
 		);
 	});
 
@@ -62,20 +66,20 @@ describe("the description of a module", () => {
 		const none = { first: 3, count: 0 };
 		const one = { first: 3, count: 1 };
 		const { fires } = module;
-		expect(fateOf({ children: none }, false)).toBe("It is cut.");
-		expect(fateOf({ fires, children: none }, false)).toBe("Nothing is left of it.");
-		expect(fateOf({ children: one }, false)).toBe("It stays as it is.");
-		expect(fateOf({ fires, children: one }, false)).toBe("It becomes one module.");
+		expect(fateOf({ children: none }, false)).toBe("The module is cut off.");
+		expect(fateOf({ fires, children: none }, false)).toBe("The module disappears.");
+		expect(fateOf({ children: one }, false)).toBe("The module stays as it is.");
+		expect(fateOf({ fires, children: one }, false)).toBe("The module is replaced by one module.");
 		expect(fateOf({ fires, children: one }, true)).toBe("The derivation ends here.");
 	});
 
 	it("lists the productions that do not apply, and why", () => {
 		const refusals = [
-			{ production: { line: 3, column: 1 }, why: "its condition is false with n = 3" },
-			{ production: { line: 5, column: 1 }, why: "the production in line 9 comes first" },
+			{ production: { line: 3, column: 1 }, why: "the condition is false with n = 3" },
+			{ production: { line: 5, column: 1 }, why: "the production on line 9 takes precedence" },
 		];
 		expect(moduleInWords({ ...module, refusals }, false)).toMatch(
-			/It becomes 3 modules\. Not line 3: its condition is false with n = 3\. Not line 5: the production in line 9 comes first\.$/,
+			/The module is replaced by 3 modules\. Not rewritten by line 3: the condition is false with n = 3\. Not rewritten by line 5: the production on line 9 takes precedence\.$/,
 		);
 	});
 

@@ -25,7 +25,7 @@ describe("a grown specimen", () => {
 		expect(await toJSON(grown)).toEqual({ ...json, timings: { grow: 0 } });
 		expect(grown).toMatchObject({ counts: json.counts, measures: json.measures, fingerprint: json.fingerprint });
 		expect(grown.link).toBe("?v=2&preset=redcurrant&seed=7&count=5");
-		expect(grown.words).toMatch(/^5 berries/);
+		expect(grown.words).toMatch(/ with 5 berries$/);
 		expect((await grow(grown.link)).plant).toEqual(grown.plant);
 		expect((await grow(grown.specimen)).fingerprint).toBe(grown.fingerprint);
 	});
@@ -46,9 +46,11 @@ describe("a grown specimen", () => {
 	it("without meshes or measures has none, and says so where files want them", async () => {
 		const bare = await grow(SMALL, { meshes: false, measures: false });
 		expect([bare.meshes, bare.measures]).toEqual([false, {}]);
-		const problem = "meshes: the plant was grown without meshes; grow it again with them";
+		const problem = "meshes: The plant was grown without meshes. Grow it again with meshes.";
 		for (const make of [toGLB, toOBJ, partsOf]) await expect(make(bare)).rejects.toThrow(problem);
-		await expect(toFile(bare, "csv-measures")).rejects.toThrow("format: this bunch has no csv-measures");
+		await expect(toFile(bare, "csv-measures")).rejects.toThrow(
+			"format: This plant cannot be exported as csv-measures.",
+		);
 		expect(await (await toFile(bare, "json")).text()).toContain(bare.fingerprint);
 	});
 
@@ -57,14 +59,14 @@ describe("a grown specimen", () => {
 		expect(got.bunch_length).toBeCloseTo(160, -1);
 		expect(notes).toEqual([]);
 		const far = await grow(SMALL, { meshes: false, targets: { bunch_weight: 1e6 } });
-		expect(far.notes.join()).toMatch(/1000000 g asked, /);
+		expect(far.notes.join()).toMatch(/wanted 1000000 g, /);
 		await expect(grow(SMALL, { targets: { beauty: 1 } })).rejects.toThrow(
-			/^beauty: no measure of this bunch that can be asked for; there are bunch_length, /,
+			/^beauty: No such measure can be a target for this plant\. Its possible targets are bunch_length, /,
 		);
 		await expect(grow(SMALL, { targets: { bunch_length: -1 } })).rejects.toThrow(
-			"bunch_length: -1 is no number from 0 on",
+			"bunch_length: A target must be a number that is 0 or greater, not -1.",
 		);
-		await expect(grow("leaf/oak", { targets: { area: 1 } })).rejects.toThrow(/there are none$/);
+		await expect(grow("leaf/oak", { targets: { area: 1 } })).rejects.toThrow(/no measures that can be targets\.$/);
 	});
 
 	it("tells where a grammar is wrong", async () => {
@@ -119,14 +121,16 @@ describe("files", () => {
 	it("are refused where there are none", async () => {
 		const grown = await grow(SMALL);
 		await expect(toFile(grown, "svg")).rejects.toThrow(
-			"format: there is no svg of a bunch; formats() lists what there is",
+			"format: The model bunch has no file format svg. formats() returns all its formats.",
 		);
 		await expect(toFile(grown, "ply", { points: -1 })).rejects.toThrow(
-			"points: has to be a whole number from 1 to 2000000",
+			"points: options.points must be a whole number from 1 to 2,000,000.",
 		);
 		const paper = await grow("?v=1&preset=short-conical");
-		await expect(toGLB(paper, { form: "growth" })).rejects.toThrow("format: this bunch has no ages to show");
-		await expect(toGLB(grown, { form: "lod" })).rejects.toThrow("format: this bunch has no levels");
+		await expect(toGLB(paper, { form: "growth" })).rejects.toThrow(
+			"format: This plant has no age data, so its growth cannot be shown.",
+		);
+		await expect(toGLB(grown, { form: "lod" })).rejects.toThrow("format: This plant has no levels of detail.");
 	});
 });
 
@@ -149,6 +153,6 @@ it("the catalogue lists what there is", async () => {
 	expect(procedure).toMatchObject({ kind: "choice", options: ["paper", "natural"], default: "natural" });
 	expect((await measures()).find(({ key }) => key === "bunch_length")).toMatchObject({ unit: "mm", kind: "number" });
 	await expect(presets("fern")).rejects.toThrow(
-		"model: there is no model “fern”; there are bunch, flower, grammar, growth, leaf, root, stand, tree",
+		"model: There is no model “fern”. The models are bunch, flower, grammar, growth, leaf, root, stand, tree.",
 	);
 });

@@ -23,9 +23,9 @@ describe("a text", () => {
 	});
 
 	it.each([
-		["nettle", "“nettle” is neither a preset nor a link; presets() lists them"],
-		["leaf/nettle", "“leaf/nettle”: the leaf has no preset “nettle”; presets() lists them"],
-		["leaf/oak/red", "“leaf/oak/red” is neither a preset nor a link; presets() lists them"],
+		["nettle", "preset: “nettle” is neither a preset nor a link. presets() returns all presets."],
+		["leaf/nettle", "preset: The model leaf has no preset “nettle”. presets() returns all presets."],
+		["leaf/oak/red", "preset: “leaf/oak/red” is neither a preset nor a link. presets() returns all presets."],
 	])("is refused where it is none: %s", async (text, message) => {
 		const error = await readSource(text).catch((each) => each);
 		expect(error).toBeInstanceOf(SpecimenError);
@@ -61,14 +61,14 @@ describe("values by their keys", () => {
 		[
 			{ model: "fern" },
 			"model",
-			"there is no model “fern”; there are bunch, flower, grammar, growth, leaf, root, stand, tree",
+			"There is no model “fern”. The models are bunch, flower, grammar, growth, leaf, root, stand, tree.",
 		],
-		[{ preset: "nettle" }, "preset", "the bunch has no preset “nettle”; presets() lists them"],
-		[{ preset: 3 }, "preset", "the bunch has no preset 3; presets() lists them"],
-		[{ age: 900 }, "age", "900 is above the greatest value, 125"],
-		[{ age: "old" }, "age", "“old” is not a number"],
-		[{ seed: -1 }, "seed", "-1 is below the least value, 0"],
-		[{ ages: 9 }, "ages", "no parameter of the bunch has that key; parameters() lists them"],
+		[{ preset: "nettle" }, "preset", "The model bunch has no preset “nettle”. presets() returns all presets."],
+		[{ preset: 3 }, "preset", "The model bunch has no preset 3. presets() returns all presets."],
+		[{ age: 900 }, "age", "900 is above the maximum, 125."],
+		[{ age: "old" }, "age", "“old” is not a number."],
+		[{ seed: -1 }, "seed", "-1 is below the minimum, 0."],
+		[{ ages: 9 }, "ages", "The model bunch has no such parameter. parameters() returns all parameters."],
 	])("are refused where they cannot be used: %o", async (values, key, problem) => {
 		const error = await grow(values as Values).catch((each) => each);
 		expect([error.name, error.key, error.problem, error.message]).toEqual([
@@ -84,14 +84,17 @@ describe("links", () => {
 	it("are read whatever they say, and written anew", async () => {
 		const { specimen, notes } = await parseLink("https://a.example/?v=2&preset=merlot&age=900&x=1");
 		expect(specimen).toMatchObject({ preset: "merlot", parameters: { age: 125, procedure: "natural" } });
-		expect(notes).toEqual(["age: 900 is above the greatest value, 125; 125 is used.", "x: not known here; ignored."]);
+		expect(notes).toEqual([
+			"age: 900 is above the maximum, 125. Using 125.",
+			"x: There is no such parameter. This part was ignored.",
+		]);
 		expect(await formatLink(specimen, "https://b.example/")).toBe("https://b.example/?v=2&preset=merlot&age=125");
 		expect(await formatLink("?v=1&preset=duku")).toMatch(/^\?v=2&preset=duku&.*procedure=paper/);
 	});
 
 	it("are asked for where there is none", async () => {
 		await expect(parseLink("merlot")).rejects.toThrow(
-			"link: “merlot” is no link; one looks like ?v=2&preset=merlot&seed=7",
+			"link: “merlot” is not a link. A link looks like ?v=2&preset=merlot&seed=7.",
 		);
 	});
 });

@@ -83,8 +83,8 @@ describe("the first line of such a file", () => {
 
 	it("is never ended by what it says", async () => {
 		const model = (await modelNamed("growth")) as Model;
-		const species = { ...model, details: [{ keys: ["x"], read: () => {}, query: () => [["x", "*/2"]] }] } as never;
-		const file = writeTextFile(species, fromPreset(model), "gs = 3");
+		const schema = { ...model, details: [{ keys: ["x"], read: () => {}, query: () => [["x", "*/2"]] }] } as never;
+		const file = writeTextFile(schema, fromPreset(model), "gs = 3");
 		expect(file.split("*/")).toHaveLength(2);
 		expect(new URLSearchParams(readTextFile(file).query).get("x")).toBe("*/2");
 	});

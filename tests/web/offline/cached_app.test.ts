@@ -25,12 +25,20 @@ beforeEach(() => {
 	requested = [];
 });
 
-/** A build; its host has these files, and answers only with files that match the requested integrity, as browsers check. */
-function app(id: string, files: Record<string, string>, at = scope): CachedApp {
+/**
+ * A build; its host has these files, and answers only with files that match the requested integrity, as browsers check.
+ * @param failures how many requests for a file fail before one succeeds
+ */
+function app(id: string, files: Record<string, string>, at = scope, failures: Record<string, number> = {}): CachedApp {
+	const left = { ...failures };
 	const built: Built = { release: "1", id, files, cores: {}, specimens: "assets/specimens.js" };
 	const fetch = async (url: string, init: RequestInit) => {
 		const path = url.slice(at.length);
 		requested.push({ path, init });
+		if ((left[path] ?? 0) > 0) {
+			left[path]--;
+			throw new TypeError("Failed to fetch");
+		}
 		const text = host[path];
 		if (text !== undefined && text !== init.integrity) throw new TypeError("integrity");
 		return new Response(text ?? "", { status: text === undefined ? 404 : 200 });
@@ -68,6 +76,15 @@ describe("a kept app", () => {
 			"assets/a-1.js": "default",
 			"assets/same.js": "default",
 		});
+	});
+
+	it("fetches a file again that failed once, while the others are stored", async () => {
+		host = first;
+		const stored = app("1", first, scope, { "icons/one.svg": 1, "assets/same.js": 2 });
+		await stored.fill();
+		expect(await stored.isWhole()).toBe(true);
+		const times = (path: string) => requested.filter((each) => each.path === path).length;
+		expect([times("icons/one.svg"), times("assets/same.js"), times("assets/a-1.js")]).toEqual([2, 3, 1]);
 	});
 
 	it.each(["assets/a-1.js", "icons/one.svg", ""])("is not whole without “%s”, and is when that comes", async (path) => {

@@ -20,7 +20,10 @@ const answer = (status: number, text: string): SpecimenAnswer => ({
 });
 
 /** A page that grows specimens, as the service worker sees it. */
-function page(request: (request: SpecimenRequest) => Promise<SpecimenAnswer>, load = async () => request): PageClient {
+function page(
+	request: (request: SpecimenRequest, signal: AbortSignal) => Promise<SpecimenAnswer>,
+	load = async () => request,
+): PageClient {
 	const workers = new EventTarget();
 	hostSpecimens(workers, load);
 	return {
@@ -36,7 +39,7 @@ describe("a specimen that a page grows", () => {
 		expect([response?.status, response?.headers.get("etag"), await response?.text()]).toEqual([200, "duku", "duku"]);
 		const requested = requests.filter((request) => request.mock.calls.length > 0);
 		expect(requested).toHaveLength(1);
-		expect(requested[0]).toHaveBeenCalledExactlyOnceWith(request);
+		expect(requested[0]).toHaveBeenCalledExactlyOnceWith(request, expect.any(AbortSignal));
 	});
 
 	it("has no body where HTTP has none", async () => {
@@ -52,6 +55,23 @@ describe("a specimen that a page grows", () => {
 		["the page says nothing more", [page(() => new Promise(() => {}))]],
 	])("is grown by none where %s", async (_, pages) => {
 		expect(await grownByPage(pages, request, { patience: 50, longest: 50 })).toBeUndefined();
+	});
+
+	it("is cancelled in the page when its client aborts", async () => {
+		const cancelled = vi.fn();
+		const growing = page(
+			(_, signal) =>
+				new Promise((resolve) => {
+					signal.addEventListener("abort", () => {
+						cancelled();
+						resolve({ type: "unable" });
+					});
+					setTimeout(() => client.abort(new Error("closed")), 1);
+				}),
+		);
+		const client = new AbortController();
+		await expect(grownByPage([growing], request, { signal: client.signal })).rejects.toThrow("closed");
+		expect(cancelled).toHaveBeenCalledOnce();
 	});
 
 	it("passes over what the service worker says of something else", () => {

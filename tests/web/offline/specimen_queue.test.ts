@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import { MOST_WAITING, type SpecimenAnswer, type SpecimenRequest } from "../../../web/src/offline/messages";
+import { MAX_WAITING, type SpecimenAnswer, type SpecimenRequest } from "../../../web/src/offline/messages";
 import { SpecimenQueue } from "../../../web/src/offline/specimen_queue";
 
 const script = "https://plants.example/app/assets/specimens-1.js";
@@ -50,6 +50,21 @@ beforeEach(() => {
 afterEach(() => vi.useRealTimers());
 
 describe("specimens that a page grows", () => {
+	it("are cancelled, whether they run or wait, and the others still grow", async () => {
+		const [running, waiting] = [new AbortController(), new AbortController()];
+		const answers = [
+			queue.request(requested("a"), running.signal),
+			queue.request(requested("b"), waiting.signal),
+			queue.request(requested("c")),
+			queue.request(requested("d"), AbortSignal.abort()),
+		];
+		waiting.abort();
+		running.abort();
+		expect(threads.map(({ terminate }) => terminate.mock.calls.length)).toEqual([1, 0]);
+		threads[1].finish();
+		expect((await Promise.all(answers)).map(textOf)).toEqual(["unable", "unable", "c grown", "unable"]);
+	});
+
 	it("come one after the other from one worker, which ends when nothing is requested", async () => {
 		const answers = ["a", "b"].map((url) => queue.request(requested(url)));
 		expect(threads.map(({ heard }) => heard)).toEqual([["a"]]);
@@ -71,7 +86,7 @@ describe("specimens that a page grows", () => {
 		vi.advanceTimersByTime(1);
 		expect(threads[0].terminate).toHaveBeenCalledOnce();
 		expect(await late).toMatchObject({ status: 503 });
-		expect(textOf(await late)).toContain("it took more than 30 s");
+		expect(textOf(await late)).toContain("The plant took more than 30 s");
 		expect(threads[1].heard).toEqual(["small"]);
 		threads[1].finish();
 		expect(textOf(await next)).toBe("small grown");
@@ -89,10 +104,10 @@ describe("specimens that a page grows", () => {
 	});
 
 	it("are refused where too many wait", async () => {
-		const answers = Array.from({ length: MOST_WAITING + 3 }, (_, i) => queue.request(requested(`${i}`)));
+		const answers = Array.from({ length: MAX_WAITING + 3 }, (_, i) => queue.request(requested(`${i}`)));
 		const refused = await Promise.all(answers.slice(-2));
 		expect(refused.map((each) => each.type === "answer" && each.status)).toEqual([503, 503]);
-		for (let i = 0; i <= MOST_WAITING; i++) threads[0].finish();
+		for (let i = 0; i <= MAX_WAITING; i++) threads[0].finish();
 		expect((await Promise.all(answers.slice(0, -2))).map(textOf)).toEqual(
 			answers.slice(0, -2).map((_, i) => `${i} grown`),
 		);

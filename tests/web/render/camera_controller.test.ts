@@ -44,6 +44,20 @@ describe("CameraController", () => {
 		});
 	};
 
+	it("measures the view's height at a depth: it grows with the distance, and none is behind the eye or among the plants", () => {
+		const { camera } = table;
+		const span = (point: Vector3) => table.spanAt(point.toArray());
+		const centre = table.controls.target;
+		const expected = 2 * table.distance * Math.tan((Math.PI * camera.fov) / 360);
+		expect(span(centre)).toBeCloseTo(expected, 9);
+		expect(span(near)).toBeCloseTo(0.9 * expected, 9);
+		table.zoom(2);
+		expect(span(centre)).toBeCloseTo(expected / 2, 9);
+		expect(span(centre.clone().lerp(camera.position, 1.1))).toBeUndefined();
+		table.look({ eye: [0, 1, 1], towards: [0, 1, 0] });
+		expect(span(new Vector3(0, 1, 0))).toBeUndefined();
+	});
+
 	it("contains both plants in the depth range while gliding from a seedling to a tree a hundred times as tall, and back", () => {
 		table.reducedMotion = false;
 		const { camera } = table;

@@ -4,7 +4,7 @@ import type { Part } from "../../../web/src/plant/part";
 import { PaperShadow } from "../../../web/src/render/paper_shadow";
 import { partRenderer } from "../../../web/src/render/part_renderer";
 import { StageLight } from "../../../web/src/render/stage_light";
-import { windUniforms } from "../../../web/src/render/wind";
+import { windUniforms } from "../../../web/src/render/wind_shader";
 import { PULP, tetrahedron } from "../formats/toy_parts";
 
 it("marks triangles by separate geometry, so that disposing of a mark leaves the plant's buffers", () => {

@@ -19,7 +19,7 @@ import type { Plant } from "../../../web/src/plant/plant";
 import { PaperShadow } from "../../../web/src/render/paper_shadow";
 import { partRenderer } from "../../../web/src/render/part_renderer";
 import { StageLight } from "../../../web/src/render/stage_light";
-import { windUniforms } from "../../../web/src/render/wind";
+import { windUniforms } from "../../../web/src/render/wind_shader";
 import { fruits, PULP, tetrahedron } from "../formats/toy_parts";
 import { toyPlant } from "../plant/toy_plant";
 

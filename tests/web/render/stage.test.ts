@@ -62,6 +62,31 @@ describe("Stage", () => {
 		expect(other.given().root.visible).toBe(true);
 	});
 
+	it("shows the plant without editing aids and marks during a call, and shows them again afterwards", () => {
+		const { make, calls, given } = fakeRenderer();
+		const stage = new Stage<string, number>();
+		stage.use(make);
+		stage.show(1, "a");
+		stage.mark(4);
+		const aid = new Object3D();
+		stage.aids.add(aid);
+		const shown = () => {
+			const objects: Object3D[] = [];
+			stage.scene.traverseVisible((object) => objects.push(object));
+			return [aid, given().root].map((object) => objects.includes(object));
+		};
+		expect(shown()).toEqual([true, true]);
+		expect(stage.plantAlone(shown)).toEqual([false, true]);
+		expect(shown()).toEqual([true, true]);
+		expect(calls.slice(-3)).toEqual(["mark 4", "mark undefined", "mark 4"]);
+		expect(() =>
+			stage.plantAlone(() => {
+				throw new Error("lost");
+			}),
+		).toThrow("lost");
+		expect(shown()).toEqual([true, true]);
+	});
+
 	it("passes on changed marks and existing modes only; a new plant has no mark", () => {
 		const { make, calls } = fakeRenderer();
 		const stage = new Stage<string, number>();

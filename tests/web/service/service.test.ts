@@ -21,11 +21,12 @@ const small = "specimens/redcurrant.json?count=5";
 
 async function refused(address: string, init?: RequestInit): Promise<string> {
 	const answer = await request(address, init);
-	const text = await answer.text();
-	expect(answer.headers.get("content-type")).toBe("text/plain; charset=utf-8");
+	const { code, args, message } = await answer.json();
+	expect(answer.headers.get("content-type")).toBe("application/json");
+	expect([typeof code, typeof args]).toEqual(["string", "object"]);
 	expect(answer.headers.get("access-control-allow-origin")).toBe("*");
-	expect(text).toMatch(/^[^\n]{1,600}\n$/);
-	return `${answer.status} ${text.trim()}`;
+	expect(message).toMatch(/^[^\n]{1,600}$/);
+	return `${answer.status} ${message}`;
 }
 
 describe("the address of a specimen’s file", () => {
@@ -64,21 +65,23 @@ describe("the address of a specimen’s file", () => {
 		const { notes } = await (await request("specimens/x.json?v=2&preset=redcurrant&count=5&age=900")).json();
 		expect(notes).toContainEqual(expect.stringMatching(/^age: 900 is above/));
 		expect(await refused("specimens/redcurrant.json?age=900")).toMatch(/^400 age: 900 is above/);
-		expect(await refused("specimens/redcurrant.json?colour=red")).toMatch(/^400 colour: no parameter of the bunch/);
+		expect(await refused("specimens/redcurrant.json?colour=red")).toMatch(
+			/^400 The model bunch has no parameter “colour”/,
+		);
 	});
 
 	it.each([
-		["gallery/riesling.glb", "404 nothing is here; write specimens/PRESET.glb"],
-		["specimens/riesling", "404 “riesling” is no file’s name"],
-		["specimens/nettle.glb", "404 the bunch has no preset “nettle”; there are short-conical, "],
-		["specimens/fern/oak.glb", "404 there is no model “fern”"],
-		["specimens/riesling.doc", "404 there is no .doc of a bunch; there are .glb, .web.glb"],
-		["specimens/riesling.png", "501 pictures are drawn by graphics cards"],
-		["specimens/%E0%A4%A.glb", "400 “%E0%A4%A.glb” is not written as addresses are"],
-		["specimens/riesling.low.glb?file-triangles=many", "400 file-triangles: a whole number from 100 to"],
-		["specimens/riesling.stl?file-thickness=0.01", "400 file-thickness: a number from 0.2 to 20"],
-		["specimens/riesling.json?file-measures=yes", "400 file-measures: 0 or 1"],
-		[`specimens/riesling.glb?seed=${"1".repeat(30_000)}`, "414 the address is longer than"],
+		["gallery/riesling.glb", "404 There is nothing at this address. Write specimens/PRESET.glb"],
+		["specimens/riesling", "404 “riesling” is not the name of a file."],
+		["specimens/nettle.glb", "404 The model bunch has no preset “nettle”. Its presets are short-conical, "],
+		["specimens/fern/oak.glb", "404 There is no model “fern”"],
+		["specimens/riesling.doc", "404 The model bunch has no .doc file. Available files: .glb, .web.glb"],
+		["specimens/riesling.png", "501 The service cannot draw pictures"],
+		["specimens/%E0%A4%A.glb", "400 “%E0%A4%A.glb” is not valid in an address."],
+		["specimens/riesling.low.glb?file-triangles=many", "400 file-triangles must be a whole number from 100 to"],
+		["specimens/riesling.stl?file-thickness=0.01", "400 file-thickness must be a number from 0.2 to 20."],
+		["specimens/riesling.json?file-measures=yes", "400 file-measures must be 0 or 1."],
+		[`specimens/riesling.glb?seed=${"1".repeat(30_000)}`, "414 The address is longer than"],
 	])("%.40s is refused in a line", async (address, words) => expect(await refused(address)).toContain(words));
 
 	it("has keys for the file that no model’s links have", async () => {
@@ -122,8 +125,8 @@ describe("the files", () => {
 			expect(answer.headers.get("content-type")).toBe("image/png");
 			expect(new Uint8Array(await answer.arrayBuffer())).toEqual(entries[name]);
 		}
-		expect(await refused(`${folder}/a-Bark-colour.png`)).toBe("404 no material has the picture “a-Bark-colour.png”");
-		expect(await refused(`${folder}/a.png`)).toContain("501 pictures are drawn by graphics cards");
+		expect(await refused(`${folder}/a-Bark-colour.png`)).toBe("404 No material has the picture “a-Bark-colour.png”.");
+		expect(await refused(`${folder}/a.png`)).toContain("501 The service cannot draw pictures");
 		const bare = await (await request("specimens/flower/petal.mtl")).text();
 		expect(bare).not.toContain("map_Kd");
 		expect(bare).not.toContain("Kd 1 1 1");
@@ -147,7 +150,7 @@ describe("the files", () => {
 		const { info } = await validateBytes(bytes);
 		expect([answer.status, (info as unknown as { animationCount: number }).animationCount]).toEqual([200, 1]);
 		expect(await refused("specimens/redcurrant.growth.glb?v=2&preset=redcurrant&procedure=paper")).toBe(
-			"404 this plant has no ages to show",
+			"404 This plant has no age data, so its growth cannot be shown. Request another file.",
 		);
 	});
 
@@ -190,7 +193,7 @@ describe("what HTTP asks", () => {
 		expect(Number(head.headers.get("content-length"))).toBeGreaterThan(1000);
 		const options = await request(small, { method: "OPTIONS" });
 		expect([options.status, options.headers.get("allow")]).toEqual([204, "GET, HEAD, OPTIONS"]);
-		expect(await refused(small, { method: "POST", body: "x" })).toBe("405 method POST is not allowed");
+		expect(await refused(small, { method: "POST", body: "x" })).toBe("405 Method POST not allowed. Use GET or HEAD.");
 	});
 
 	it("says where a grammar is wrong", async () => {
@@ -209,7 +212,7 @@ describe("what HTTP asks", () => {
 		});
 		const request = () => new Request(`http://plants.example/${small}`);
 		const first = await broken(request());
-		expect([first.status, await first.text()]).toEqual([500, "the core broke over this plant\n"]);
+		expect([first.status, (await first.json()).code]).toEqual([500, "service.internal_error"]);
 		expect((await broken(request())).status).toBe(200);
 	});
 });

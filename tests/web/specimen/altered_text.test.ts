@@ -18,7 +18,7 @@ const tree = (grammar: string) =>
 	titleOf({ ...fromPreset(growth, "oak"), grammar } as Specimen, growth as unknown as Model);
 
 it("before the preset's text has come nobody can tell whether a text is that one altered", () => {
-	expect(tree(OWN)).toBe("A growth grammar of one’s own");
+	expect(tree(OWN)).toBe("A growth grammar of your own");
 });
 
 beforeAll(() => Promise.all([flowers.fetchTexts(), trees.fetchTexts()]));
@@ -27,11 +27,11 @@ it("a tree whose handle was dragged is its preset, altered; one by another text 
 	const oak = fromPreset(growth, "oak");
 	const [first, ...rest] = volumesOf(oak, undefined);
 	const { details } = put(oak, [{ ...first, height: 7.25, at: [1, 2] }, ...rest]);
-	expect(tree(String(details?.grammar))).toBe("Oak, altered");
+	expect(tree(String(details?.grammar))).toBe("Oak (edited)");
 	const text = trees.fetchedText({ preset: "oak" }) ?? "";
-	expect(tree(text.replace(/\d+/g, (digits) => String(Number(digits) + 1)))).toBe("Oak, altered");
-	expect(tree(OWN)).toBe("A growth grammar of one’s own");
-	expect(tree(trees.fetchedText({ preset: "figure-5" }) ?? "")).toBe("A growth grammar of one’s own");
+	expect(tree(text.replace(/\d+/g, (digits) => String(Number(digits) + 1)))).toBe("Oak (edited)");
+	expect(tree(OWN)).toBe("A growth grammar of your own");
+	expect(tree(trees.fetchedText({ preset: "figure-5" }) ?? "")).toBe("A growth grammar of your own");
 });
 
 it("so is a designed flower by a choice", () => {
@@ -39,8 +39,8 @@ it("so is a designed flower by a choice", () => {
 	const titled = (grammar: string) => titleOf({ ...tulip, grammar } as Specimen, flower as unknown as Model);
 	const design = designOf(flowers.fetchedText({ preset: tulip.preset }) ?? "");
 	if (!design) throw new Error("no design");
-	expect(titled(choose(design, usual("petal", { count: 5, length: 33 })).text)).toBe("Tulip by choices, altered");
-	expect(titled("#axiom: A\n")).toBe("A flower grammar of one’s own");
+	expect(titled(choose(design, usual("petal", { count: 5, length: 33 })).text)).toBe("Tulip by choices (edited)");
+	expect(titled("#axiom: A\n")).toBe("A flower grammar of your own");
 });
 
 it("of every flower a designed one is near", () => {

@@ -1,7 +1,7 @@
 import fc from "fast-check";
 import { PRESETS } from "../../../web/src/models/bunch/presets/presets";
 import { type ChoiceEntry, type NumberEntry, valueIn } from "../../../web/src/specimen/table";
-import { BERRY_IDS, ENTRIES, MOST_THINNED, type Specimen, specimenFromPreset } from "../bunch";
+import { BERRY_IDS, ENTRIES, MAX_THINNED, type Specimen, specimenFromPreset } from "../bunch";
 
 /** Any value that the table allows and a link can hold. */
 function allowed(entry: NumberEntry | ChoiceEntry): fc.Arbitrary<number> {
@@ -26,7 +26,7 @@ const inputs = fc.oneof(
 	fc.array(fc.integer({ min: 0, max: 100 }), { minLength: 1, maxLength: 99 }).map((n) => ({ m: n.length + 1, n })),
 );
 
-const thinned = fc.uniqueArray(fc.integer({ min: 0, max: BERRY_IDS - 1 }), { maxLength: MOST_THINNED });
+const thinned = fc.uniqueArray(fc.integer({ min: 0, max: BERRY_IDS - 1 }), { maxLength: MAX_THINNED });
 
 const grammar = fc.option(fc.string({ unit: "grapheme", minLength: 1, maxLength: 400 }), { nil: undefined });
 
@@ -72,7 +72,7 @@ export function faults(specimen: Specimen): string[] {
 	}
 	const { v, seed, inputs, parameters, preset, thinned } = specimen;
 	if (v !== 2) found.push(`v ${v}`);
-	if (thinned.length > MOST_THINNED || new Set(thinned).size < thinned.length) found.push("thinned's length");
+	if (thinned.length > MAX_THINNED || new Set(thinned).size < thinned.length) found.push("thinned's length");
 	if (thinned.some((id) => !Number.isInteger(id) || id < 0 || id >= BERRY_IDS)) found.push("thinned");
 	if (!Number.isInteger(seed) || seed < 0 || seed > 0xffffffff) found.push(`seed ${seed}`);
 	if (parameters.rmin > parameters.rmax) found.push("rmin above rmax");

@@ -5,7 +5,7 @@ import { withSeed } from "../../../web/src/specimen/edit";
 import { change, startHistory, undo } from "../../../web/src/specimen/history";
 import { growsAlike, sameSpecimen } from "../../../web/src/specimen/same";
 import { apply } from "../../../web/src/ui/change";
-import { BUNCH, MOST_THINNED, specimenFromPreset, thin, unthin, unthinAll, withLook, withParameters } from "../bunch";
+import { BUNCH, MAX_THINNED, specimenFromPreset, thin, unthin, unthinAll, withLook, withParameters } from "../bunch";
 import { anySpecimen, faults } from "./arbitrary";
 
 describe("edits", () => {
@@ -67,7 +67,7 @@ describe("thinning by hand", () => {
 	});
 
 	it("ends at as many as a link holds", () => {
-		const full = { ...specimenFromPreset(), thinned: Array.from({ length: MOST_THINNED }, (_, id) => id) };
+		const full = { ...specimenFromPreset(), thinned: Array.from({ length: MAX_THINNED }, (_, id) => id) };
 		expect(thin(full, 1000)).toBe(full);
 		expect(thin(unthin(full, 0), 1000).thinned.at(-1)).toBe(1000);
 	});

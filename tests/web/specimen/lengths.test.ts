@@ -1,8 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { explainedBy, presetInWords } from "../../../web/src/app/explained";
 import { FLOWER_TABLE } from "../../../web/src/models/flower/table";
 import { STAND } from "../../../web/src/models/stand/schema";
-import { fromPreset } from "../../../web/src/specimen/from_preset";
 import {
 	displayedNumber,
 	displayedText,
@@ -25,18 +23,17 @@ describe("lengths in units of the paper", () => {
 	});
 
 	it("are so where the panel explains them; what is in millimetres or no length stays what it is", () => {
-		const specimen = specimenFromPreset();
-		expect(explainedBy(BUNCH, specimen, "l")?.text).toMatch(/12\.5 … 250 mm\. $/);
-		expect(presetInWords(BUNCH, specimen, "l")).toBe("220.7");
-		expect(explainedBy(BUNCH, specimen, "size")?.text).toMatch(/3 … 60 mm\. $/);
-		expect(presetInWords(BUNCH, specimen, "density")).toBe("7");
-		expect(presetInWords(BUNCH, specimen, "procedure")).toBe("natural");
+		const { parameters } = specimenFromPreset();
+		const number = (key: string) => BUNCH.table.entry(key) as NumberEntry;
+		expect(rangeInWords(number("l"), scale("l"))).toMatch(/12\.5 … 250 mm\.$/);
+		expect(displayedText(number("l"), scale("l"), parameters.l)).toBe("220.7");
+		expect(rangeInWords(number("size"), scale("size"))).toMatch(/3 … 60 mm\.$/);
+		expect(displayedText(number("density"), scale("density"), parameters.density)).toBe("7");
 	});
 
 	it("0 is read as what it leaves to the text, where it does", () => {
-		expect(presetInWords(STAND, fromPreset(STAND, "orchard"), "many")).toBe("auto");
-		expect(presetInWords(STAND, fromPreset(STAND, "orchard"), "relief")).toBe("1");
 		const scale = { per: 1, unit: "", decimals: 2 };
+		expect(displayedText(STAND.table.entry("many") as NumberEntry, scale, 0)).toBe("auto");
 		expect([displayedText({ zero: "auto" }, scale, 3), displayedText({}, scale, 0)]).toEqual(["3", "0"]);
 	});
 });
@@ -45,7 +42,7 @@ it("a word that stands for 0 is read, told with the range, and typed", () => {
 	const entry = FLOWER_TABLE.entry("steps") as NumberEntry;
 	const scale = displayScaleOf({}, undefined as never, entry);
 	expect(displayedText(entry, scale, 0)).toBe("auto");
-	expect(rangeInWords(entry, scale)).toBe("whole numbers 0 (auto) … 400.");
+	expect(rangeInWords(entry, scale)).toBe("Whole numbers, 0 (auto) … 400.");
 	expect([" Auto ", "automatic", "3"].map((text) => parseDisplayed(entry, text, Number(text)))).toEqual([
 		0,
 		Number.NaN,

@@ -95,8 +95,8 @@ describe("a link", () => {
 		const newer = decodeQuery("?v=3&preset=lychee&l=70&ripeness=3");
 		expect(newer.specimen).toEqual(withParameters(specimenFromPreset("lychee"), { l: 70 }));
 		expect(newer.notes.map((note) => note.text)).toEqual([
-			"v: made by a newer version (3); read as far as it is known here.",
-			"ripeness: not known here; ignored.",
+			"v: The plant was made with a newer version (3). Only the parts that this version supports were read.",
+			"ripeness: There is no such parameter. This part was ignored.",
 		]);
 	});
 
@@ -104,8 +104,8 @@ describe("a link", () => {
 		const { specimen, notes } = decodeQuery(`?v=2&l=300&utm=${"x".repeat(20_000)}&p3w=10`);
 		expect(specimen).toEqual(withParameters(specimenFromPreset(), { l: 300 }));
 		expect(notes.map((note) => note.text)).toEqual([
-			"link: too long; its first 16384 characters are read.",
-			"utm: not known here; ignored.",
+			"link: The link is too long. Only the first 16,384 characters of the link were read.",
+			"utm: There is no such parameter. This part was ignored.",
 		]);
 	});
 
@@ -130,16 +130,16 @@ describe("a link", () => {
 			"?v=2&l=700&p3=9&p4=1,x&p5=300,40&seed=-1&skin=blue&preset=plum&l=601&thin=a.!&cane=x",
 		);
 		expect(notes.map((note) => note.text)).toEqual([
-			"l: given more than once; the last is read.",
-			"preset: “plum” is not a preset; long-conical is used.",
-			"l: 601 is above the greatest value, 580; 580 is used.",
-			"p3: “9” is not 2 numbers like “79,76”; 150,150 is used.",
-			"p4: “1,x” is not 2 numbers like “79,76”; 150,102 is used.",
-			"p5: 300 is above the greatest value, 290; 290 is used.",
-			"seed: -1 is below the least value, 0; 0 is used.",
-			"skin: “blue” is not a colour of six hexadecimal digits; 43264f is used.",
-			"thin: “!” is not the id of a berry; left out.",
-			"cane: “x” is none of off, on; on is used.",
+			"l: This parameter appears more than once. The last value is used.",
+			"preset: There is no preset “plum”. Using long-conical.",
+			"l: 601 is above the maximum, 580. Using 580.",
+			"p3: “9” is not a list of 2 numbers like “79,76”. Using 150,150.",
+			"p4: “1,x” is not a list of 2 numbers like “79,76”. Using 150,102.",
+			"p5: 300 is above the maximum, 290. Using 290.",
+			"seed: -1 is below the minimum, 0. Using 0.",
+			"skin: “blue” is not a colour of six hexadecimal digits. Using 43264f.",
+			"thin: “!” is not the id of a berry. This entry was left out.",
+			"cane: “x” isn’t one of off, on. Using on.",
 		]);
 		expect(specimen.parameters.p5r).toBe(40);
 	});
@@ -171,7 +171,9 @@ describe("a grammar in the fragment", () => {
 		);
 		const { specimen, notes } = await decodeLink("?v=2", `${first.slice(first.indexOf("#"))}&${last.split("#")[1]}`);
 		expect(specimen.grammar).toBe("axiom: F(2)\n");
-		expect(notes.map((note) => note.text)).toEqual(["grammar: given more than once; the last is read."]);
+		expect(notes.map((note) => note.text)).toEqual([
+			"grammar: This parameter appears more than once. The last value is used.",
+		]);
 	});
 
 	it("that is damaged is left out, and a note says so", async () => {
@@ -181,7 +183,7 @@ describe("a grammar in the fragment", () => {
 			const { specimen, notes } = await decodeLink("?v=2&l=300", damaged);
 			expect(specimen).toEqual(withParameters(specimenFromPreset(), { l: 300 }));
 			expect(notes.map((note) => note.text)).toEqual([
-				"grammar: the link is damaged here; the built-in grammar is used.",
+				"grammar: The link is damaged here. The built-in grammar is used.",
 			]);
 		}
 	});
@@ -191,7 +193,7 @@ describe("a grammar in the fragment", () => {
 		const { specimen, notes } = await decodeLink("?v=2", "#g=O6wBAA");
 		expect(specimen).toEqual(specimenFromPreset());
 		expect(notes.map((note) => note.text)).toEqual([
-			"grammar: the link is damaged here; the built-in grammar is used.",
+			"grammar: The link is damaged here. The built-in grammar is used.",
 		]);
 	});
 
@@ -200,7 +202,7 @@ describe("a grammar in the fragment", () => {
 		const hash = `${link.slice(link.indexOf("#"))}&x=${"x".repeat(512 * 1024)}`;
 		const { specimen, notes } = await decodeLink("?v=2", hash);
 		expect(specimen).toEqual(specimenFromPreset());
-		expect(notes.map((note) => note.text)).toEqual(["grammar: the link is too long; the built-in grammar is used."]);
+		expect(notes.map((note) => note.text)).toEqual(["grammar: The link is too long. The built-in grammar is used."]);
 	});
 
 	it("that unpacks to more than a grammar may be is refused before it fills the memory", async () => {

@@ -10,7 +10,11 @@ describe("presets", () => {
 			"grape-15b grape-15c grape-15d redcurrant rubus lychee longan duku";
 		const published = PRESETS.slice(0, 15);
 		expect(published.map((preset) => preset.name).join(" ")).toBe(names);
-		expect(published.map((preset) => preset.kind)).toEqual([...Array(10).fill("shape"), ...Array(5).fill("fruit")]);
+		expect(published.map((preset) => preset.kind)).toEqual([
+			...Array(6).fill("shape"),
+			...Array(4).fill("figure"),
+			...Array(5).fill("fruit"),
+		]);
 		for (const { figure } of published) expect(figure).toMatch(/^\d/);
 	});
 

@@ -17,7 +17,7 @@ describe("restore", () => {
 
 	it("says what it assumes of a preset that is younger than a record without a version", () => {
 		const assumed =
-			"v: none is given, and Riesling is of version 2; read as version 1; v=2 is Riesling as it is shown here.";
+			"v: The version is missing, but the preset Riesling exists only since version 2. Version 1 was assumed. Add v=2 to get Riesling as it is shown here.";
 		expect(texts({ preset: "riesling" })).toEqual([assumed]);
 		expect(parameters({ preset: "riesling" }).procedure).toBe(0);
 		expect(texts({ preset: "riesling", v: 2 })).toEqual([]);
@@ -74,21 +74,19 @@ describe("restore", () => {
 	});
 
 	it("brings numbers into range and says so", () => {
-		expect(texts({ l: 28 })).toEqual(["l: 28 is below the least value, 29; 29 is used."]);
-		expect(texts({ l: Number.POSITIVE_INFINITY })).toEqual([
-			"l: Infinity is above the greatest value, 580; 580 is used.",
-		]);
-		expect(texts({ t: "2.5" })).toEqual(["t: 2.5 is not a whole number; 3 is used."]);
+		expect(texts({ l: 28 })).toEqual(["l: 28 is below the minimum, 29. Using 29."]);
+		expect(texts({ l: Number.POSITIVE_INFINITY })).toEqual(["l: Infinity is above the maximum, 580. Using 580."]);
+		expect(texts({ t: "2.5" })).toEqual(["t: 2.5 is not a whole number. Using 3."]);
 		expect(parameters({ l: 28, t: 2.5, roll: "-181" })).toMatchObject({ l: 29, t: 3, roll: -180 });
 	});
 
 	it("raises what lies in the gap below the smallest second bunch", () => {
-		expect(texts({ wing: 0.1 })).toEqual(["wing: 0.1 lies between 0 and 0.3, where nothing is; 0.3 is used."]);
+		expect(texts({ wing: 0.1 })).toEqual(["wing: 0.1 is between 0 and 0.3, where no value is allowed. Using 0.3."]);
 		expect(parameters({ wing: 0.1 }).wing).toBe(0.3);
 		expect(parameters({ wing: 0.0001 }).wing).toBe(0.3);
 		expect(parameters({ wing: 0 }).wing).toBe(0);
 		expect(parameters({ wing: 0.3 }).wing).toBe(0.3);
-		expect(texts({ wing: -0.1 })).toEqual(["wing: -0.1 is below the least value, 0; 0 is used."]);
+		expect(texts({ wing: -0.1 })).toEqual(["wing: -0.1 is below the minimum, 0. Using 0."]);
 	});
 
 	it("keeps what a link can hold: hundredths, without a word", () => {
@@ -102,22 +100,20 @@ describe("restore", () => {
 			const { specimen, notes } = restore({ l: bad });
 			expect(specimen.parameters.l).toBe(512);
 			expect(notes.map((note) => note.key)).toEqual(["l"]);
-			expect(notes[0].text).toMatch(/is not a number; 512 is used\.$/);
+			expect(notes[0].text).toMatch(/is not a number\. Using 512\.$/);
 		}
 	});
 
 	it("swaps the radii where the least is above the greatest", () => {
 		expect(parameters({ rmin: 35 })).toMatchObject({ rmin: 30, rmax: 35 });
-		expect(texts({ rmin: 35 })).toEqual(["rmin: 35 is above rmax, 30; the two are swapped."]);
+		expect(texts({ rmin: 35 })).toEqual(["rmin: 35 is greater than rmax (30). The two values were swapped."]);
 	});
 
 	it("takes colours as links and style sheets write them", () => {
 		for (const skin of ["aabbcc", "#aabbcc", "#ABC", " AaBbCc "]) {
 			expect(restore({ skin })).toMatchObject({ specimen: { look: { skin: "aabbcc" } }, notes: [] });
 		}
-		expect(texts({ skin: 123456 })).toEqual([
-			"skin: 123456 is not a colour of six hexadecimal digits; 43264f is used.",
-		]);
+		expect(texts({ skin: 123456 })).toEqual(["skin: 123456 is not a colour of six hexadecimal digits. Using 43264f."]);
 	});
 
 	it("starts from the preset named, whatever the order", () => {
@@ -141,13 +137,13 @@ describe("restore", () => {
 		for (const fruit of ["lychee", " Lychee ", "3", 3, "3.0"]) expect(parameters({ fruit }).fruit).toBe(3);
 		expect(parameters({ cane: "on", procedure: "natural" })).toMatchObject({ cane: 1, procedure: 1 });
 		expect(texts({ v: 2, procedure: "wild" })).toEqual([
-			"procedure: “wild” is none of paper, natural; natural is used.",
+			"procedure: “wild” isn’t one of paper, natural. Using natural.",
 		]);
 		for (const bad of ["", "apple", 6, -1, 1.5, "1e999", true, ["lychee"], {}, Number.NaN, "length", "__proto__"]) {
 			const { specimen, notes } = restore({ v: 2, preset: "longan", fruit: bad });
 			expect(specimen.parameters.fruit).toBe(4);
 			expect(notes).toHaveLength(1);
-			expect(notes[0].text).toMatch(/^fruit: .* is none of grape, currant, .*; longan is used\.$/);
+			expect(notes[0].text).toMatch(/^fruit: .* isn’t one of grape, currant, .*\. Using longan\.$/);
 		}
 	});
 
@@ -175,18 +171,20 @@ describe("restore", () => {
 	it("leaves out what is no berry's id and says so", () => {
 		const left = (record: unknown) => restore(record).specimen.thinned;
 		expect(left({ thin: "a.!.b" })).toEqual([10, 11]);
-		expect(texts({ thin: "a.!.b" })).toEqual(["thin: “!” is not the id of a berry; left out."]);
-		expect(texts({ thin: "hra0hs" })).toEqual(["thin: “hra0hs” is not the id of a berry; left out."]);
+		expect(texts({ thin: "a.!.b" })).toEqual(["thin: “!” is not the id of a berry. This entry was left out."]);
+		expect(texts({ thin: "hra0hs" })).toEqual(["thin: “hra0hs” is not the id of a berry. This entry was left out."]);
 		expect(texts({ thinned: [-1, 1.5, 2 ** 30, "x", null, {}] })).toHaveLength(6);
 		expect(left({ thinned: [-0, 2 ** 30 - 1] })).toEqual([0, 2 ** 30 - 1]);
-		expect(texts({ thin: "a..b" })).toEqual(["thin: “” is not the id of a berry; left out."]);
+		expect(texts({ thin: "a..b" })).toEqual(["thin: “” is not the id of a berry. This entry was left out."]);
 	});
 
 	it("takes off no more than five hundred", () => {
 		const ids = Array.from({ length: 600 }, (_, id) => id);
 		const { specimen, notes } = restore({ thinned: ids });
 		expect(specimen.thinned).toEqual(ids.slice(0, 500));
-		expect(notes.map(({ text }) => text)).toEqual(["thinned: more than 500 berries; the first 500 are taken off."]);
+		expect(notes.map(({ text }) => text)).toEqual([
+			"thinned: More than 500 berries are removed. Only the first 500 berries are removed.",
+		]);
 		expect(texts({ thinned: [...ids.slice(0, 500), ...ids.slice(0, 500)] })).toEqual([]);
 	});
 
@@ -198,15 +196,21 @@ describe("restore", () => {
 	});
 
 	it("says which input it could not use", () => {
-		expect(texts({ m: 5, n: "1,2" })).toEqual(["n: m = 5 needs 4 values, not 2; the profile's are used."]);
-		expect(texts({ m: 0 })).toEqual(["m: 0 is below the least value, 1; 1 is used."]);
-		expect(texts({ m: "x" })).toEqual(["m: “x” is not a number; the profile's is used."]);
-		expect(texts({ n: "1,,2" })).toEqual(["n: “1,,2” is not a list of numbers like “1,2”; the profile's is used."]);
-		expect(texts({ n: "1.5,200" })).toEqual([
-			"n: 1.5 is not a whole number; 2 is used.",
-			"n: 200 is above the greatest value, 100; 100 is used.",
+		expect(texts({ m: 5, n: "1,2" })).toEqual([
+			"n: m = 5 needs 4 values, not 2. The values from the profile are used instead.",
 		]);
-		expect(texts({ n: Array(150).fill(1) })).toEqual(["n: 150 values are too many; the first 99 are used."]);
+		expect(texts({ m: 0 })).toEqual(["m: 0 is below the minimum, 1. Using 1."]);
+		expect(texts({ m: "x" })).toEqual(["m: “x” is not a number. The value from the profile is used instead."]);
+		expect(texts({ n: "1,,2" })).toEqual([
+			"n: “1,,2” is not a list of numbers like “1,2”. The values from the profile are used instead.",
+		]);
+		expect(texts({ n: "1.5,200" })).toEqual([
+			"n: 1.5 is not a whole number. Using 2.",
+			"n: 200 is above the maximum, 100. Using 100.",
+		]);
+		expect(texts({ n: Array(150).fill(1) })).toEqual([
+			"n: There are too many values (150). Only the first 99 values are used.",
+		]);
 	});
 
 	it("takes a grammar as text that UTF-8 can hold, and no more of it than the core reads", () => {
@@ -215,17 +219,20 @@ describe("restore", () => {
 		expect(restore({ grammar: "half \ud800 pair" }).specimen.grammar).toBe("half \ufffd pair");
 		expect(restore({ grammar: "" }).specimen).not.toHaveProperty("grammar");
 		expect(texts({ grammar: "ä".repeat(131_073) })).toEqual([
-			"grammar: longer than 256 KiB; the built-in grammar is used.",
+			"grammar: The grammar is longer than 256 KiB. The built-in grammar is used.",
 		]);
-		expect(texts({ grammar: 5 })).toEqual(["grammar: 5 is not text; the built-in grammar is used."]);
+		expect(texts({ grammar: 5 })).toEqual(["grammar: 5 is not text. The built-in grammar is used."]);
 	});
 
 	it("reads versions and models it does not know as those it does", () => {
 		for (const v of ["1", 1, "2", 2]) expect(texts({ v, model: "bunch" })).toEqual([]);
-		expect(texts({ v: 3 })).toEqual(["v: made by a newer version (3); read as far as it is known here."]);
-		expect(texts({ v: "x" })).toEqual(["v: “x” is not a version; read as version 1."]);
-		for (const v of [0, -1, 1.5, "", [], true]) expect(texts({ v })[0]).toMatch(/is not a version; read as version 1/);
-		expect(texts({ model: "flower" })).toEqual(["model: “flower” is not known here; bunch is used."]);
+		expect(texts({ v: 3 })).toEqual([
+			"v: The plant was made with a newer version (3). Only the parts that this version supports were read.",
+		]);
+		expect(texts({ v: "x" })).toEqual(["v: “x” is not a version. Version 1 was assumed."]);
+		for (const v of [0, -1, 1.5, "", [], true])
+			expect(texts({ v })[0]).toMatch(/is not a version\. Version 1 was assumed/);
+		expect(texts({ model: "flower" })).toEqual(["model: There is no model “flower” here. Using bunch."]);
 	});
 
 	it("reads a record of version 1, or of none, as the paper's procedure", () => {
@@ -260,7 +267,7 @@ describe("restore", () => {
 		const { notes } = restore(record);
 		expect(notes).toHaveLength(13);
 		expect(notes.at(-1)?.text).toBe("38 more parts could not be used.");
-		for (const { text } of notes) expect(text.length).toBeLessThan(80);
+		for (const { text } of notes) expect(text.length).toBeLessThan(90);
 	});
 
 	it("is not led astray by names that every object has", () => {

@@ -59,13 +59,16 @@ describe("a specimen of any model", () => {
 			notes: [],
 		});
 		const damaged = await decodeLink(toy, "?v=2&model=toy", "#t=!");
-		expect(texts(damaged.notes)).toEqual(["motto: the link is damaged here; none is used."]);
+		expect(texts(damaged.notes)).toEqual(["motto: The link is damaged here. None is used."]);
 	});
 
 	it("is read as far as it goes from a record of another model, with a note", () => {
 		const { specimen, notes } = restore(toy, { v: 2, model: "bunch", seed: 3, thin: "a" });
 		expect(specimen).toEqual({ ...fromPreset(toy), seed: 3 });
-		expect(texts(notes)).toEqual(["model: “bunch” is not known here; toy is used.", "thin: not known here; ignored."]);
+		expect(texts(notes)).toEqual([
+			"model: There is no model “bunch” here. Using toy.",
+			"thin: There is no such parameter. This part was ignored.",
+		]);
 	});
 
 	it("is edited within its own table alone", () => {

@@ -31,7 +31,7 @@ describe("what stands about a plant", () => {
 	it("is nothing where it is not sixteen numbers, or empty", () => {
 		for (const wrong of ["1,2", "a".repeat(16), ABOUT.slice(1), 7]) {
 			expect(read(wrong).specimen.surroundings).toBeUndefined();
-			expect(messages(wrong)[0]).toMatch(/is not 16 numbers.*it stands alone/);
+			expect(messages(wrong)[0]).toMatch(/is not a list of 16 numbers.*grows without neighbours/);
 		}
 		expect(restore(model, { about: "" }, among)).toEqual({ specimen: fromPreset(model, "oak"), notes: [] });
 	});

@@ -2,7 +2,7 @@ import { describe, expect, it, vi } from "vitest";
 import { specimenFromPreset } from "../../../web/src/models/bunch/schema";
 import type { BunchSpecimen } from "../../../web/src/models/bunch/specimen";
 import { proportionalLever } from "../../../web/src/targets/lever";
-import { MOST_GROWTHS, type SolverCallbacks, solve } from "../../../web/src/targets/solve";
+import { MAX_GROWTHS, type SolverCallbacks, solve } from "../../../web/src/targets/solve";
 import { changesInWords, reachedInWords } from "../../../web/src/targets/words";
 import { BUNCH } from "../bunch";
 
@@ -75,7 +75,7 @@ describe("solve", () => {
 		expect(specimen.parameters.l).toBe(580);
 		expect(reached).toMatchObject([{ isReached: false, isAtLimit: true }]);
 		expect(reachedInWords(reached[0])).toBe(
-			"Bunch length: 500 mm asked, 242 mm reached; what moves it goes no further",
+			"Bunch length: wanted 500 mm, got 242 mm (the settings are at their limit)",
 		);
 	});
 
@@ -105,20 +105,20 @@ describe("solve", () => {
 		};
 		const { growths } = await requested({ bunch_length: 160, bunch_weight: 300 }, { measure: wild, progress });
 		expect(calls).toBe(growths);
-		expect(growths).toBeLessThanOrEqual(MOST_GROWTHS);
+		expect(growths).toBeLessThanOrEqual(MAX_GROWTHS);
 		expect(progress.mock.calls.map(([count]) => count)).toEqual(Array.from({ length: growths }, (_, i) => i + 1));
 	});
 
 	it("leaves a plant alone that has no such measure", async () => {
 		const { specimen, reached } = await requested({ spill: 0.1 });
 		expect(specimen).toBe(from);
-		expect(reachedInWords(reached[0])).toBe("Spill: this has none");
+		expect(reachedInWords(reached[0])).toBe("Overflow: this plant has no such measure");
 	});
 
 	it("finds the others where one cannot be had, and says which that is", async () => {
 		for (const [lost, words] of [
-			["spill", "Spill: this has none"],
-			["berry_weight", "Berry weight: 3.00 g asked, 2.00 g reached; nothing moves it"],
+			["spill", "Overflow: this plant has no such measure"],
+			["berry_weight", "Berry weight: wanted 3.00 g, got 2.00 g (no setting affects it)"],
 		]) {
 			const twoGrams: typeof measure = async (each) =>
 				(await measure(each)).fill(2, place("berry_weight"), place("berry_weight") + 1);
@@ -139,7 +139,7 @@ describe("solve", () => {
 it("says what changed in the lengths that people read", async () => {
 	const { specimen } = await requested({ bunch_length: 160 });
 	expect(changesInWords(BUNCH, from, specimen)).toMatch(
-		/^Length 220\.7 → 16[12](\.\d)? mm, Right drop [\d.]+ → [\d.]+ mm$/,
+		/^Length 220\.7 → 16[12](\.\d)? mm and Right drop [\d.]+ → [\d.]+ mm$/,
 	);
 	const { l, unit } = from.parameters;
 	const same = { ...from, parameters: { ...from.parameters, l: l / 2, unit: 2 * unit } };

@@ -12,14 +12,16 @@
 #include "foundation/container.hpp"
 #include "plant/geometry_check.hpp"
 #include "protocol/answer.hpp"
+#include "protocol/messages.generated.hpp"
 #include "protocol/request.hpp"
 
 namespace {
 
 using namespace panicle;
 
-constexpr std::uint32_t most_request_bytes = 16 * 1024 * 1024;
+constexpr std::uint32_t max_request_bytes = 16 * 1024 * 1024;
 
+// The linked model of that name; null if there is none.
 const Model* find_model(std::string_view name) {
   for (const Model* model : linked_models())
     if (model->name == name) return model;
@@ -35,10 +37,10 @@ CompiledTexts& compiled_texts() {
 // The cache of a model's last growth. Natively several models are linked: only the cache of the last requested one is
 // stored.
 CacheSlot& cache_of(const Model& model) {
-  static const Model* whose = nullptr;
+  static const Model* owner = nullptr;
   static CacheSlot cache;
-  if (whose != &model) cache.reset();
-  whose = &model;
+  if (owner != &model) cache.reset();
+  owner = &model;
   return cache;
 }
 
@@ -48,20 +50,21 @@ struct Answered {
   Plant plant;
   std::uint8_t* block = nullptr;
 };
+// The last plant and its response.
 Answered& answered() {
   static Answered last;
   return last;
 }
 
-// Errors: those of compiling; limit where too many texts are stored.
+// Compiles a text for the linked model, and returns its handle. Errors: those of compiling; limit if too many texts are
+// stored.
 Result<std::uint32_t> compile(std::string_view text) {
   const Model& model = *linked_models().front();
-  if (model.compile_text == nullptr)
-    return Diagnostic{Reason::bad_request, "This model compiles no texts; send the text with each request.", 0, 0};
+  if (model.compile_text == nullptr) return bad_request(message(messages::protocol::model_compiles_no_texts));
   auto compiled = model.compile_text(text, Limits{});
   if (!compiled) return compiled.error();
   const std::uint32_t handle = compiled_texts().add(std::move(compiled.value()));
-  if (handle == 0) return Diagnostic{Reason::limit, "Too many compiled grammars are kept; forget some.", 0, 0};
+  if (handle == 0) return Diagnostic{Reason::limit, message(messages::protocol::too_many_compiled)};
   return handle;
 }
 
@@ -71,11 +74,14 @@ void remove_repeated_notes(std::vector<std::string>& notes) {
   std::erase_if(notes, [&](const std::string& note) { return !known.insert(note).second; });
 }
 
+// Grows a plant from the bytes of a request: reads its blocks, finds the model that they name and runs it within a
+// budget of work, memory and time. Errors: bad_request for bytes that are no container or an unknown model; those of
+// the model; those of check_geometry.
 Result<Plant> grow(std::span<const std::uint8_t> bytes) {
   const auto blocks = read_container(bytes);
   if (!blocks) return blocks.error();
   const Model* const model = find_model(Request(blocks.value(), nullptr).text("model"));
-  if (model == nullptr) return Diagnostic{Reason::bad_request, "The request asks for a model that is not here.", 0, 0};
+  if (model == nullptr) return bad_request(message(messages::protocol::model_unknown));
   Request request(blocks.value(), &compiled_texts(), &cache_of(*model));
   Limits limits;
   WorkBudget budget(limits.work, limits.bytes, panicle_time_passed);
@@ -83,7 +89,7 @@ Result<Plant> grow(std::span<const std::uint8_t> bytes) {
   auto plant = model->grow(request, limits);
   if (!plant) return plant;
   remove_repeated_notes(plant->notes);
-  if (Diagnostic trouble = check_geometry(plant.value()); trouble.reason != Reason::none) return trouble;
+  if (Diagnostic error = check_geometry(plant.value()); error.reason != Reason::none) return error;
   return plant;
 }
 
@@ -91,17 +97,21 @@ Result<Plant> grow(std::span<const std::uint8_t> bytes) {
 
 extern "C" {
 
+// The version of this interface.
 std::uint32_t panicle_abi(void) { return 5; }
 
+// Allocates memory for a request; null if it is too large.
 void* panicle_allocate(std::uint32_t bytes) {
-  return bytes <= most_request_bytes ? std::malloc(bytes ? bytes : 1) : nullptr;
+  return bytes <= max_request_bytes ? std::malloc(bytes ? bytes : 1) : nullptr;
 }
 
+// Frees memory of a request or a response; with the last response also its plant.
 void panicle_release(void* memory) {
   if (memory != nullptr && memory == answered().block) answered() = {};
   std::free(memory);
 }
 
+// Grows a plant from a request, and returns its response, a container of columns.
 std::uint8_t* panicle_grow(const std::uint8_t* request, std::uint32_t bytes) {
   answered() = {};
   auto plant = grow({request, bytes});
@@ -110,11 +120,13 @@ std::uint8_t* panicle_grow(const std::uint8_t* request, std::uint32_t bytes) {
   return answered().block = write_plant(answered().plant);
 }
 
+// Compiles a text, and returns a response with its handle or an error.
 std::uint8_t* panicle_compile(const char* text, std::uint32_t bytes) {
   const auto program = compile({text, bytes});
   return program ? write_program(program.value()) : write_failure(program.error());
 }
 
+// Frees a compiled text.
 void panicle_forget(std::uint32_t program) { compiled_texts().remove(program); }
 
 }  // extern "C"

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <iterator>
 
+#include "expression/messages.generated.hpp"
 #include "expression/number_text.hpp"
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
@@ -45,9 +46,9 @@ void draw_whole(float a, float b, const Sources& sources, std::uint64_t stream, 
   const float low = std::ceil(std::min(a, b));
   const float high = std::floor(std::max(a, b));
   if (!(std::fabs(low) <= 1e9f && std::fabs(high) <= 1e9f) || std::isnan(a) || std::isnan(b)) {
-    wrong = sentence("RND needs two numbers from -1e9 to 1e9, not % and %.", {number_text(a), number_text(b)});
+    wrong = message(messages::expression::rnd_out_of_range, number_text(a), number_text(b));
   } else if (low > high) {
-    wrong = sentence("There is no whole number from % to % for RND to draw.", {number_text(a), number_text(b)});
+    wrong = message(messages::expression::rnd_no_whole_number, number_text(a), number_text(b));
   } else {
     out = static_cast<float>(random_integer(sources.seed, stream, sources.address, static_cast<std::int32_t>(low),
                                             static_cast<std::int32_t>(high)));
@@ -64,7 +65,7 @@ float draw_normal(float mean, float deviation, const Sources& sources, std::uint
 // Queries the space; without a space every place is outside. Competing productions often repeat a query: the last
 // response of reach() is cached.
 float query_space(const Sources& sources, Op op) {
-  const std::array<float, most_handed_over>& of = sources.handed_over;
+  const std::array<float, max_handed_over>& of = sources.handed_over;
   if (sources.space == nullptr) return 0;
   const glm::vec3 place(of[0], of[1], of[2]);
   if (op == Op::bound) return sources.space->bound(place, of[3]) ? 1.0f : 0.0f;
@@ -75,6 +76,8 @@ float query_space(const Sources& sources, Op op) {
   return *sources.reached;
 }
 
+// Reads element `index` of the array `name` into `out`; indices count from 1. `wrong` describes the error where the
+// index is not whole or outside the array.
 void read_element(const std::string& name, const std::vector<float>& array, float index, float& out,
                   std::string& wrong) {
   const std::size_t size = array.size();
@@ -84,11 +87,12 @@ void read_element(const std::string& name, const std::vector<float>& array, floa
     out = array[place - 1];
     return;
   }
-  wrong = sentence("There is no %[%]; %", {name, number_text(index), name});
-  wrong += size == 0 ? " has no values." : sentence(" goes from 1 to %.", {std::to_string(size)});
+  wrong = size == 0 ? message(messages::expression::array_empty, name, number_text(index))
+                    : message(messages::expression::array_index, name, number_text(index), size);
 }
 
-// Instructions that can fail, in a function of their own, so that the others need no stack space for errors.
+// Executes Op::element or Op::random_whole, which can fail. A function of its own, so that other instructions need no
+// stack space for errors.
 [[gnu::noinline]] bool execute_fallible(const Code& code, std::uint32_t at, float a, float b, float& out,
                                         const Sources& sources, Diagnostic& fault) {
   const Instruction& step = code.instructions[at];
@@ -99,7 +103,7 @@ void read_element(const std::string& name, const std::vector<float>& array, floa
     draw_whole(a, b, sources, code.streams[step.c], out, wrong);
   }
   if (wrong.empty()) return true;
-  fault = error_at(Reason::evaluation, code.places[at], "%", {wrong});
+  fault = {Reason::evaluation, wrong, code.places[at].line, code.places[at].column};
   return false;
 }
 
@@ -113,8 +117,10 @@ double precise_power(double base, double exponent) {
   return exponent < 0 ? 1 / product : product;
 }
 
-float pure(Op op, float a, float b) { return pure_functions[static_cast<std::size_t>(op) - first_pure](a, b); }
-double pure(Op op, double a, double b) {
+// Computes a pure function in single precision.
+float execute_pure(Op op, float a, float b) { return pure_functions[static_cast<std::size_t>(op) - first_pure](a, b); }
+// The same in double precision. Functions that are not listed are computed in single precision.
+double execute_pure(Op op, double a, double b) {
   switch (op) {
     case Op::remainder:
       return std::fmod(a, b);
@@ -137,10 +143,12 @@ double pure(Op op, double a, double b) {
     case Op::square_root:
       return std::sqrt(a);
     default:
-      return pure(op, static_cast<float>(a), static_cast<float>(b));
+      return execute_pure(op, static_cast<float>(a), static_cast<float>(b));
   }
 }
 
+// Executes the instruction at `at`, one of those from Op::remainder on, for execute_one. Arguments other than those of
+// pure functions are rounded to floats. Returns false if it fails; `fault` describes the error.
 template <class Number>
 bool execute_rare(const Code& code, std::uint32_t at, Number* registers, const Sources& sources, Diagnostic& fault) {
   const Instruction& step = code.instructions[at];
@@ -172,13 +180,14 @@ bool execute_rare(const Code& code, std::uint32_t at, Number* registers, const S
       out = draw_normal(a, b, sources, code.streams[step.c]);
       return true;
     default:
-      out = pure(step.op, registers[step.a], registers[step.b]);
+      out = execute_pure(step.op, registers[step.a], registers[step.b]);
       return true;
   }
 }
 
 }  // namespace
 
+// Executes one instruction that the main loop does not treat, on floats or doubles; false if it fails.
 bool execute_one(const Code& code, std::uint32_t at, float* registers, const Sources& sources, Diagnostic& fault) {
   return execute_rare(code, at, registers, sources, fault);
 }

@@ -18,7 +18,7 @@
 
 namespace panicle::expression {
 
-inline constexpr std::size_t most_parameters = 32;  // of one module: the first registers
+inline constexpr std::size_t max_parameters = 32;  // of one module: the first registers
 
 struct Instruction {
   Op op = Op::add;
@@ -78,9 +78,9 @@ struct Sources {
   std::uint64_t seed = 0;
   std::uint64_t address = 0;
   const Space* space = nullptr;
-  mutable std::array<float, most_handed_over> handed_over{};
-  mutable std::array<float, most_handed_over> reached_for{};  // arguments of the last query of reach()
-  mutable std::optional<float> reached{};                     // and its answer
+  mutable std::array<float, max_handed_over> handed_over{};
+  mutable std::array<float, max_handed_over> reached_for{};  // arguments of the last query of reach()
+  mutable std::optional<float> reached{};                    // and its answer
 };
 
 // Executes one of the rarer instructions, from Op::remainder on. False when it fails; `fault` describes the error.

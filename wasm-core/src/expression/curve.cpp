@@ -4,6 +4,8 @@
 
 namespace panicle::expression {
 
+// Builds the monotone cubic curve (Fritsch & Butland 1984) through x0, y0, x1, y1, …: two points or more, by ascending
+// x.
 Curve::Curve(std::span<const float> points) {
   for (std::size_t i = 0; i + 1 < points.size(); i += 2) {
     x.push_back(points[i]);
@@ -23,6 +25,7 @@ Curve::Curve(std::span<const float> points) {
   }
 }
 
+// The value of the curve (cubic Hermite); beyond its ends that of the nearest end, NaN for NaN.
 float Curve::at(float value) const {
   if (!(value > x.front())) return value == value ? y.front() : value;
   if (value >= x.back()) return y.back();

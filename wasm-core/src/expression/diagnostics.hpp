@@ -2,10 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <initializer_list>
-#include <string>
-#include <string_view>
 
+#include "foundation/message.hpp"
 #include "foundation/result.hpp"
 
 namespace panicle::expression {
@@ -16,11 +14,6 @@ struct SourceLocation {
   std::uint32_t column = 0;
 };
 
-// The values that replace each % of a message pattern, in order. Messages are assembled by one function that is not
-// inlined: concatenations would be a fifth of the .wasm.
-using Pieces = std::initializer_list<std::string_view>;
-
-std::string sentence(const char* pattern, Pieces pieces = {});
-Diagnostic error_at(Reason reason, const SourceLocation& place, const char* pattern, Pieces pieces = {});
+Diagnostic error_at(Reason reason, const SourceLocation& place, const Message& problem);
 
 }  // namespace panicle::expression

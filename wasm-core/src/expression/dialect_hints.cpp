@@ -2,82 +2,59 @@
 
 #include <span>
 
+#include "expression/messages.generated.hpp"
+
 namespace panicle::expression {
 namespace {
 
+using namespace messages::expression;
+
+// A spelling of another program, and advice on it.
 struct Entry {
   std::string_view written;
-  std::string_view sentence;
+  Hint hint;
 };
 
-std::string_view find(std::span<const Entry> entries, std::string_view written) {
+// The advice on a spelling, or null.
+Hint find(std::span<const Entry> entries, std::string_view written) {
   for (const Entry& entry : entries)
-    if (entry.written == written) return entry.sentence;
-  return {};
+    if (entry.written == written) return entry.hint;
+  return nullptr;
 }
 
-constexpr std::string_view seed = "The seed is given with the request here, not in the text; leave the line out.";
-constexpr std::string_view angle = "What turns without an argument turn by is written angle increment: 25 here.";
-constexpr std::string_view axiom = "The axiom is written axiom: here.";
-constexpr std::string_view wider = "In cpfg this changes the width of lines; here write !(w).";
-constexpr std::string_view side_by_side = "Two values stand side by side here; put an operator such as * between them.";
-
-constexpr std::string_view steps = "The number of steps is written in one line here: derivation length: 10.";
-
 constexpr Entry statements[] = {
-    {"derivation", steps}, {"seed", seed}, {"Seed", seed}, {"angle", angle}, {"Angle", angle}, {"delta", angle},
-    {"δ", angle},          {"ω", axiom},   {"Ω", axiom},   {"omega", axiom}, {"Axiom", axiom}, {"AXIOM", axiom},
+    {"derivation", &hint_steps}, {"seed", &hint_seed},   {"Seed", &hint_seed},   {"angle", &hint_angle},
+    {"Angle", &hint_angle},      {"delta", &hint_angle}, {"δ", &hint_angle},     {"ω", &hint_axiom},
+    {"Ω", &hint_axiom},          {"omega", &hint_axiom}, {"Axiom", &hint_axiom}, {"AXIOM", &hint_axiom},
 };
 
-constexpr Entry labels[] = {{"iterations", steps}, {"iteration", steps}, {"generations", steps},
-                            {"depth", steps},      {"steps", steps},     {"n", steps},
-                            {"N", steps}};
+constexpr Entry labels[] = {{"iterations", &hint_steps}, {"iteration", &hint_steps}, {"generations", &hint_steps},
+                            {"depth", &hint_steps},      {"steps", &hint_steps},     {"n", &hint_steps},
+                            {"N", &hint_steps}};
 
-constexpr Entry directives[] = {
-    {"ignore", "What contexts pass over is written ignore: + - F here, without #."},
-    {"consider", "What contexts see is written consider: A B here, without #."},
-    {"include",
-     "There is no #include; put everything into one text, parts of their own as Lsystem: name … endlsystem."},
-};
+constexpr Entry directives[] = {{"ignore", &hint_ignore}, {"consider", &hint_consider}, {"include", &hint_include}};
 
-constexpr Entry signs[] = {{"_", wider}, {"°", "Angles are in degrees here; leave the ° out."}};
+constexpr Entry signs[] = {{"_", &hint_width}, {"°", &hint_degrees}};
 
-constexpr Entry modules[] = {
-    {"=", "An arrow is written -->; an = stands in a condition or a block, A(x) : x = 1 --> B."},
-    {"*",
-     "A * alone is an empty successor; in a string of modules it means nothing, and several of a kind are written one "
-     "after the other."},
-};
+constexpr Entry modules[] = {{"=", &hint_arrow}, {"*", &hint_star}};
 
-constexpr Entry operators[] = {
-    {"?", "There is no choice by ?: here; write a production for each case, with its condition."},
-    {"&", "And is written && between conditions."},
-    {"|", "Or is written || between conditions."},
-    {"!", "Not equal is written !=."},
-    {"and", "And is written && between conditions."},
-    {"or", "Or is written || between conditions."},
-    {"(", side_by_side},
-};
+constexpr Entry operators[] = {{"?", &hint_choice}, {"&", &hint_and}, {"|", &hint_or},      {"!", &hint_not_equal},
+                               {"and", &hint_and},  {"or", &hint_or}, {"(", &hint_operator}};
 
-constexpr std::string_view drawn =
-    "A random number from 0 up to 1 is written ran(1), a whole one from a to b RND(a, b).";
-constexpr Entry called[] = {
-    {"not", "Not is written !: A(x) : !(x > 1) --> B."},
-    {"rand", drawn},
-    {"random", drawn},
-    {"rnd", drawn},
-    {"Math", drawn},
-    {"if", "There is no if here; write a production for each case, with its condition."},
-};
+constexpr Entry called[] = {{"not", &hint_not},    {"rand", &hint_random}, {"random", &hint_random},
+                            {"rnd", &hint_random}, {"Math", &hint_random}, {"if", &hint_if}};
 
 }  // namespace
 
-std::string_view foreign_statement(std::string_view first_word) { return find(statements, first_word); }
-std::string_view foreign_label(std::string_view first_word) { return find(labels, first_word); }
-std::string_view foreign_directive(std::string_view word) { return find(directives, word); }
-std::string_view foreign_sign(std::string_view character) { return find(signs, character); }
-std::string_view foreign_module(std::string_view token) { return find(modules, token); }
-std::string_view foreign_function(std::string_view name) { return find(called, name); }
-std::string_view foreign_operator(std::string_view token) { return find(operators, token); }
+// Advice on statements, labels, signs … that other programs for L-systems have; null if there is none.
+Hint foreign_statement(std::string_view first_word) { return find(statements, first_word); }
+// The message for a word, sign or module that is none of this notation, but of a known other one; none for unknown
+// ones.
+Hint foreign_label(std::string_view first_word) { return find(labels, first_word); }
+Hint foreign_directive(std::string_view word) { return find(directives, word); }
+Hint foreign_sign(std::string_view character) { return find(signs, character); }
+Hint foreign_module(std::string_view token) { return find(modules, token); }
+Hint foreign_function(std::string_view name) { return find(called, name); }
+Hint foreign_operator(std::string_view token) { return find(operators, token); }
 
 }  // namespace panicle::expression

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "expression/dialect_hints.hpp"
+#include "expression/messages.generated.hpp"
 
 namespace panicle::expression {
 namespace {
@@ -54,12 +55,15 @@ struct Waiting {
   std::vector<std::size_t> begins = {};  // of a macro's arguments among the expression's nodes
 };
 
+// The function of a name, or null.
 const Function* function_named(std::string_view name) {
   for (const Function& function : functions)
     if (function.name == name) return &function;
   return nullptr;
 }
 
+// Parser of an expression into postfix order, by Dijkstra's shunting-yard algorithm. Methods that return a bool return
+// false with the error in `error_`.
 class Parser {
  public:
   Parser(std::span<const Token> tokens, std::size_t at, std::size_t end, const Names& curves, Macros& macros)
@@ -67,51 +71,56 @@ class Parser {
 
   std::size_t at() const { return at_; }
 
+  // Parses tokens until the expression ends.
   Result<Expression> run() {
     expression_.place = here();
     while (at_ < end_) {
       const bool fine = wants_operand_ ? operand() : ends_here() ? (done_ = true) : next_operator();
-      if (!fine) return trouble_;
+      if (!fine) return error_;
       if (done_) break;
     }
     if (wants_operand_) {
-      fail(Reason::syntax, here(), "A value is missing here; write a number, a name or an expression.");
-      return trouble_;
+      fail(Reason::syntax, here(), message(messages::expression::value_missing));
+      return error_;
     }
     pop_operators(0);
     if (!waiting_.empty()) {
       const char* opened = waiting_.back().kind == Waiting::Kind::index ? "[" : "(";
-      fail(Reason::syntax, waiting_.back().node.place, "This % is never closed.", {opened});
-      return trouble_;
+      fail(Reason::syntax, waiting_.back().node.place, message(messages::expression::never_closed, opened));
+      return error_;
     }
     return std::move(expression_);
   }
 
  private:
+  // The place of the next token, and the token itself.
   SourceLocation here() const { return place_of(tokens_, at_, end_); }
   const Token& token() const { return tokens_[at_]; }
 
-  bool fail(Reason reason, const SourceLocation& place, const char* pattern, Pieces pieces = {}) {
-    trouble_ = error_at(reason, place, pattern, pieces);
+  bool fail(Reason reason, const SourceLocation& place, const Message& problem) {
+    error_ = error_at(reason, place, problem);
     return false;
   }
 
+  // Whether the current token ends the expression: a sign that cannot belong to it, outside of all groups.
   bool ends_here() const {
     static constexpr std::string_view ends = "),;{}";
     return groups_ == 0 && token().kind == TokenKind::sign && ends.find(token().text[0]) != std::string_view::npos;
   }
 
+  // Whether the next token is a sign.
   bool next_is(char sign) const { return at_ + 1 < end_ && tokens_[at_ + 1].is(sign); }
 
+  // Puts an operator or an open group on the stack; an operand must follow.
   bool push(const Waiting& waiting) {
-    if (waiting_.size() >= deepest)
-      return fail(Reason::limit, here(), "This expression is nested deeper than 256; split it with a #define.");
+    if (waiting_.size() >= deepest) return fail(Reason::limit, here(), message(messages::expression::nested_too_deep));
     groups_ += waiting.kind != Waiting::Kind::operation;
     waiting_.push_back(waiting);
     wants_operand_ = true;
     return true;
   }
 
+  // Reads a number, a name, the beginning of a group or a prefix operator.
   bool operand() {
     const Token& first = token();
     if (first.kind == TokenKind::number) {
@@ -131,13 +140,15 @@ class Parser {
     } else {
       const bool turned = (first.is('>') || first.is('<')) && at_ > 0 && tokens_[at_ - 1].is('=');
       return fail(Reason::syntax, first.place,
-                  turned ? "At least is written >=, at most <=." : "A value is expected here, not '%'.", {first.text});
+                  turned ? message(messages::expression::comparison_reversed)
+                         : message(messages::expression::value_expected, first.text));
     }
     ++at_;
     wants_operand_ = false;
     return true;
   }
 
+  // Reads a sign before an operand.
   bool prefix() {
     const Token& sign = token();
     ++at_;
@@ -146,19 +157,17 @@ class Parser {
     return push({Waiting::Kind::operation, precedence_of_prefix, {Node::Kind::operation, op, 1, 0, {}, sign.place}});
   }
 
+  // Begins a call of a function or curve.
   bool begin_call() {
     const Token& name = token();
     const Function* function = function_named(name.text);
     const std::uint32_t curve = curves_.find(name.text), macro = macros_.names.find(name.text);
     if (macro != Names::none) return begin_macro(name, macro);
     if (function == nullptr && curve == Names::none) {
-      if (!foreign_function(name.text).empty())
-        return fail(Reason::undefined, name.place, "%", {foreign_function(name.text)});
+      if (const Hint hint = foreign_function(name.text)) return fail(Reason::undefined, name.place, message(*hint));
       std::string known;
       for (const Function& f : functions) known.append(known.empty() ? "" : ", ").append(f.name);
-      return fail(Reason::undefined, name.place,
-                  "There is no function '%'; there are %, and what lines above define by #curve or #define f(x).",
-                  {name.text, known});
+      return fail(Reason::undefined, name.place, message(messages::expression::unknown_function, name.text, known));
     }
     at_ += 2;
     Node node{Node::Kind::operation, Op::curve, 1, 0, name.text, name.place, curve};
@@ -167,6 +176,7 @@ class Parser {
     return push({Waiting::Kind::call, 0, node});
   }
 
+  // Begins a call of a macro.
   bool begin_macro(const Token& name, std::uint32_t macro) {
     at_ += 2;
     const auto arguments = static_cast<std::uint32_t>(macros_.all[macro].formals.size());
@@ -176,8 +186,8 @@ class Parser {
     return push(call);
   }
 
-  // Replaces a call of a macro, whose arguments are the last nodes of the expression, by its body.
-  bool replace(const Waiting& call) {
+  // Replaces a call of a macro, whose arguments are the last nodes of the expression, by the macro's body.
+  bool expand_macro(const Waiting& call) {
     const Macro& macro = macros_.all[call.macro];
     std::vector<Node>& nodes = expression_.nodes;
     const std::vector<Node> given(nodes.begin() + static_cast<std::ptrdiff_t>(call.begins[0]), nodes.end());
@@ -197,13 +207,13 @@ class Parser {
                      given.begin() + static_cast<std::ptrdiff_t>(end));
         macros_.nodes += end - begin;
       }
-      if (macros_.nodes > Macros::most_nodes)
-        return fail(Reason::limit, call.node.place,
-                    "The calls of #define functions come to more than 100,000 operations; nest fewer calls.");
+      if (macros_.nodes > Macros::max_nodes)
+        return fail(Reason::limit, call.node.place, message(messages::expression::macros_too_long));
     }
     return true;
   }
 
+  // Reads a binary operator, a comma or the end of a group.
   bool next_operator() {
     const Token& sign = token();
     if (sign.is(')') || sign.is(']')) return close_group(sign);
@@ -213,23 +223,22 @@ class Parser {
     return no_operator(sign);
   }
 
+  // Fails with a message on a token that is not an operator.
   bool no_operator(const Token& token) {
-    if (!foreign_operator(token.text).empty())
-      return fail(Reason::syntax, token.place, "%", {foreign_operator(token.text)});
+    if (const Hint hint = foreign_operator(token.text)) return fail(Reason::syntax, token.place, message(*hint));
     if (token.kind == TokenKind::name || token.kind == TokenKind::number)
-      return fail(
-          Reason::syntax, token.place,
-          "'%' follows a value; put an operator such as * between them, or a comma where they are two arguments.",
-          {token.text});
-    return fail(Reason::syntax, token.place,
-                "'%' cannot stand in an expression; if that ends before it, a ) is missing.", {token.text});
+      return fail(Reason::syntax, token.place, message(messages::expression::operator_missing, token.text));
+    return fail(Reason::syntax, token.place, message(messages::expression::not_in_expression, token.text));
   }
 
+  // Whether the tokens from here on spell an operator.
   bool spelled_here(std::string_view text) const {
     if (!token().is(text[0])) return false;
     return text.size() == 1 || (next_is(text[1]) && touching(token(), tokens_[at_ + 1]));
   }
 
+  // Reads a binary operator: outputs those before it that bind at least as strongly, and puts it on the stack. && and
+  // || are marked at both ends, for their jumps.
   bool binary(const Operator& op) {
     const SourceLocation place = token().place;
     if (!pop_operators(op.precedence + (op.precedence == precedence_of_power), op.precedence)) return false;
@@ -252,18 +261,19 @@ class Parser {
       const Waiting& top = waiting_.back();
       const bool compares = top.precedence == precedence_of_equality || top.precedence == precedence_of_order;
       if (compares && top.precedence == following)
-        return fail(Reason::syntax, here(), "Comparisons cannot be chained; join two with &&.");
+        return fail(Reason::syntax, here(), message(messages::expression::comparison_chain));
       put(top.node);
       waiting_.pop_back();
     }
     return true;
   }
 
+  // Closes a parenthesis, call or index, and outputs it.
   bool close_group(const Token& sign) {
     pop_operators(0);
     const bool bracket = sign.is(']');
     if (waiting_.empty() || (waiting_.back().kind == Waiting::Kind::index) != bracket)
-      return fail(Reason::syntax, sign.place, "This % closes nothing.", {sign.text});
+      return fail(Reason::syntax, sign.place, message(messages::expression::never_opened, sign.text));
     const Waiting group = waiting_.back();
     waiting_.pop_back();
     --groups_;
@@ -271,18 +281,18 @@ class Parser {
     wants_operand_ = false;
     if (group.kind == Waiting::Kind::call && group.arguments != group.node.arguments)
       return fail(
-          Reason::syntax, group.node.place, "% takes %%%.",
-          {group.node.name, std::to_string(group.node.arguments),
-           group.node.arguments == 1 ? " argument, not " : " arguments, not ", std::to_string(group.arguments)});
-    if (group.macro != Names::none) return replace(group);
+          Reason::syntax, group.node.place,
+          message(messages::expression::argument_count, group.node.name, group.node.arguments, group.arguments));
+    if (group.macro != Names::none) return expand_macro(group);
     if (group.kind != Waiting::Kind::parenthesis) put(group.node);
     return true;
   }
 
+  // Begins the next argument of a call.
   bool next_argument(const Token& comma) {
     pop_operators(0);
     if (waiting_.empty() || waiting_.back().kind != Waiting::Kind::call)
-      return fail(Reason::syntax, comma.place, "A comma can only stand between the arguments of a function here.");
+      return fail(Reason::syntax, comma.place, message(messages::expression::comma_outside_call));
     ++waiting_.back().arguments;
     if (waiting_.back().macro != Names::none) waiting_.back().begins.push_back(expression_.nodes.size());
     ++at_;
@@ -302,11 +312,12 @@ class Parser {
   std::size_t groups_ = 0;
   std::vector<Waiting> waiting_;
   Expression expression_;
-  Diagnostic trouble_;
+  Diagnostic error_;
 };
 
 }  // namespace
 
+// The place of a token; behind the last one if there is none.
 SourceLocation place_of(std::span<const Token> tokens, std::size_t at, std::size_t end) {
   if (at < end) return tokens[at].place;
   if (at == 0) return {1, 1};

@@ -18,7 +18,7 @@ struct Macro {
 };
 
 struct Macros {
-  static constexpr std::size_t most_nodes = 100'000;  // that all calls of a text are replaced by
+  static constexpr std::size_t max_nodes = 100'000;  // that all calls of a text are replaced by
 
   Names names;             // by number
   std::vector<Macro> all;  // by number
@@ -28,7 +28,7 @@ struct Macros {
 // Parses one expression from `tokens[at]` on, up to `end`, to a `)` or `,` that it did not open, or to a brace of a
 // block, and leaves `at` there. Operators as in C, and `^` for powers (binds tightest, from the right), `=` for `==`.
 // Explicit stacks in place of recursion; deeper than 256 is Reason::limit, and so are calls of macros that expand to
-// more than Macros::most_nodes. `curves` are functions as well, by number. Errors: syntax, undefined (a function's
+// more than Macros::max_nodes. `curves` are functions as well, by number. Errors: syntax, undefined (a function's
 // name).
 Result<Expression> parse_expression(std::span<const Token> tokens, std::size_t& at, std::size_t end,
                                     const Names& curves, Macros& macros);

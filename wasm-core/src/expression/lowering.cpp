@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "expression/code.hpp"
+#include "expression/messages.generated.hpp"
 #include "foundation/random.hpp"
 
 namespace panicle::expression {
@@ -27,17 +28,19 @@ bool same_as_one_of(const std::vector<Instruction>& earlier, Instruction& instru
 }  // namespace
 
 Lowering::Lowering(Code& code) : code_(code) {
-  code_.registers.assign(most_parameters, 0);
-  if (code_.doubles) code_.precise.assign(most_parameters, 0);
-  known_.assign(most_parameters, static_cast<std::uint8_t>(Known::on_the_run));
+  code_.registers.assign(max_parameters, 0);
+  if (code_.doubles) code_.precise.assign(max_parameters, 0);
+  known_.assign(max_parameters, static_cast<std::uint8_t>(Known::on_the_run));
 }
 
+// Defines a name with a value that is known once the inputs are bound. Returns its register.
 std::uint32_t Lowering::define(std::string_view name) {
   names_.add(name);
   meanings_.push_back({false, new_register(0, Known::once_bound)});
   return meanings_.back().at;
 }
 
+// Defines an array. Returns its number.
 std::uint32_t Lowering::define_array(std::string_view name) {
   names_.add(name);
   meanings_.push_back({true, static_cast<std::uint32_t>(code_.arrays.size())});
@@ -45,11 +48,14 @@ std::uint32_t Lowering::define_array(std::string_view name) {
   return meanings_.back().at;
 }
 
+// The definition of a name, or null.
 const Lowering::Meaning* Lowering::meaning(std::string_view name) const {
   const std::uint32_t number = names_.find(name);
   return number == Names::none ? nullptr : &meanings_[number];
 }
 
+// Begins the code of a production with formal parameters, in the first registers; `key` distinguishes its random
+// values.
 void Lowering::begin_production(std::span<const Named> formals, std::uint64_t key) {
   formals_ = formals;
   locals_.clear();
@@ -59,14 +65,16 @@ void Lowering::begin_production(std::span<const Named> formals, std::uint64_t ke
   begin_code();
 }
 
+// Compiles an expression. Returns the register of its value.
 Result<std::uint32_t> Lowering::lower(const Expression& expression) {
   stack_.clear();
   branches_.clear();
   for (const Node& node : expression.nodes)
-    if (!lower_node(node)) return trouble_;
+    if (!lower_node(node)) return error_;
   return pop();
 }
 
+// Appends the code that runs once the inputs are bound. Returns its range.
 Range Lowering::finish() {
   const std::uint32_t begin = here();
   for (const Instruction& instruction : once_bound_) code_.instructions.push_back(instruction);
@@ -74,11 +82,13 @@ Range Lowering::finish() {
   return {begin, here()};
 }
 
-bool Lowering::fail(Reason reason, const SourceLocation& place, const char* pattern, Pieces pieces) {
-  trouble_ = error_at(reason, place, pattern, pieces);
+bool Lowering::fail(Reason reason, const SourceLocation& place, const Message& problem) {
+  error_ = error_at(reason, place, problem);
   return false;
 }
 
+// Compiles one node of an expression in postfix order: takes its operands from the stack and puts the register of its
+// result on it. Returns false with the error in `error_`.
 bool Lowering::lower_node(const Node& node) {
   switch (node.kind) {
     case Node::Kind::number:
@@ -102,6 +112,8 @@ bool Lowering::lower_node(const Node& node) {
   return true;
 }
 
+// Puts the register of a name on the stack: of a block's last assignment to it, else of a parameter, else of a
+// definition. Returns false for arrays and undefined names, with the error in `error_`.
 bool Lowering::name(const Node& node) {
   for (std::size_t i = locals_.size(); i-- > 0;)
     if (locals_[i].name == node.name) return put(locals_[i].reg), true;
@@ -110,18 +122,17 @@ bool Lowering::name(const Node& node) {
   const Meaning* const meaning = this->meaning(node.name);
   if (meaning && !meaning->array) return put(meaning->at), true;
   if (meaning)
-    return fail(Reason::undefined, node.place, "'%' is an array; say which value you mean, as in %[1].",
-                {node.name, node.name});
-  return fail(Reason::undefined, node.place,
-              "Nothing defines '%' here; add a #define before this line or name it among the predecessor's parameters.",
-              {node.name});
+    return fail(Reason::undefined, node.place, message(messages::expression::array_without_index, node.name));
+  return fail(Reason::undefined, node.place, message(messages::expression::undefined_name, node.name));
 }
 
+// Compiles the element of an array, whose index is on the stack; an error for an undefined array. Reading can fail, so
+// the instruction is always executed in place; where the index is known once the inputs are bound, the element is read
+// then as well, and its value can be used by other code that runs once.
 bool Lowering::element(const Node& node) {
   const Meaning* const array = meaning(node.name);
   if (!array || !array->array)
-    return fail(Reason::undefined, node.place, "There is no array '%'; declare it before this line with #input %[].",
-                {node.name, node.name});
+    return fail(Reason::undefined, node.place, message(messages::expression::undefined_array, node.name));
   const Instruction instruction{Op::element, 0, pop(), 0, array->at};
   const bool once_bound = in_production_ && known(instruction.a) != Known::on_the_run;
   const std::uint32_t read = emit(instruction, node.place);
@@ -129,6 +140,8 @@ bool Lowering::element(const Node& node) {
   return true;
 }
 
+// Compiles an operator or a function, whose operands are on the stack. clamp(x, low, high) becomes min(max(x, low),
+// high). Each call of a random function gets a stream of its own; an error where the call is not allowed.
 bool Lowering::operation(const Node& node) {
   if (node.op == Op::clamp) {
     const std::uint32_t high = pop();
@@ -143,8 +156,7 @@ bool Lowering::operation(const Node& node) {
     return true;
   }
   if (!in_production_)
-    return fail(Reason::syntax, node.place,
-                "Random values belong to modules; draw them in the axiom or a production, not in a #define.");
+    return fail(Reason::syntax, node.place, message(messages::expression::random_outside_production));
   Instruction instruction{node.op, 0, 0, 0, static_cast<std::uint32_t>(code_.streams.size())};
   if (node.arguments > 1) instruction.b = pop();
   instruction.a = pop();
@@ -153,11 +165,11 @@ bool Lowering::operation(const Node& node) {
   return true;
 }
 
-// Queries of the space are never shared: each is executed.
+// Compiles a query of the space, whose arguments are on the stack: hands them over one by one, then queries. Two
+// queries never share a result: each is executed.
 bool Lowering::space_query(const Node& node) {
   if (!in_production_)
-    return fail(Reason::syntax, node.place, "% belongs to a place of the plant; ask in a production, not in a #define.",
-                {node.name});
+    return fail(Reason::syntax, node.place, message(messages::expression::query_outside_production, node.name));
   for (std::uint32_t i = node.arguments; i-- > 0;) handed_over_[i] = pop();
   for (std::uint32_t i = 0; i < node.arguments; ++i) {
     code_.instructions.push_back({Op::hand_over, new_register(0, Known::on_the_run), handed_over_[i], 0, i});
@@ -170,7 +182,8 @@ bool Lowering::space_query(const Node& node) {
   return true;
 }
 
-// Replaces one or two operands on the stack by the result.
+// Replaces one or two operands on the stack by the result of an operation: computed now if all are known, once the
+// inputs are bound, or at run. `extra`: further data of the operation, such as an array's index.
 void Lowering::calculate(Op op, std::uint32_t operands, const SourceLocation& place, std::uint32_t extra) {
   Instruction instruction{op, 0, 0, 0, extra};
   if (operands > 1) instruction.b = pop();
@@ -186,12 +199,14 @@ void Lowering::calculate(Op op, std::uint32_t operands, const SourceLocation& pl
   }
 }
 
+// The stream of random values of a call: by production, function and the number of its calls before.
 std::uint64_t Lowering::stream_of(const Node& node) {
   const std::uint32_t before = drawn_[static_cast<std::size_t>(node.op) - static_cast<std::size_t>(Op::random_whole)]++;
   return hash_combine(hash_combine(key_, hash_text(node.name)), before);
 }
 
-// The result is the truth of the first operand if that decides, else of the second.
+// Begins `a && b` or `a || b`, behind the code of a: the result is the truth of a, and the code of b is jumped over, if
+// that decides; else the truth of b.
 void Lowering::begin_branch(const Node& node) {
   const std::uint32_t first = pop();
   const std::uint32_t out = new_register(0, Known::on_the_run);
@@ -203,6 +218,8 @@ void Lowering::begin_branch(const Node& node) {
   code_.places.push_back(node.place);
 }
 
+// Ends `a && b` or `a || b`, behind the code of b: the result becomes the truth of b, and the jump over b gets its
+// target. Results computed in b are not available behind it.
 void Lowering::end_branch(const Node& node) {
   const Branch branch = branches_.back();
   branches_.pop_back();
@@ -213,6 +230,7 @@ void Lowering::end_branch(const Node& node) {
   put(branch.out);
 }
 
+// Adds a register with a value; `known` is when the value is known.
 std::uint32_t Lowering::new_register(double value, Known known) {
   code_.registers.push_back(static_cast<float>(value));
   if (code_.doubles) code_.precise.push_back(value);
@@ -220,6 +238,7 @@ std::uint32_t Lowering::new_register(double value, Known known) {
   return static_cast<std::uint32_t>(code_.registers.size() - 1);
 }
 
+// The register of a constant; equal constants share one.
 std::uint32_t Lowering::number_register(float value, double precise) {
   char bytes[sizeof precise];
   const std::size_t size = code_.doubles ? sizeof precise : sizeof value;
@@ -230,6 +249,7 @@ std::uint32_t Lowering::number_register(float value, double precise) {
   return number_registers_[number];
 }
 
+// Appends an instruction, unless one of the last ones has the same result. Returns the result's register.
 std::uint32_t Lowering::emit(Instruction instruction, const SourceLocation& place) {
   const bool shared = !is_random(instruction.op);
   if (shared && same_as_one_of(available_, instruction)) return instruction.out;
@@ -240,6 +260,7 @@ std::uint32_t Lowering::emit(Instruction instruction, const SourceLocation& plac
   return instruction.out;
 }
 
+// The same for code that runs once the inputs are bound.
 std::uint32_t Lowering::emit_once_bound(Instruction instruction, const SourceLocation& place) {
   if (same_as_one_of(once_bound_, instruction)) return instruction.out;
   instruction.out = new_register(0, Known::once_bound);
@@ -248,7 +269,7 @@ std::uint32_t Lowering::emit_once_bound(Instruction instruction, const SourceLoc
   return instruction.out;
 }
 
-// Returns the register of an instruction's result whose operands are constants.
+// Computes an instruction whose operands are constants. Returns the register of its result.
 std::uint32_t Lowering::fold(Instruction instruction) {
   const std::uint32_t at = here();
   instruction.out = new_register(0, Known::now);
@@ -267,6 +288,7 @@ std::uint32_t Lowering::fold(Instruction instruction) {
   return number_register(static_cast<float>(precise), precise);
 }
 
+// Takes a register from the stack.
 std::uint32_t Lowering::pop() {
   const std::uint32_t reg = stack_.back();
   stack_.pop_back();

@@ -30,6 +30,7 @@ class Lowering {
   // production.
   void assign(std::string_view name, std::uint32_t reg) { locals_.push_back({name, reg}); }
   std::size_t locals() const { return locals_.size(); }
+  // Removes the local variables that were added after the first `down_to`: their block ends.
   void forget_locals(std::size_t down_to) { locals_.resize(down_to); }
   // Returns the register of a constant.
   std::uint32_t number_register(float value) { return number_register(value, value); }
@@ -40,12 +41,14 @@ class Lowering {
   void begin_production(std::span<const Named> formals, std::uint64_t key);
   // Begins code that runs by itself: it cannot reuse the results of earlier expressions.
   void begin_code() { available_.clear(); }
+  // The index of the next instruction.
   std::uint32_t here() const { return static_cast<std::uint32_t>(code_.instructions.size()); }
 
   // Compiles an expression, and returns the register that will hold its value. Equal subexpressions are computed once.
   // Before the first production all values that are not constant are computed by code in place. Errors: undefined;
   // syntax (random values outside of productions).
   Result<std::uint32_t> lower(const Expression& expression);
+  // When the value of a register is known: now, once the inputs are bound, or only while the code runs.
   Known known(std::uint32_t reg) const { return static_cast<Known>(known_[reg]); }
 
   // Appends the code that runs once the inputs are bound behind all other code, and returns its range. An instruction
@@ -60,7 +63,7 @@ class Lowering {
     std::uint32_t out;
     std::size_t available;
   };
-  bool fail(Reason reason, const SourceLocation& place, const char* pattern, Pieces pieces = {});
+  bool fail(Reason reason, const SourceLocation& place, const Message& problem);
   bool lower_node(const Node& node);
   bool name(const Node& node);
   bool element(const Node& node);
@@ -77,6 +80,7 @@ class Lowering {
   std::uint32_t emit_once_bound(Instruction instruction, const SourceLocation& place);
   std::uint32_t fold(Instruction instruction);
   std::uint32_t pop();
+  // Pushes the register of an operand.
   void put(std::uint32_t reg) { stack_.push_back(reg); }
 
   Code& code_;
@@ -100,14 +104,14 @@ class Lowering {
   std::vector<std::uint32_t> number_registers_;  // of each
   std::vector<std::uint8_t> known_;              // of each register
   std::vector<std::uint32_t> stack_;
-  std::array<std::uint32_t, most_handed_over> handed_over_{};
+  std::array<std::uint32_t, max_handed_over> handed_over_{};
   std::vector<Branch> branches_;
   std::vector<Instruction> available_;  // whose results can be used again here
   std::vector<Instruction> once_bound_;
   std::vector<SourceLocation> once_bound_places_;
   std::uint64_t key_ = 0;
   bool in_production_ = false;
-  Diagnostic trouble_;
+  Diagnostic error_;
 };
 
 }  // namespace panicle::expression

@@ -7,7 +7,8 @@
 namespace panicle::expression {
 namespace {
 
-// Powers of ten up to 10^22 are doubles without error, so most numbers are rounded once to double and once to float.
+// Multiplies by a power of ten. Powers up to 10^22 are doubles without error, so most numbers are rounded once to
+// double and once to float.
 double times_power_of_ten(double value, int exponent) {
   static constexpr double exact[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
                                      1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
@@ -18,7 +19,7 @@ double times_power_of_ten(double value, int exponent) {
 
 bool is_digit(char character) { return character >= '0' && character <= '9'; }
 
-// `digits` with the point after the first `whole` of them, or with an exponent where that is long.
+// Writes decimal digits with a point after the first `whole` of them, or with an exponent if that is shorter.
 std::string with_point(std::string digits, int whole) {
   const int count = static_cast<int>(digits.size());
   if (whole > 9 || whole < -4) {
@@ -31,6 +32,7 @@ std::string with_point(std::string digits, int whole) {
 
 }  // namespace
 
+// The double of a decimal number such as 12.5e-3.
 double double_from(std::string_view decimal) {
   constexpr std::uint64_t most = 100'000'000'000'000'000;  // digits beyond 18 cannot change a float
   std::uint64_t digits = 0;
@@ -58,17 +60,14 @@ double double_from(std::string_view decimal) {
   return times_power_of_ten(static_cast<double>(digits), std::clamp(exponent, -400, 400));
 }
 
-std::string parameters_text(std::size_t count) {
-  if (count == 0) return "no parameters";
-  return std::to_string(count) + (count == 1 ? " parameter" : " parameters");
-}
-
+// The float nearest to a decimal number.
 float number_from(std::string_view decimal) { return static_cast<float>(double_from(decimal)); }
 
+// The shortest decimal that is read as the same float.
 std::string number_text(float value) {
-  if (std::isnan(value)) return "not a number";
+  if (std::isnan(value)) return "NaN";
   if (std::signbit(value)) return std::string("-").append(number_text(-value));
-  if (std::isinf(value)) return "infinity";
+  if (std::isinf(value)) return "∞";
   if (value == 0) return "0";
   int whole = 0;  // value < 10^whole
   while (times_power_of_ten(1, whole) <= value) ++whole;

@@ -12,9 +12,6 @@ float number_from(std::string_view decimal);
 // The same as a double: the nearest where the decimal has at most 15 digits and an exponent within 22.
 double double_from(std::string_view decimal);
 
-// A number of parameters in words: "no parameters", "1 parameter", "3 parameters".
-std::string parameters_text(std::size_t count);
-
 // The fewest digits that number_from turns back into `value`.
 std::string number_text(float value);
 

@@ -61,7 +61,7 @@ enum class Op : std::uint8_t {
 constexpr bool is_random(Op op) { return op >= Op::random_whole; }
 // Nor are queries of the space.
 constexpr bool is_space_query(Op op) { return op >= Op::hand_over && op < Op::random_whole; }
-inline constexpr std::uint32_t most_handed_over = 8;
+inline constexpr std::uint32_t max_handed_over = 8;
 
 // The cost of an operation, in 32nds of a unit of work.
 constexpr std::uint32_t cost_of(Op op) {

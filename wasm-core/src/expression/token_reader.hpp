@@ -17,17 +17,23 @@ class TokenReader {
   explicit TokenReader(std::span<const Token> tokens) : tokens_(tokens) {}
 
  protected:
-  bool fail(Reason reason, const SourceLocation& place, const char* pattern, Pieces pieces = {});
-  bool wrong(const SourceLocation& place, const char* pattern, Pieces pieces = {}) {
-    return fail(Reason::syntax, place, pattern, pieces);
-  }
+  bool fail(Reason reason, const SourceLocation& place, const Message& problem);
+  // Sets a syntax error; returns false.
+  bool wrong(const SourceLocation& place, const Message& problem) { return fail(Reason::syntax, place, problem); }
 
+  // The line and column of the next token.
   SourceLocation here() const { return place_of(tokens_, at_, end_); }
+  // Whether the next token is that sign, or a name.
   bool on_sign(char sign) const { return at_ < end_ && tokens_[at_].is(sign); }
   bool on_name() const { return at_ < end_ && tokens_[at_].kind == TokenKind::name; }
+  // The next token as an error message shows it.
   std::string_view found() const { return at_ < end_ ? tokens_[at_].text : std::string_view("the end"); }
+  // The token here in quotes, or the end of the statement, for messages.
+  Message found_text() const;
   // Consumes a required sign.
-  bool expect(char sign, const char* otherwise);
+  bool expect(char sign, const MessageCode<0>& otherwise);
+  bool expect(char sign);
+  // Whether the token after that index is a sign.
   bool next_is(std::size_t at, char sign) const { return at + 1 < end_ && tokens_[at + 1].is(sign); }
 
   std::size_t end_of_line(std::size_t at) const;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "expression/dialect_hints.hpp"
+#include "expression/messages.generated.hpp"
 #include "expression/number_text.hpp"
 
 namespace panicle::expression {
@@ -30,7 +31,7 @@ constexpr std::array<Spelling, 17> spellings = {{{U'→', "-->"},
                                                  {U'≤', "<="},
                                                  {U'≥', ">="},
                                                  {U'≠', "!="},
-                                                 {U'∧', "&& in a condition, ^ in a string"},
+                                                 {U'∧', {}},
                                                  {U'∨', "||"},
                                                  {U'′', "'"},
                                                  {U'’', "'"},
@@ -38,7 +39,8 @@ constexpr std::array<Spelling, 17> spellings = {{{U'→', "-->"},
                                                  {U'≡', "=="},
                                                  {U'⇒', "-->"}}};
 
-// Letters of every script may stand in names; punctuation, arrows, mathematical signs and the like may not.
+// Whether a name may contain the character: letters of every script are allowed; punctuation, arrows, mathematical
+// signs and the like are not.
 bool is_letter(char32_t c) {
   if (c < 0x80) return (c >= U'a' && c <= U'z') || (c >= U'A' && c <= U'Z');
   struct Block {
@@ -57,6 +59,8 @@ struct CodePoint {
   std::uint32_t bytes = 0;  // 0: not UTF-8
 };
 
+// Decodes the first character of a UTF-8 text, which is not empty. `bytes` is 0 where it is not UTF-8; overlong forms
+// of two bytes and lead bytes beyond U+10FFFF are refused.
 CodePoint decode(std::string_view text) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
   const std::uint32_t lead = byte(0);
@@ -71,36 +75,42 @@ CodePoint decode(std::string_view text) {
   return {value, bytes};
 }
 
+// Divides a text into tokens, with their lines and columns. Methods that return a bool return false with the error in
+// `error_`.
 class Tokenizer {
  public:
   Tokenizer(std::string_view text, Writing writing) : text_(text), of_rules_(writing == Writing::rules) {
     if (text_.substr(0, 3) == "\xef\xbb\xbf") at_ = 3;  // a byte order mark is no part of the text
   }
 
+  // Reads all tokens; the first error ends it.
   Result<std::vector<Token>> run() {
     while (pass_over_space()) {
       if (!next_token()) break;
       first_on_line_ = false;
     }
-    if (trouble_.reason != Reason::none) return trouble_;
+    if (error_.reason != Reason::none) return error_;
     return std::move(tokens_);
   }
 
  private:
+  // The byte at an offset from the current place; 0 behind the text.
   char32_t peek(std::size_t offset = 0) const {
     return at_ + offset < text_.size() ? static_cast<unsigned char>(text_[at_ + offset]) : 0;
   }
 
-  bool fail(const SourceLocation& place, const char* pattern, Pieces pieces = {}) {
-    trouble_ = error_at(Reason::syntax, place, pattern, pieces);
+  bool fail(const SourceLocation& place, const Message& problem) {
+    error_ = error_at(Reason::syntax, place, problem);
     return false;
   }
 
+  // Moves on by a character of some bytes.
   void advance(std::uint32_t bytes) {
     at_ += bytes;
     ++place_.column;
   }
 
+  // Begins a line, for places in messages.
   void begin_line() {
     ++place_.line;
     place_.column = 1;
@@ -125,6 +135,7 @@ class Tokenizer {
     return false;
   }
 
+  // Skips a comment between /* and */.
   bool pass_over_comment() {
     const SourceLocation start = place_;
     advance(1);
@@ -140,9 +151,10 @@ class Tokenizer {
       advance(bytes == 0 ? 1 : bytes);
       if (c == '\n') begin_line();
     }
-    return fail(start, "This comment is never closed; end it with */.");
+    return fail(start, message(messages::expression::comment_never_closed));
   }
 
+  // Reads a token.
   bool next_token() {
     const SourceLocation place = place_;
     const std::size_t start = at_;
@@ -168,11 +180,13 @@ class Tokenizer {
     return unknown(point);
   }
 
+  // Adds a token from `start` to the current place.
   bool add(TokenKind kind, std::size_t start, const SourceLocation& place, float value = 0) {
     tokens_.push_back({kind, first_on_line_, place, text_.substr(start, at_ - start), value});
     return true;
   }
 
+  // Reads a name; in rules it may have parts separated by points.
   bool name(std::size_t start, const SourceLocation& place) {
     while (at_ < text_.size()) {
       const CodePoint point = decode(text_.substr(at_));
@@ -183,11 +197,12 @@ class Tokenizer {
     return add(TokenKind::name, start, place);
   }
 
-  // Without its quotes.
+  // Reads a text in quotes, without them.
   bool quoted(const SourceLocation& place) {
     advance(1);
     const std::size_t begin = at_, end = text_.find_first_of("\"\n", at_);
-    if (end == std::string_view::npos || text_[end] == '\n') return fail(place, "These quotes are never closed.");
+    if (end == std::string_view::npos || text_[end] == '\n')
+      return fail(place, message(messages::expression::quotes_never_closed));
     while (at_ < end) {
       const std::uint32_t bytes = decode(text_.substr(at_)).bytes;
       advance(bytes == 0 ? 1 : bytes);
@@ -197,10 +212,12 @@ class Tokenizer {
     return true;
   }
 
+  // Skips digits.
   void digits() {
     while (is_digit(peek())) advance(1);
   }
 
+  // Reads a number; in rules a degree sign may follow.
   bool number(std::size_t start, const SourceLocation& place) {
     digits();
     if (peek() == '.') advance(1);
@@ -213,26 +230,29 @@ class Tokenizer {
     }
     const double precise = double_from(text_.substr(start, at_ - start));
     const auto value = static_cast<float>(precise);
-    if (std::isinf(value)) return fail(place, "This number is too large; the largest is 3.4e38.");
+    if (std::isinf(value)) return fail(place, message(messages::expression::number_too_large));
     add(TokenKind::number, start, place, value);
     tokens_.back().precise = precise;
     if (of_rules_ && text_.substr(at_, 2) == "°") advance(2);
     return true;
   }
 
+  // Fails with a message on a character that is not allowed, with advice if it is a typographic one.
   bool unknown(const CodePoint& point) {
-    if (point.bytes == 0) return fail(place_, "The text is not UTF-8 here; save it as UTF-8.");
+    if (point.bytes == 0) return fail(place_, message(messages::expression::not_utf8));
     if (point.value < 0x20 || point.value == 0x7f)
-      return fail(place_, "A control character cannot stand here; take it out.");
+      return fail(place_, message(messages::expression::control_character));
     const std::string character(text_.substr(at_, point.bytes));
-    if (in_comment()) return fail(place_, "A comment is written /* … */ here; // is two rolls of the turtle.");
+    if (in_comment()) return fail(place_, message(messages::expression::comment_syntax));
     if (of_rules_ && (point.value == U'“' || point.value == U'”'))
-      return fail(place_, "Words stand in plain quotes here; write \" in place of %.", {character});
+      return fail(place_, message(messages::expression::plain_quotes, character));
     for (const Spelling& spelling : spellings)
-      if (spelling.pasted == point.value)
-        return fail(place_, "'%' is not part of the notation; write %.", {character, spelling.written});
-    if (!foreign_sign(character).empty()) return fail(place_, "%", {foreign_sign(character)});
-    return fail(place_, "'%' is not part of the notation; take it out.", {character});
+      if (spelling.pasted == point.value && spelling.written.empty())
+        return fail(place_, message(messages::expression::foreign_wedge, character));
+      else if (spelling.pasted == point.value)
+        return fail(place_, message(messages::expression::foreign_character, character, spelling.written));
+    if (const Hint hint = foreign_sign(character)) return fail(place_, message(*hint));
+    return fail(place_, message(messages::expression::unknown_character, character));
   }
 
   // Whether the line begins as `// two words`. Evaluated once a line.
@@ -241,6 +261,7 @@ class Tokenizer {
     return *in_comment_;
   }
 
+  // Whether the line begins with `//` and two words, the comment of other languages.
   bool begins_as_comment() const {
     const std::size_t begin = text_.find_first_not_of(" \t", line_begin_);
     if (begin == std::string_view::npos || text_.substr(begin, 2) != "//") return false;
@@ -259,11 +280,12 @@ class Tokenizer {
   std::size_t line_begin_ = 0;
   std::optional<bool> in_comment_;  // of this line, once it is known
   std::vector<Token> tokens_;
-  Diagnostic trouble_;
+  Diagnostic error_;
 };
 
 }  // namespace
 
+// Whether the token is that name, in any mixture of upper and lower case; `word` is in lower case.
 bool Token::is_keyword(std::string_view word) const {
   return kind == TokenKind::name &&
          std::equal(text.begin(), text.end(), word.begin(), word.end(), [](char here, char small) {
@@ -271,6 +293,7 @@ bool Token::is_keyword(std::string_view word) const {
          });
 }
 
+// Splits a text into tokens; an error for characters that no token has.
 Result<std::vector<Token>> tokenize(std::string_view text, Writing writing) { return Tokenizer(text, writing).run(); }
 
 }  // namespace panicle::expression

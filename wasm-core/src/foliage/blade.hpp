@@ -18,8 +18,9 @@ struct Blade {
 // of its width. `fold`: degrees by which each half stands up. Empty for an empty leaf.
 Blade make_blade(const FlatLeaf& leaf, float breadth, float fold);
 
-// Makes a twig with so many copies of a leaf, alternately left and right and one at its tip, with varied poses: the
-// whole is of length 1 and stands as a blade does. A twig of one leaf is the leaf.
+// Makes a twig with so many copies of a leaf, alternately left and right along a thin stem and one at its tip, with
+// varied poses. The whole has length 1, starts at the origin and points to +Y, as a blade does. A twig of one leaf is
+// the leaf.
 Blade make_twig(const Blade& leaf, std::uint32_t leaves);
 
 // The length of such a twig, in lengths of a leaf.

@@ -3,6 +3,7 @@
 
 namespace panicle {
 
+// The value of type `To` with the same bits: std::bit_cast, which some compilers lack.
 template <class To, class From>
 constexpr To bit_cast(const From& from) {
   static_assert(sizeof(To) == sizeof(From));

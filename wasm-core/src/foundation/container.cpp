@@ -4,24 +4,26 @@
 #include <cstring>
 #include <utility>
 
+#include "foundation/messages.generated.hpp"
+
 namespace panicle {
 namespace {
 
 constexpr std::uint32_t magic = 0x4c434e50;  // "PNCL"
 constexpr std::uint32_t layout = 3;
 constexpr std::uint32_t header_words = 4, entry_words = 6;
-constexpr std::uint32_t most_columns = 4096;
-constexpr std::uint64_t most_bytes = 0x7fffffff;
+constexpr std::uint32_t max_columns = 4096;
+constexpr std::uint64_t max_bytes = 0x7fffffff;
 
+// A number of bytes, rounded up to whole words of four.
 constexpr std::uint64_t padded(std::uint64_t bytes) { return (bytes + 3) & ~std::uint64_t{3}; }
 
+// The word at `index` words from the start of the bytes.
 std::uint32_t word(const std::uint8_t* bytes, std::size_t index) {
   std::uint32_t value;
   std::memcpy(&value, bytes + index * 4, 4);
   return value;
 }
-
-Diagnostic refused(const char* why) { return {Reason::bad_request, why, 0, 0}; }
 
 // Reads one entry of the directory; false if its name or data lie outside the bytes.
 bool read_entry(std::span<const std::uint8_t> bytes, std::size_t entry, ColumnView& column) {
@@ -42,26 +44,32 @@ bool read_entry(std::span<const std::uint8_t> bytes, std::size_t entry, ColumnVi
 
 }  // namespace
 
+// Reads the directory of a container: a header, entries of the columns, then names and data. The views refer to the
+// bytes.
 Result<std::vector<ColumnView>> read_container(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < header_words * 4 || reinterpret_cast<std::uintptr_t>(bytes.data()) % 4 != 0)
-    return refused("The request is shorter than its header.");
-  if (word(bytes.data(), 0) != magic) return refused("The request does not begin with its magic word.");
-  if (word(bytes.data(), 1) != layout) return refused("The request's layout is of another version; reload the page.");
+    return bad_request(message(messages::foundation::request_shorter_than_header));
+  if (word(bytes.data(), 0) != magic) return bad_request(message(messages::foundation::request_without_magic_number));
+  if (word(bytes.data(), 1) != layout) return bad_request(message(messages::foundation::request_of_other_version));
   const std::uint64_t count = word(bytes.data(), 2);
-  if (count > most_columns || word(bytes.data(), 3) != bytes.size() ||
+  if (count > max_columns || word(bytes.data(), 3) != bytes.size() ||
       (header_words + count * entry_words) * 4 > bytes.size())
-    return refused("The request's length is not what its header says.");
+    return bad_request(message(messages::foundation::request_length_differs));
   std::vector<ColumnView> columns(static_cast<std::size_t>(count));
   for (std::size_t i = 0; i < columns.size(); ++i)
-    if (!read_entry(bytes, i, columns[i])) return refused("The request's directory points outside of it.");
+    if (!read_entry(bytes, i, columns[i]))
+      return bad_request(message(messages::foundation::request_directory_out_of_range));
   return columns;
 }
 
+// Adds a column whose data remain where they are until `write`.
 void ContainerWriter::add(Raw, std::string name, Element element, std::uint32_t width, std::size_t rows,
                           const std::uint8_t* data) {
   entries_.push_back({std::move(name), element, width, static_cast<std::uint32_t>(rows), data, {}});
 }
 
+// Writes the container into memory that the caller frees; null if it would be too large. Columns of `large` bytes and
+// more are not copied: their offset leads to the original, modulo 2^32.
 std::uint8_t* ContainerWriter::write(std::uint64_t large) const {
   const auto size = [](const Entry& entry) {
     return std::uint64_t{entry.rows} * entry.width * bytes_of(entry.element);
@@ -69,7 +77,7 @@ std::uint8_t* ContainerWriter::write(std::uint64_t large) const {
   const auto inside = [&](const Entry& entry) { return entry.own || size(entry) < large; };
   std::uint64_t whole = (header_words + entry_words * entries_.size()) * 4;
   for (const Entry& entry : entries_) whole += padded(entry.name.size()) + (inside(entry) ? padded(size(entry)) : 0);
-  if (whole > most_bytes) return nullptr;
+  if (whole > max_bytes) return nullptr;
   auto* const block = static_cast<std::uint8_t*>(std::malloc(static_cast<std::size_t>(whole)));
   if (block == nullptr) return nullptr;
 
@@ -102,6 +110,7 @@ std::uint8_t* ContainerWriter::write(std::uint64_t large) const {
   return block;
 }
 
+// The number of bytes of a container; 0 for null.
 std::uint32_t container_bytes(const std::uint8_t* block) { return block ? word(block, 3) : 0; }
 
 }  // namespace panicle

@@ -24,10 +24,12 @@ namespace panicle {
 
 enum class Element : std::uint32_t { text = 0, uint8 = 1, int32 = 2, uint32 = 3, float32 = 4 };
 
+// The bytes of one element.
 constexpr std::uint32_t bytes_of(Element element) {
   return element == Element::text || element == Element::uint8 ? 1 : 4;
 }
 
+// The kind of element for a C++ type.
 template <class Value>
 constexpr Element element_of() {
   if constexpr (std::is_same_v<Value, std::uint8_t>) return Element::uint8;
@@ -45,6 +47,7 @@ struct ColumnView {
   std::uint32_t rows = 0;
   const std::uint8_t* data = nullptr;
 
+  // The bytes of all rows.
   std::uint64_t bytes() const { return std::uint64_t{rows} * width * bytes_of(element); }
   // The elements; empty for another element type.
   template <class Value>
@@ -52,6 +55,7 @@ struct ColumnView {
     if (element != element_of<Value>()) return {};
     return {reinterpret_cast<const Value*>(data), std::size_t{rows} * width};
   }
+  // The column as text.
   std::string_view text() const {
     const std::span<const char> letters = as<char>();
     return {letters.data(), letters.size()};

@@ -28,12 +28,12 @@ struct DivisorArgument {
 };
 
 // Values of a rule at 0 (where it is 0), 1, 2 … last, by a sieve in n log n. Errors: limit, when `last` passes
-// `most_divided`; bad_input, when a modulus is 0, or a sum passes 2⁵³, beyond which a number of a text is
+// `max_divided`; bad_input, when a modulus is 0, or a sum passes 2⁵³, beyond which a number of a text is
 // no longer exact: where it does.
-inline constexpr std::uint32_t most_divided = 4'000'000;
+inline constexpr std::uint32_t max_divided = 4'000'000;
 Result<std::vector<std::int64_t>> divisor_sums(const DivisorRule& rule, std::uint32_t last);
 
-// x^y · last, the greatest argument that `last` leads to. Error: limit, when that passes `most_divided`.
+// x^y · last, the greatest argument that `last` leads to. Error: limit, when that passes `max_divided`.
 Result<std::uint32_t> greatest_argument(const DivisorArgument& argument, std::uint32_t last);
 
 // Σ D(B k) · E(L (N − k)) for k from 1 to N − 1, of values from 0 on that reach far enough (equation 5). Error:

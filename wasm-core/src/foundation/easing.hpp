@@ -22,6 +22,7 @@ constexpr float hill(float x, float square = 1) {
   return inside * inside;
 }
 
+// The derivative of `hill`.
 constexpr float slope_of_hill(float x) { return -4 * x * std::max(0.0f, 1 - x * x); }
 
 }  // namespace panicle

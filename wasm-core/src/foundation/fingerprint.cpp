@@ -2,6 +2,7 @@
 
 namespace panicle {
 
+// Mixes all values into the hash, in their order.
 void Fingerprint::add(std::span<const float> values) {
   for (const float value : values) add(value);
 }

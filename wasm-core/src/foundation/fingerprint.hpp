@@ -16,6 +16,7 @@ class Fingerprint {
     constexpr std::uint32_t quiet_nan = 0x7fc00000u;
     add(value == value ? bit_cast<std::uint32_t>(value + 0.0f) : quiet_nan);
   }
+  // Mixes a word into the hash (FNV-1a, by words).
   void add(std::uint32_t word) { state_ = (state_ ^ word) * 1099511628211u; }
   void add(std::span<const float> values);
   void add(std::span<const std::uint32_t> words);

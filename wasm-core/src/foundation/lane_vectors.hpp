@@ -1,25 +1,35 @@
 // Vectors and angles in lanes of four: each lane gives the same result as a single computation.
 #pragma once
 
+#include <glm/vec3.hpp>
+
 #include "foundation/lanes.hpp"
 #include "foundation/mathematics.hpp"
 
 namespace panicle {
 
+// The same value in all four lanes.
 inline Four all_of(float value) { return Four{value, value, value, value}; }
+// The sum of all four lanes.
 inline float sum_of(const Four& four) { return (four[0] + four[1]) + (four[2] + four[3]); }
 
 struct FourVectors {
   Four x, y, z;
 };
 
+// The same vector in all four lanes.
+inline FourVectors all_of(const glm::vec3& v) { return {all_of(v.x), all_of(v.y), all_of(v.z)}; }
+
 inline FourVectors operator+(const FourVectors& a, const FourVectors& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 inline FourVectors operator-(const FourVectors& a, const FourVectors& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 inline FourVectors operator*(const Four& k, const FourVectors& v) { return {k * v.x, k * v.y, k * v.z}; }
+// Scalar and vector products, lane by lane.
 inline Four dot(const FourVectors& a, const FourVectors& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline FourVectors cross(const FourVectors& a, const FourVectors& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
+// Vectors of unit length; of no length, not a number.
+inline FourVectors unit(const FourVectors& v) { return 1.0f / square_root(dot(v, v)) * v; }
 // Selects lanes of `a` where the comparison `which` is true, else of `b`.
 template <class Comparison>
 FourVectors chosen(const Comparison& which, const FourVectors& a, const FourVectors& b) {

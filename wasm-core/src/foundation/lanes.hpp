@@ -17,6 +17,7 @@ typedef float Four __attribute__((vector_size(16)));
 typedef std::uint32_t FourWords __attribute__((vector_size(16)));
 typedef std::int32_t FourIntegers __attribute__((vector_size(16)));
 
+// Reads four values that lie one after another, at any address.
 inline Four load(const float* values) {
   Four four;
   std::memcpy(&four, values, sizeof four);
@@ -29,6 +30,7 @@ inline FourWords load(const std::uint32_t* values) {
   return four;
 }
 
+// Writes four values one after another.
 inline void store(float* values, const Four& four) { std::memcpy(values, &four, sizeof four); }
 inline void store(std::uint32_t* values, const FourWords& four) { std::memcpy(values, &four, sizeof four); }
 

@@ -26,19 +26,22 @@ struct Nearest {
   std::uint64_t low_bits;  // two's complement
 };
 
+// The nearest whole number.
 Nearest nearest(double x) {
   const double shifted = x + rounder;
   return {shifted - rounder, bit_cast<std::uint64_t>(shifted)};
 }
 
+// 2 to the power of a small whole number, whose bits become the exponent of a double.
 double two_to_the(std::uint64_t low_bits) { return bit_cast<double>((low_bits + 1023) << 52); }
 
-// Taylor series about 0; |x| ≤ π/4 leaves out less than 7e−12 and 4e−13.
+// Taylor series of the sine about 0; for |x| ≤ π/4 it leaves out less than 7e−12.
 double sine_series(double x) {
   const double u = x * x;
   return x + x * u * (-1.0 / 6 + u * (1.0 / 120 + u * (-1.0 / 5040 + u * (1.0 / 362880 - u * (1.0 / 39916800)))));
 }
 
+// The same for the cosine; it leaves out less than 4e−13.
 double cosine_series(double x) {
   const double u = x * x;
   return 1 + u * (-1.0 / 2 +
@@ -62,6 +65,7 @@ SinCos of_quadrant(std::uint64_t quarters, double rest) {
           static_cast<float>(cosine_negative ? -cosine : cosine) + 0.0f};
 }
 
+// Sine and cosine of an angle: the multiple of π/2 is subtracted, then the series are computed.
 SinCos sincos_radians(float radians) {
   // π/2 in two parts, the first of 34 bits so that its product with a count of up to 19 bits is exact.
   constexpr double first = 1.5707963267341256;
@@ -139,6 +143,7 @@ float rounded_exponential(double x) {
 
 enum class Parity { fraction, even, odd };
 
+// Whether a number is an even or odd whole number, or has a fraction.
 Parity parity_of(float x) {
   if (std::fabs(x) >= 16777216.0f) return Parity::even;  // from 2^24 on every float is an even whole number
   const std::int32_t whole = static_cast<std::int32_t>(x);
@@ -148,6 +153,7 @@ Parity parity_of(float x) {
 
 }  // namespace
 
+// Sine and cosine of an angle in degrees; exact at multiples of 90.
 SinCos sincos_degrees(float degrees) {
   double x = degrees;
   if (!(std::fabs(x) <= 1e9)) x = remainder_of(x, 360.0);  // exact, like the subtraction below
@@ -155,10 +161,12 @@ SinCos sincos_degrees(float degrees) {
   return of_quadrant(quarters.low_bits, (x - quarters.value * 90) * (half_pi / 90));
 }
 
+// The sine, the same on all machines.
 float sine(float radians) { return sincos_radians(radians).sine; }
 
 float cosine(float radians) { return sincos_radians(radians).cosine; }
 
+// The angle, 0 … π, of a cosine; arguments beyond ±1 count as ±1.
 float arc_cosine(float x) {
   if (x >= 1) return 0;
   if (x <= -1) return static_cast<float>(2 * half_pi);
@@ -166,6 +174,7 @@ float arc_cosine(float x) {
   return static_cast<float>(angle_of(std::sqrt((1 - c) * (1 + c)), c));
 }
 
+// The angle, −π/2 … π/2, of a sine; arguments beyond ±1 count as ±1.
 float arc_sine(float x) {
   if (x >= 1) return static_cast<float>(half_pi);
   if (x <= -1) return static_cast<float>(-half_pi);
@@ -173,10 +182,13 @@ float arc_sine(float x) {
   return static_cast<float>(angle_of(s, std::sqrt((1 - s) * (1 + s))));
 }
 
+// The angle of the point (x, y), −π … π; 0 at the origin.
 float arc_tangent(float y, float x) { return static_cast<float>(angle_of(y, x)); }
 
+// e^x; infinity or 0 beyond the range of floats.
 float exponential(float x) { return rounded_exponential(x); }
 
+// The natural logarithm; −∞ at 0, NaN below.
 float logarithm(float x) {
   if (x == 0) return -infinity;
   if (!(x > 0)) return not_a_number;
@@ -184,8 +196,10 @@ float logarithm(float x) {
   return static_cast<float>(logarithm_of(x));
 }
 
+// The cube root of a positive number; 0 for others.
 float cube_root(float x) { return x > 0 ? exponential(logarithm(x) / 3) : 0; }
 
+// base^exponent, as C's pow for infinities, zeros and negative bases, by e^(exponent · ln |base|).
 float power(float base, float exponent) {
   if (base == 1 || exponent == 0) return 1;
   if (std::isnan(base) || std::isnan(exponent)) return not_a_number;

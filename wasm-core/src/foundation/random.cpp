@@ -9,6 +9,7 @@ namespace panicle {
 using random_detail::finalise;
 using random_detail::golden;
 
+// A hash of a text.
 std::uint64_t hash_text(std::string_view text) {
   std::uint64_t state = golden;
   for (const char character : text) {
@@ -17,14 +18,17 @@ std::uint64_t hash_text(std::string_view text) {
   return finalise(state ^ text.size());
 }
 
+// 64 random bits, determined by seed, stream and address.
 std::uint64_t random_bits(std::uint64_t seed, std::uint64_t stream, std::uint64_t address) {
   return hash_combine(hash_combine(seed, stream), address);
 }
 
+// A random number from 0 up to, not including, 1.
 float random_unit(std::uint64_t seed, std::uint64_t stream, std::uint64_t address) {
   return RandomStream(seed, stream).unit(address);
 }
 
+// A random integer from `low` to `high`, both included.
 std::int32_t random_integer(std::uint64_t seed, std::uint64_t stream, std::uint64_t address, std::int32_t low,
                             std::int32_t high) {
   if (low > high) return random_integer(seed, stream, address, high, low);
@@ -35,7 +39,7 @@ std::int32_t random_integer(std::uint64_t seed, std::uint64_t stream, std::uint6
   return static_cast<std::int32_t>(low + static_cast<std::int64_t>(index));
 }
 
-// Archimedes: the height of a uniform point on the sphere is uniform.
+// A random unit vector, uniform on the sphere: by Archimedes, the height of a uniform point is uniform.
 glm::vec3 RandomStream::direction(std::uint64_t address) const {
   const auto [one, other] = units(address);
   const double height = 2.0 * one - (1 - 0x1p-24);
@@ -45,6 +49,7 @@ glm::vec3 RandomStream::direction(std::uint64_t address) const {
           static_cast<float>(height)};
 }
 
+// The same for a single stream and address.
 glm::vec3 random_direction(std::uint64_t seed, std::uint64_t stream, std::uint64_t address) {
   return RandomStream(seed, stream).direction(address);
 }

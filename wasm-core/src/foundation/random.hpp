@@ -53,7 +53,9 @@ class RandomStream {
   RandomStream(std::uint64_t seed, std::uint64_t stream)
       : state_(random_detail::finalise(hash_combine(seed, stream) + random_detail::golden)) {}
 
+  // 64 random bits for an address.
   std::uint64_t bits(std::uint64_t address) const { return random_detail::finalise(state_ + address); }
+  // A random number from 0 up to, not including, 1.
   float unit(std::uint64_t address) const {
     return random_detail::unit_of(static_cast<std::uint32_t>(bits(address) >> 32));
   }

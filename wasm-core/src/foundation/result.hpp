@@ -27,9 +27,15 @@ struct Diagnostic {
   std::uint32_t column = 0;
 };
 
+// Errors of a request that concern no text.
+inline Diagnostic bad_request(std::string message) { return {Reason::bad_request, std::move(message), 0, 0}; }
+// The error for wrong input, without a place in a text.
+inline Diagnostic bad_input(std::string message) { return {Reason::bad_input, std::move(message), 0, 0}; }
+
 template <class Value>
 class Result {
  public:
+  // A result is a value or an error; `value` must only be called where there is one.
   Result(Value value) : value_(std::move(value)) {}
   Result(Diagnostic diagnostic) : error_(std::move(diagnostic)) {}
 

@@ -46,6 +46,7 @@ class WorkBudget {
   bool time_is_over() const { return time_is_over_; }
   // Whether the time of any share was over before its work was.
   bool time_has_ended_work() const { return time_has_ended_work_; }
+  // The function that reports whether the time is over; may be null.
   TimePassed clock() const { return time_passed_; }
 
   // Takes bytes of memory for results. False: fewer are left; none are taken.
@@ -54,6 +55,7 @@ class WorkBudget {
     held_ += bytes;
     return true;
   }
+  // The bytes held so far, and their limit.
   std::uint64_t held() const { return held_; }
   std::uint64_t bytes() const { return bytes_; }
 
@@ -61,6 +63,7 @@ class WorkBudget {
   // drawing the string derived so far.
   class Share {
    public:
+    // Limits the work to `work` units more until the share ends.
     Share(WorkBudget& budget, std::uint64_t work) : budget_(budget), whole_(budget.work_) {
       budget.work_ = budget.spent_ + (work < budget.left() ? work : budget.left());
       budget.look_again();

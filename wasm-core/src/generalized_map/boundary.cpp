@@ -3,9 +3,9 @@
 namespace panicle::generalized_map {
 namespace {
 
-// Orientation by dart: 1 for darts that run counter-clockwise seen from outside of their volume. Every involution leads
-// to a dart of the other orientation.
-std::vector<std::uint8_t> turning(const Map& map) {
+// The orientation of each dart (a corner of a face at one end of an edge): 1 if it runs counter-clockwise seen from
+// outside of its volume. Every involution α leads to a dart of the other orientation.
+std::vector<std::uint8_t> orientations(const Map& map) {
   // The darts of prisms have their orientation by number; in volumes that were cut, other darts lie between.
   if (map.cuts().empty()) {
     std::vector<std::uint8_t> forward(map.darts());
@@ -40,8 +40,9 @@ std::vector<std::uint8_t> turning(const Map& map) {
 
 }  // namespace
 
+// Builds the surface of all free faces: one half-edge for each of their forward darts.
 Boundary boundary_of(const Map& map, const Embedding& embedding) {
-  const std::vector<std::uint8_t> forward = turning(map);
+  const std::vector<std::uint8_t> forward = orientations(map);
   Boundary boundary;
   ClosedSurface& surface = boundary.surface;
   std::vector<std::uint32_t> half(map.darts(), none), darts;

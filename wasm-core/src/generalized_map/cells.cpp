@@ -5,6 +5,9 @@
 
 namespace panicle::generalized_map {
 
+// A dart is one of the two half-edges of an edge of a face.
+
+// Numbers the orbits of all darts under the given involutions: the darts of an orbit form one cell, such as a vertex.
 Orbits orbits_of(const Map& map, Involved involved) {
   Orbits orbits;
   const std::uint32_t darts = map.darts();
@@ -33,6 +36,8 @@ Orbits orbits_of(const Map& map, Involved involved) {
   return orbits;
 }
 
+// The darts of one orbit, beginning with `dart`: all that can be reached from it by the involutions in the set
+// `involved`; valid until the next call. A visited dart is marked with the number of the call.
 std::span<const std::uint32_t> OrbitWalk::of(std::uint32_t dart, Involved involved) {
   seen_.resize(map_.darts(), 0);
   if (++question_ == 0) {
@@ -52,6 +57,7 @@ std::span<const std::uint32_t> OrbitWalk::of(std::uint32_t dart, Involved involv
   return found_;
 }
 
+// The volumes that are sewn to faces of the volume v, sorted, each pair of faces once.
 std::vector<Neighbour> neighbours(OrbitWalk& walk, const Map& map, std::uint32_t v) {
   std::vector<Neighbour> found;
   for (const std::uint32_t d : walk.of(map.base_corner(v, 0), in_volume)) {
@@ -65,6 +71,7 @@ std::vector<Neighbour> neighbours(OrbitWalk& walk, const Map& map, std::uint32_t
   return found;
 }
 
+// Those neighbours of the volume v that have a label.
 std::vector<Neighbour> neighbours(OrbitWalk& walk, const Map& map, std::uint32_t v, std::uint32_t label) {
   std::vector<Neighbour> found = neighbours(walk, map, v);
   std::erase_if(found, [&](const Neighbour& each) { return map.volume(each.volume).label != label; });

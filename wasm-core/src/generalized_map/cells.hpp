@@ -12,6 +12,7 @@ namespace panicle::generalized_map {
 
 // A set of involutions: α0 and α2 are `with(0) | with(2)`.
 using Involved = std::uint8_t;
+// The set that contains involution α_i alone.
 constexpr Involved with(std::uint32_t i) { return static_cast<Involved>(1u << i); }
 inline constexpr Involved all_involutions = 15, in_volume = 7;
 
@@ -33,6 +34,7 @@ Orbits orbits_of(const Map& map, Involved involved);
 // Finds single orbits, one after another. Marks of visited darts are numbered by query instead of being cleared.
 class OrbitWalk {
  public:
+  // Walks over orbits, the darts (half-edges of faces) that involutions connect.
   explicit OrbitWalk(const Map& map) : map_(map) {}
 
   // The darts of a dart's orbit, that dart first. Valid until the next call; the map may grow meanwhile.

@@ -3,32 +3,41 @@
 #include <algorithm>
 
 namespace panicle::generalized_map {
+
+// A dart is one of the two half-edges of an edge of a face.
+
 namespace {
 
+// The map's arrays by dart: the involutions α0 … α3, its volume and its face; and the numbers of darts and volumes.
 struct Involutions {
   const std::uint32_t *a0, *a1, *a2, *a3, *volume;
   const Face* face;
   std::uint32_t darts, volumes;
 };
 
+// Whether each involution, applied twice, leads back to the dart d.
 bool is_involutive(const Involutions& m, std::uint32_t d) {
   return m.a0[m.a0[d]] == d && m.a1[m.a1[d]] == d && m.a2[m.a2[d]] == d && m.a3[m.a3[d]] == d;
 }
 
+// Whether α0, α1 and α2 lead from d to other darts, and α0 and α2 to different ones.
 bool moves(const Involutions& m, std::uint32_t d) {
   return m.a0[d] != d && m.a1[d] != d && m.a2[d] != d && m.a0[d] != m.a2[d];
 }
 
+// Whether α0α2, α0α3 and α1α3 are involutions at d, that is, commute.
 bool has_products(const Involutions& m, std::uint32_t d) {
   return m.a0[m.a2[d]] == m.a2[m.a0[d]] && m.a0[m.a3[d]] == m.a3[m.a0[d]] && m.a1[m.a3[d]] == m.a3[m.a1[d]];
 }
 
+// Whether α0, α1 and α2 stay in the dart's volume, and α0 and α1 in its face.
 bool is_home(const Involutions& m, std::uint32_t d) {
   const std::uint32_t v = m.volume[d], a0 = m.a0[d], a1 = m.a1[d];
   return v < m.volumes && m.volume[a0] == v && m.volume[a1] == v && m.volume[m.a2[d]] == v && m.face[a0] == m.face[d] &&
          m.face[a1] == m.face[d];
 }
 
+// Whether the dart is not sewn to another one of its own volume.
 bool is_unfolded(const Involutions& m, std::uint32_t d) { return m.a3[d] == d || m.volume[m.a3[d]] != m.volume[d]; }
 
 // Returns the first fault at one dart, in the order of the list.
@@ -55,6 +64,7 @@ bool are_well(const Involutions& m) {
   return wrong == 0;
 }
 
+// The numbers of a volume's cells and darts.
 struct Counted {
   std::uint32_t vertices = 0, faces = 0, darts = 0;
 };
@@ -89,6 +99,7 @@ void count_orbits(const Involutions& m, std::vector<Counted>& counted) {
   }
 }
 
+// Whether all corners that a volume lists are darts of its base and of its end.
 bool has_corners(const Map& map, std::uint32_t v) {
   const auto stands = [&](std::uint32_t dart, Face face) {
     return dart < map.darts() && map.volume_of()[dart] == v && map.face_of()[dart] == face;
@@ -98,6 +109,8 @@ bool has_corners(const Map& map, std::uint32_t v) {
   return true;
 }
 
+// Whether a volume's parent has the face that it names, and its list of attached volumes is a list of children that are
+// attached to it. Counting the steps ends on lists that run in a circle.
 bool has_descent(const Map& map, std::uint32_t v) {
   const Volume& volume = map.volume(v);
   if (volume.parent != none && (volume.parent == v || !map.has(volume.parent, volume.parent_face))) return false;
@@ -111,8 +124,10 @@ bool has_descent(const Map& map, std::uint32_t v) {
 
 }  // namespace
 
+// Checks that a map is a valid generalized map. Returns the first kind of fault with a dart or volume that has it.
 Finding check(const Map& map) {
   const std::uint32_t darts = map.darts(), volumes = map.volumes();
+  // In the order of the faults: dangling darts, faults of single darts, numbers of cells, corners, descent.
   for (std::uint32_t i = 0; i < 4; ++i) {
     const std::span<const std::uint32_t> alpha = map.alphas(i);
     const auto beyond = std::find_if(alpha.begin(), alpha.end(), [darts](std::uint32_t d) { return d >= darts; });
@@ -150,6 +165,7 @@ Finding check(const Map& map) {
   return {};
 }
 
+// Describes a fault in words, for tests and tools.
 const char* words(Fault fault) {
   switch (fault) {
     case Fault::nothing:

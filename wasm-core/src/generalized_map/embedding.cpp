@@ -6,6 +6,8 @@
 
 namespace panicle::generalized_map {
 
+// Prepares the embedding of a map in space: numbers the vertices, and sorts the volumes so that each is placed after
+// its parent.
 void Embedding::build(const Map& map) {
   Orbits vertices = orbits_of(map, of_cell(0));
   vertex_of_ = std::move(vertices.of_dart);
@@ -40,6 +42,8 @@ void Embedding::build(const Map& map) {
   settled_.assign(cuts_.size(), glm::vec3(0));
 }
 
+// Adds a volume to the order of placing: lists the vertices of its corners and, where it is attached, those of the face
+// that it is attached to, and makes the polygon of its order.
 void Embedding::add_placement(const Map& map, std::uint32_t v) {
   const Volume& volume = map.volume(v);
   Placement placement;
@@ -67,6 +71,8 @@ void Embedding::add_placement(const Map& map, std::uint32_t v) {
   if (polygons_[volume.order].empty()) polygons_[volume.order] = polygon(volume.order);
 }
 
+// Computes the places of all vertices from the shapes of the volumes: the mean of the places that volumes propose;
+// vertices of cuts are in the middle of their edges.
 void Embedding::place(std::span<const Shape> shapes) {
   std::fill(places_.begin(), places_.end(), glm::vec3(0));
   std::fill(proposals_.begin(), proposals_.end(), 0);
@@ -88,6 +94,8 @@ void Embedding::place(std::span<const Shape> shapes) {
     if (!is_proposed(cuts_[cut].vertex)) places_[cuts_[cut].vertex] = settled_[cut];
 }
 
+// Computes the frame of one volume from that of its parent, and proposes places for the corners of its end; for those
+// of its base if it is attached or has no parent.
 void Embedding::place(const Placement& placement, const Shape& shape) {
   const std::span<const std::uint32_t> corners(&corners_[placement.corners], 2 * std::size_t{placement.order});
   const auto base = corners.first(placement.order);
@@ -107,6 +115,7 @@ void Embedding::place(const Placement& placement, const Shape& shape) {
   propose(corners.last(placement.order), frame, shape, base_centre + frame.z * (shape.translation * shape.height));
 }
 
+// Proposes places for the corners of a polygon about a centre, scaled by the shape's length and width.
 void Embedding::propose(std::span<const std::uint32_t> vertices, const Frame& frame, const Shape& shape,
                         const glm::vec3& centre) {
   const std::vector<glm::vec2>& corners = polygons_[vertices.size()];
@@ -117,6 +126,8 @@ void Embedding::propose(std::span<const std::uint32_t> vertices, const Frame& fr
   }
 }
 
+// Proposes places for those corners of a base that no volume before has proposed and that are not on a cut: the corners
+// of the volume's own polygon about the middle of its base.
 void Embedding::propose_rest(const Placement& placement, const Shape& shape) {
   for (std::uint32_t i = 0; i < placement.order; ++i) {
     const std::uint32_t vertex = corners_[placement.corners + i];
@@ -129,6 +140,8 @@ void Embedding::propose_rest(const Placement& placement, const Shape& shape) {
   }
 }
 
+// Returns the mean place of the vertices that are known so far, and `otherwise` where none is. Settles vertices of cuts
+// on the way.
 glm::vec3 Embedding::centre(std::span<const std::uint32_t> vertices, const glm::vec3& otherwise) {
   glm::vec3 sum(0);
   float known = 0;
@@ -175,6 +188,7 @@ void Embedding::settle_cut(std::uint32_t cut) {
   settled_[cut] = known > 0 ? sum / known : glm::vec3(0);
 }
 
+// The memory that it holds, roughly.
 std::uint64_t Embedding::bytes() const {
   const std::uint64_t words = vertex_of_.capacity() + corners_.capacity() + supports_.capacity() + cut_of_.capacity() +
                               proposals_.capacity() + waiting_.capacity() + needed_.capacity();

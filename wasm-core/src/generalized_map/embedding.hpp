@@ -54,6 +54,7 @@ class Embedding {
                const glm::vec3& centre);
   void propose_rest(const Placement& placement, const Shape& shape);
   glm::vec3 centre(std::span<const std::uint32_t> vertices, const glm::vec3& otherwise);
+  // Whether a volume has proposed a place for the vertex.
   bool is_proposed(std::uint32_t vertex) const { return proposals_[vertex] > 0; }
   void settle(std::uint32_t vertex);
   void settle_cut(std::uint32_t cut);

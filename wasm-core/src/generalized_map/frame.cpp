@@ -5,7 +5,8 @@
 namespace panicle::generalized_map {
 namespace {
 
-void turn(glm::vec3& a, glm::vec3& b, float degrees) {
+// Rotates two orthogonal axes in their plane.
+void rotate_pair(glm::vec3& a, glm::vec3& b, float degrees) {
   if (degrees == 0) return;
   const SinCos by = sincos_degrees(degrees);
   const glm::vec3 was = a;
@@ -15,14 +16,16 @@ void turn(glm::vec3& a, glm::vec3& b, float degrees) {
 
 }  // namespace
 
+// A frame after the rotations of a shape about its own axes x, y and z.
 Frame turned(const Frame& frame, const Shape& shape) {
   Frame own = frame;
-  turn(own.y, own.z, shape.turn_x);
-  turn(own.z, own.x, shape.turn_y);
-  turn(own.x, own.y, shape.turn_z);
+  rotate_pair(own.y, own.z, shape.turn_x);
+  rotate_pair(own.z, own.x, shape.turn_y);
+  rotate_pair(own.x, own.y, shape.turn_z);
   return own;
 }
 
+// The frame of a volume that grows on a face of a prism with `order` sides; its z axis points out of the face.
 Frame on_face(const Frame& frame, std::uint32_t order, Face face) {
   if (face == end_face) return frame;
   if (face == base_face) return {-frame.x, frame.y, -frame.z};
@@ -31,6 +34,7 @@ Frame on_face(const Frame& frame, std::uint32_t order, Face face) {
   return {at.cosine * frame.y - at.sine * frame.x, frame.z, at.cosine * frame.x + at.sine * frame.y};
 }
 
+// The corners of a regular polygon of diameter 1; of the unit square for 4.
 std::vector<glm::vec2> polygon(std::uint32_t order) {
   if (order == 4) return {{-0.5f, -0.5f}, {0.5f, -0.5f}, {0.5f, 0.5f}, {-0.5f, 0.5f}};
   std::vector<glm::vec2> corners;

@@ -1,33 +1,36 @@
 #include "generalized_map/map.hpp"
 
+#include "generalized_map/messages.generated.hpp"
+
 namespace panicle::generalized_map {
 
-const char* words(Refusal refusal) {
+// Sewn faces are connected dart by dart by the involution α3.
+
+// The message that names the reason of a refusal.
+Message message_of(Refusal refusal) {
   switch (refusal) {
-    case Refusal::nothing:
-      return "";
     case Refusal::order:
-      return "A prism has 3 to 4096 sides.";
+      return message(messages::generalized_map::refusal_order);
     case Refusal::no_face:
-      return "The volume has no such face: there are O, E and as many C as its order.";
+      return message(messages::generalized_map::refusal_no_face);
     case Refusal::occupied:
-      return "The face is not free: something has grown on it or is glued to it.";
+      return message(messages::generalized_map::refusal_occupied);
     case Refusal::not_adjacent:
-      return "The faces are not adjacent: they need an edge in common with nothing between them.";
+      return message(messages::generalized_map::refusal_not_adjacent);
     case Refusal::unequal:
-      return "The faces have different numbers of edges.";
+      return message(messages::generalized_map::refusal_unequal);
     case Refusal::same_volume:
-      return "Both faces are of one volume, which cannot be glued to itself.";
+      return message(messages::generalized_map::refusal_same_volume);
     case Refusal::uneven:
-      return "The volume cannot be split along a face with a corner that more or fewer than three edges meet in.";
+      return message(messages::generalized_map::refusal_uneven);
     case Refusal::folded:
-      return "The volume cannot be split along a face with an edge glued to one that leaves the face.";
-    case Refusal::full:
-      return "The map has reached its limit of darts.";
+      return message(messages::generalized_map::refusal_folded);
+    default:
+      return message(messages::generalized_map::refusal_full);
   }
-  return "";
 }
 
+// Removes all volumes.
 void Map::clear() {
   for (auto& alpha : alpha_) alpha.clear();
   volume_.clear();
@@ -37,6 +40,7 @@ void Map::clear() {
   cuts_.clear();
 }
 
+// Reserves memory for so many darts (half-edges of faces) and volumes.
 void Map::reserve(std::uint32_t darts, std::uint32_t volumes) {
   for (auto& alpha : alpha_) alpha.reserve(darts);
   volume_.reserve(darts);
@@ -44,6 +48,7 @@ void Map::reserve(std::uint32_t darts, std::uint32_t volumes) {
   list_.reserve(volumes);
 }
 
+// The memory that it holds, roughly.
 std::uint64_t Map::bytes() const {
   std::uint64_t words = volume_.capacity() + corners_.capacity();
   for (const auto& alpha : alpha_) words += alpha.capacity();
@@ -51,16 +56,19 @@ std::uint64_t Map::bytes() const {
          sizeof(Cut) * cuts_.capacity();
 }
 
+// The dart at corner i of a volume's base or end. Prisms have it by number; volumes that were split list their corners.
 std::uint32_t Map::base_corner(std::uint32_t v, std::uint32_t i) const {
   const Volume& volume = list_[v];
   return volume.corners == none ? volume.first + 2 * i : corners_[volume.corners + i];
 }
 
+// The dart at corner `i` of the end face of volume `v`.
 std::uint32_t Map::end_corner(std::uint32_t v, std::uint32_t i) const {
   const Volume& volume = list_[v];
   return volume.corners == none ? volume.first + 2 * (volume.order + i) : corners_[volume.corners + volume.order + i];
 }
 
+// A dart of a volume's face; for base and end that at corner 0.
 std::uint32_t Map::dart_of(std::uint32_t v, Face face) const {
   const Volume& volume = list_[v];
   if (volume.corners == none) return volume.first + first_of(face, volume.order);
@@ -69,6 +77,7 @@ std::uint32_t Map::dart_of(std::uint32_t v, Face face) const {
   return alpha_[2][base_corner(v, side_number(face) - 1)];
 }
 
+// The number of edges of a dart's face.
 std::uint32_t Map::degree(std::uint32_t dart) const {
   std::uint32_t edges = 0, d = dart;
   do {
@@ -78,6 +87,7 @@ std::uint32_t Map::degree(std::uint32_t dart) const {
   return edges;
 }
 
+// Whether a volume's face has neither a neighbour that is sewn to it nor a volume attached.
 bool Map::is_free(std::uint32_t v, Face face) const {
   const std::uint32_t dart = dart_of(v, face);
   if (alpha_[3][dart] != dart) return false;
@@ -86,12 +96,14 @@ bool Map::is_free(std::uint32_t v, Face face) const {
   return true;
 }
 
+// The dart across the edge on the next free face: turns about the edge through the volumes that are sewn together.
 std::uint32_t Map::across_gap(std::uint32_t dart) const {
   std::uint32_t d = alpha_[2][dart];
   while (alpha_[3][d] != d) d = alpha_[2][alpha_[3][d]];
   return d;
 }
 
+// Appends darts of a volume and face, without neighbours. Returns the index of the first.
 std::uint32_t Map::add_darts(std::uint32_t count, std::uint32_t v, Face face) {
   const std::uint32_t first = darts();
   for (auto& alpha : alpha_) alpha.resize(first + count);
@@ -101,9 +113,12 @@ std::uint32_t Map::add_darts(std::uint32_t count, std::uint32_t v, Face face) {
   return first;
 }
 
+// Adds a closed prism without a parent or neighbours, and returns its number. Its darts are numbered as in prism.hpp:
+// first the base's, then the end's, then the sides'. add_darts gives all of them the base's face; those of the end and
+// the sides get their own here.
 std::uint32_t Map::add_prism(std::uint32_t order, std::uint32_t label) {
   const std::uint32_t v = volumes(), n = order;
-  const std::uint32_t o = add_darts(prism_darts(n), v, base_face), e = o + 2 * n, c = o + 4 * n;
+  const std::uint32_t base = add_darts(prism_darts(n), v, base_face), end = base + 2 * n, sides = base + 4 * n;
   std::uint32_t *a0 = alpha_[0].data(), *a1 = alpha_[1].data(), *a2 = alpha_[2].data();
   const auto edge = [a0](std::uint32_t d) {
     a0[d] = d + 1;
@@ -111,34 +126,34 @@ std::uint32_t Map::add_prism(std::uint32_t order, std::uint32_t label) {
   };
   for (std::uint32_t i = 0; i < n; ++i) {
     const std::uint32_t j = i + 1 == n ? 0 : i + 1;
-    const std::uint32_t own = c + 8 * i, next = c + 8 * j;
-    for (const std::uint32_t polygon : {o, e}) {
+    const std::uint32_t side_darts = sides + 8 * i, next_darts = sides + 8 * j;
+    for (const std::uint32_t polygon : {base, end}) {
       edge(polygon + 2 * i);
       a1[polygon + 2 * i + 1] = polygon + 2 * j;
       a1[polygon + 2 * j] = polygon + 2 * i + 1;
     }
     for (std::uint32_t k = 0; k < 4; ++k) {
-      edge(own + 2 * k);
-      const std::uint32_t after = own + (2 * k + 2) % 8;
-      a1[own + 2 * k + 1] = after;
-      a1[after] = own + 2 * k + 1;
+      edge(side_darts + 2 * k);
+      const std::uint32_t after = side_darts + (2 * k + 2) % 8;
+      a1[side_darts + 2 * k + 1] = after;
+      a1[after] = side_darts + 2 * k + 1;
     }
     // Edges of the base run as the side's lower edge does, those of the end against its upper one; right meets left.
     for (std::uint32_t s = 0; s < 2; ++s) {
-      a2[o + 2 * i + s] = own + s;
-      a2[own + s] = o + 2 * i + s;
-      a2[e + 2 * i + s] = own + 5 - s;
-      a2[own + 5 - s] = e + 2 * i + s;
-      a2[own + 2 + s] = next + 7 - s;
-      a2[next + 7 - s] = own + 2 + s;
+      a2[base + 2 * i + s] = side_darts + s;
+      a2[side_darts + s] = base + 2 * i + s;
+      a2[end + 2 * i + s] = side_darts + 5 - s;
+      a2[side_darts + 5 - s] = end + 2 * i + s;
+      a2[side_darts + 2 + s] = next_darts + 7 - s;
+      a2[next_darts + 7 - s] = side_darts + 2 + s;
     }
-    face_[e + 2 * i] = face_[e + 2 * i + 1] = end_face;
-    for (std::uint32_t d = own; d < own + 8; ++d) face_[d] = side(i + 1);
+    face_[end + 2 * i] = face_[end + 2 * i + 1] = end_face;
+    for (std::uint32_t d = side_darts; d < side_darts + 8; ++d) face_[d] = side(i + 1);
   }
   Volume volume;
   volume.label = label;
   volume.order = n;
-  volume.first = o;
+  volume.first = base;
   volume.vertices = 2 * n;
   volume.edges = 3 * n;
   volume.faces = n + 2;
@@ -146,6 +161,7 @@ std::uint32_t Map::add_prism(std::uint32_t order, std::uint32_t label) {
   return v;
 }
 
+// Sews two faces of equal degree together by α3, beginning with the darts a and b.
 void Map::sew_faces(std::uint32_t a, std::uint32_t b) {
   const std::uint32_t start = a;
   do {
@@ -158,6 +174,7 @@ void Map::sew_faces(std::uint32_t a, std::uint32_t b) {
   } while (a != start);
 }
 
+// Attaches a volume to a face of its parent without sewing: their numbers of edges differ.
 void Map::attach(std::uint32_t v, std::uint32_t parent, Face face) {
   list_[v].parent = parent;
   list_[v].parent_face = face;
@@ -166,12 +183,14 @@ void Map::attach(std::uint32_t v, std::uint32_t parent, Face face) {
   list_[parent].last_attached = v;
 }
 
+// Adds a first volume: a prism with `order` sides.
 GrowResult Map::plant(std::uint32_t order, std::uint32_t label) {
   if (order < least_order || order > largest_order) return {Refusal::order};
   if (!room_for(prism_darts(order))) return {Refusal::full};
   return {Refusal::nothing, add_prism(order, label)};
 }
 
+// Grows a prism on a free face of a volume. It is sewn there if the face has as many edges as its base, else attached.
 GrowResult Map::grow(std::uint32_t v, Face face, std::uint32_t order, std::uint32_t label) {
   if (!has(v, face)) return {Refusal::no_face};
   if (!is_free(v, face)) return {Refusal::occupied};
@@ -191,6 +210,7 @@ GrowResult Map::grow(std::uint32_t v, Face face, std::uint32_t order, std::uint3
   return grown;
 }
 
+// Sews a face of a volume to a face of another one that it meets at an edge.
 Refusal Map::glue(std::uint32_t v, Face face, std::uint32_t other, Face other_face) {
   if (!has(v, face) || !has(other, other_face)) return Refusal::no_face;
   if (v == other) return Refusal::same_volume;

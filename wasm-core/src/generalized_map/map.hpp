@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "foundation/limits.hpp"
+#include "foundation/message.hpp"
 #include "generalized_map/prism.hpp"
 
 namespace panicle::generalized_map {
@@ -39,8 +40,8 @@ enum class Refusal : std::uint8_t {
   full,          // the map would have more darts than it may
 };
 
-// The reason of a refusal and advice, in one sentence; empty for `nothing`.
-const char* words(Refusal refusal);
+// The reason of a refusal, which is not `nothing`, with advice.
+Message message_of(Refusal refusal);
 
 struct Volume {
   std::uint32_t label = 0;  // the caller's: which word names it
@@ -90,15 +91,19 @@ class Map {
 
   std::uint32_t darts() const { return static_cast<std::uint32_t>(volume_.size()); }
   std::uint32_t volumes() const { return static_cast<std::uint32_t>(list_.size()); }
+  // The dart to which involution α_i, i = 0 … 3, leads: the neighbour by vertex, edge, face or volume. A dart is a
+  // half-edge of one face.
   std::uint32_t alpha(std::uint32_t i, std::uint32_t dart) const { return alpha_[i][dart]; }
   std::span<const std::uint32_t> alphas(std::uint32_t i) const { return alpha_[i]; }
   std::span<const std::uint32_t> volume_of() const { return volume_; }  // by dart
   std::span<const Face> face_of() const { return face_; }               // by dart
   const Volume& volume(std::uint32_t v) const { return list_[v]; }
+  // Changes the label of a volume.
   void relabel(std::uint32_t v, std::uint32_t label) { list_[v].label = label; }
   std::span<const Cut> cuts() const { return cuts_; }
   std::uint64_t bytes() const;  // that it holds
 
+  // Whether volume `v` exists and has that face.
   bool has(std::uint32_t v, Face face) const { return v < volumes() && face < list_[v].order + 2; }
 
   // Corner `i` of a volume's base or end: the dart there that looks along the edge to corner i + 1. Neighbours that are
@@ -142,6 +147,7 @@ class Map {
     } while (d != start);
     return {};
   }
+  // The adjacency of a face to the face `other_face` of any volume with that label.
   Adjacency adjacent(std::uint32_t v, Face face, std::uint32_t label, Face other_face) const {
     return adjacent(v, face, label, other_face, [](std::uint32_t) { return true; });
   }
@@ -160,9 +166,11 @@ class Map {
   friend class Splitting;
   friend struct RawAccess;  // tests spoil maps to see that it is noticed
 
+  // Whether so many more darts are within the limit.
   bool room_for(std::uint64_t darts) const { return this->darts() + darts <= most_; }
   std::uint32_t add_darts(std::uint32_t count, std::uint32_t v, Face face);
   std::uint32_t add_prism(std::uint32_t order, std::uint32_t label);
+  // Connects darts `a` and `b` by involution α_i.
   void sew(std::uint32_t i, std::uint32_t a, std::uint32_t b) {
     alpha_[i][a] = b;
     alpha_[i][b] = a;

@@ -18,12 +18,14 @@ namespace panicle::generalized_map {
 using Face = std::uint16_t;
 inline constexpr Face base_face = 0;  // O
 inline constexpr Face end_face = 1;   // E
+// The face number of side C_i, i from 1, and back.
 constexpr Face side(std::uint32_t i) { return static_cast<Face>(i + 1); }
 constexpr bool is_side(Face face) { return face > end_face; }
 constexpr std::uint32_t side_number(Face face) { return face - 1u; }  // of C_i, i
 
 inline constexpr std::uint32_t least_order = 3, largest_order = 4096;
 
+// The number of darts, half-edges of faces, of a prism whose base has `order` corners.
 constexpr std::uint32_t prism_darts(std::uint32_t order) { return 12 * order; }
 
 // The first of a face's darts, counted from the prism's first.

@@ -4,12 +4,15 @@
 
 namespace panicle::generalized_map {
 
+// A dart is one of the two half-edges of an edge of a face; sewn faces are connected dart by dart by the involution α3.
+
 // One split at work. The face F that it goes along has corners k = 0 … m − 1; rim[k] is F's dart at corner k that looks
 // to corner k + 1. Across that edge lies the face G_k of the same volume. From corner k one edge leaves F, which bounds
 // G_k and G_{k−1}; where it is cut, near[k] is the dart of G_k that looks back to F. The cut meets G_k in an edge from
 // the one cut to the next; ring[k] is its dart on F's side at near[k].
 class Splitting {
  public:
+  // Collects the darts of the face along which the volume v is split.
   Splitting(Map& map, std::uint32_t v, Face face) : map_(map), v_(v), face_(face), first_new_(map.darts()) {
     const std::uint32_t first = map.dart_of(v, face);
     std::uint32_t d = first;
@@ -21,6 +24,7 @@ class Splitting {
     std::sort(sorted_rim_.begin(), sorted_rim_.end());
   }
 
+  // The number of the face's corners.
   std::uint32_t order() const { return static_cast<std::uint32_t>(rim_.size()); }
 
   // Whether one edge leaves F at every corner.
@@ -32,7 +36,7 @@ class Splitting {
   // Whether an edge that leaves F is glued to one of F's own. Then no cut parts F from the rest.
   bool is_folded() {
     for (const std::uint32_t d : rim_) {
-      gather(leaving(d));
+      gather_fan(leaving(d));
       for (const std::uint32_t at : fan_)
         if (is_of_rim(at) || is_of_rim(a(0, at))) return true;
     }
@@ -41,15 +45,17 @@ class Splitting {
 
   // An upper bound of the new darts: of cuts, of edges across faces on both sides of them, and of the two faces that
   // close it.
-  std::uint64_t most_darts() {
+  std::uint64_t max_darts() {
     std::uint64_t count = 12 * rim_.size();
     for (const std::uint32_t d : rim_) {
-      gather(leaving(d));
+      gather_fan(leaving(d));
       count += 2 * fan_.size();
     }
     return count;
   }
 
+  // Cuts all edges that leave the face, unless this step has cut them for another volume, and divides the faces between
+  // them.
   void cut(std::uint32_t step) {
     for (const std::uint32_t d : rim_) {
       const std::uint32_t edge = leaving(d);
@@ -59,6 +65,8 @@ class Splitting {
     for (std::size_t k = 0; k < rim_.size(); ++k) ring_.push_back(divide(k));
   }
 
+  // Closes the cut by two faces, a `lid` on the part and a `stump` on the rest, which are sewn together. Returns the
+  // new volume, the part.
   std::uint32_t close(std::uint32_t rest_label, std::uint32_t part_label) {
     const std::uint32_t m = order(), part = map_.volumes();
     const bool at_base = face_ == base_face;
@@ -86,8 +94,8 @@ class Splitting {
       map_.sew(2, beyond, stump + own);
       map_.sew(2, beyond_end, stump + own + 1);
     }
-    name_polygon(rim_[0], part, at_base ? base_face : end_face);
-    for (std::uint32_t k = 0; k < m; ++k) name_polygon(ring_[k], part, side(k + 1));
+    assign_polygon(rim_[0], part, at_base ? base_face : end_face);
+    for (std::uint32_t k = 0; k < m; ++k) assign_polygon(ring_[k], part, side(k + 1));
     for (const bool of_base : {true, false})
       for (std::uint32_t k = 0; k < m; ++k) map_.corners_.push_back(of_base == at_base ? rim_[k] : lid + 2 * k);
 
@@ -104,10 +112,12 @@ class Splitting {
   }
 
  private:
+  // The dart to which the involution α_i leads.
   std::uint32_t a(std::uint32_t i, std::uint32_t d) const { return map_.alpha_[i][d]; }
   // For a dart of the rim: the dart at its corner, of the face across its edge, that looks away from F.
   std::uint32_t leaving(std::uint32_t d) const { return a(1, a(2, d)); }
 
+  // Whether a dart is on the rim of the cut.
   bool is_of_rim(std::uint32_t d) const { return std::binary_search(sorted_rim_.begin(), sorted_rim_.end(), d); }
 
   // Whether a dart is at a vertex that this step has put on its edge, so that the edge continues beyond.
@@ -131,9 +141,9 @@ class Splitting {
     return next == other || map_.face_[a(2, next)] == map_.face_[dart];
   }
 
-  // Collects the darts at one end of a whole edge in fan_: pairs across α2, one pair a volume, each's second sewn to
-  // the next one's first; from one free face to the other, or around.
-  void gather(std::uint32_t dart) {
+  // Collects the darts at one end of a whole edge in `fan_`: pairs across α2, one pair for each volume about the edge,
+  // each pair's second dart sewn to the next pair's first; from one free face to the other, or around.
+  void gather_fan(std::uint32_t dart) {
     std::uint32_t start = dart;
     while (a(3, start) != start) {
       start = a(2, a(3, start));
@@ -151,7 +161,7 @@ class Splitting {
 
   // Puts a vertex on the whole edge of a dart, in all volumes that have it.
   void cut_edge(std::uint32_t dart, std::uint32_t step) {
-    gather(dart);
+    gather_fan(dart);
     const auto ends = static_cast<std::uint32_t>(fan_.size());
     for (std::uint32_t i = 0; i < ends; ++i) fan_.push_back(a(0, fan_[i]));
     const auto count = static_cast<std::uint32_t>(fan_.size());
@@ -177,8 +187,8 @@ class Splitting {
     map_.cuts_.push_back({first, count, dart, other, step});
   }
 
-  // Divides G_k, on both sides, between its two cuts, and returns ring[k]. Where a neighbour's split has divided it
-  // already, nothing is changed.
+  // Divides G_k, the k-th face round the split volume, on both sides, between the two cuts through its edges, and
+  // returns ring[k], the dart on the new edge. Where a neighbour's split has divided it already, nothing is changed.
   std::uint32_t divide(std::size_t k) {
     const std::size_t next = k + 1 == rim_.size() ? 0 : k + 1;
     const std::uint32_t p = near_[k], q = a(2, near_[next]);  // both of G_k
@@ -193,7 +203,8 @@ class Splitting {
     return own;
   }
 
-  // An edge across a face from p's corner to q's: two darts on the side of p and q, two beyond.
+  // Adds an edge across a face of the volume v, from the corner of the dart p to that of q: two darts on the side of p
+  // and q, two beyond. Returns the first.
   std::uint32_t add_edge(std::uint32_t p, std::uint32_t q, std::uint32_t v) {
     const std::uint32_t x = map_.add_darts(4, v, map_.face_[p]), b = a(1, p), d = a(1, q);
     map_.sew(1, p, x);
@@ -209,7 +220,8 @@ class Splitting {
     return x;
   }
 
-  void name_polygon(std::uint32_t dart, std::uint32_t v, Face face) {
+  // Assigns all darts of a dart's face to a volume and a face.
+  void assign_polygon(std::uint32_t dart, std::uint32_t v, Face face) {
     std::uint32_t d = dart;
     do {
       for (const std::uint32_t at : {d, a(0, d)}) {
@@ -224,8 +236,8 @@ class Splitting {
   void keep_corners(std::uint32_t part) {
     const std::uint32_t n = map_.list_[v_].order;
     scratch_.clear();
-    for (std::uint32_t i = 0; i < n; ++i) scratch_.push_back(slid(map_.base_corner(v_, i), part));
-    for (std::uint32_t i = 0; i < n; ++i) scratch_.push_back(slid(map_.end_corner(v_, i), part));
+    for (std::uint32_t i = 0; i < n; ++i) scratch_.push_back(corner_after_split(map_.base_corner(v_, i), part));
+    for (std::uint32_t i = 0; i < n; ++i) scratch_.push_back(corner_after_split(map_.end_corner(v_, i), part));
     Volume& rest = map_.list_[v_];
     if (rest.corners == none) {
       rest.corners = static_cast<std::uint32_t>(map_.corners_.size());
@@ -235,7 +247,8 @@ class Splitting {
     }
   }
 
-  std::uint32_t slid(std::uint32_t d, std::uint32_t part) const {
+  // The dart at a corner of the rest. A corner that went with the part moves along the edge that leaves F, to the cut.
+  std::uint32_t corner_after_split(std::uint32_t d, std::uint32_t part) const {
     if (map_.volume_[d] != part) return d;
     const Face f = face_ == base_face ? base_face : end_face, lid = face_ == base_face ? end_face : base_face;
     const auto at = [this](std::uint32_t dart) { return map_.face_[dart]; };
@@ -298,13 +311,15 @@ class Splitting {
   std::vector<std::uint32_t> fan_, scratch_;
 };
 
+// Splits a volume along a face: the part at the face becomes a new volume. `step` identifies cuts that neighbours make
+// in the same step.
 SplitResult Map::split(std::uint32_t v, Face face, std::uint32_t rest_label, std::uint32_t part_label,
                        std::uint32_t step) {
   if (!has(v, face)) return {Refusal::no_face};
   Splitting splitting(*this, v, face);
   if (!splitting.is_even()) return {Refusal::uneven};
   if (splitting.is_folded()) return {Refusal::folded};
-  if (!room_for(splitting.most_darts())) return {Refusal::full};
+  if (!room_for(splitting.max_darts())) return {Refusal::full};
   splitting.cut(step);
   return {Refusal::nothing, v, splitting.close(rest_label, part_label)};
 }

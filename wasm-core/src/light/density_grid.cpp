@@ -3,12 +3,12 @@
 namespace panicle {
 namespace {
 
-constexpr float most_along = 4096;
+constexpr float max_along = 4096;
 
-// The number of cells along a length; 1 where that is not finite or at least `most_along`.
+// The number of cells along a length; 1 where that is not finite or at least `max_along`.
 std::int32_t cells_along(float length, float edge) {
   const float cells = length / edge;
-  return cells >= 0 && cells < most_along ? static_cast<std::int32_t>(cells) + 1 : 1;
+  return cells >= 0 && cells < max_along ? static_cast<std::int32_t>(cells) + 1 : 1;
 }
 
 // The cell at `place`, in cells from the first: the nearest of the `count` cells, the first where it is not a number.
@@ -19,6 +19,7 @@ std::int32_t cell_of(float place, std::int32_t count) {
 
 }  // namespace
 
+// An empty grid of cells of width `edge` over the box from `low` to `high`.
 DensityGrid::DensityGrid(const glm::vec3& low, const glm::vec3& high, float edge)
     : low_(low),
       edge_(edge),
@@ -27,12 +28,14 @@ DensityGrid::DensityGrid(const glm::vec3& low, const glm::vec3& high, float edge
       matter_(static_cast<std::size_t>(count_.x) * static_cast<std::size_t>(count_.y) *
               static_cast<std::size_t>(count_.z)) {}
 
+// Adds an opaque area at a place to its cell, as area per volume.
 void DensityGrid::put(const glm::vec3& place, float area) {
   const glm::vec3 cells = (place - low_) / edge_;
   const glm::ivec3 at(cell_of(cells.x, count_.x), cell_of(cells.y, count_.y), cell_of(cells.z, count_.z));
   matter_[static_cast<std::size_t>((at.z * count_.y + at.y) * count_.x + at.x)] += area * per_volume_;
 }
 
+// The light in all cells, from the given directions.
 VoxelLight DensityGrid::light(std::span<const LightDirection> lamps) const {
   const auto words = [](std::int32_t value) { return static_cast<std::uint32_t>(value); };
   return {low_, edge_, words(count_.x), words(count_.y), words(count_.z), matter_, lamps};

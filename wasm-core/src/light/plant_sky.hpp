@@ -19,22 +19,16 @@ inline SkyBody sky_ball(const glm::vec3& centre, float radius, std::int32_t owne
 // Adds the bodies that approximate a segment, in pieces no longer than eight times its thickness.
 void add_specks(const Segment& segment, std::int32_t owner, std::vector<SkyBody>& specks);
 
-// A part of a mesh: runs of its arrays.
-struct MeshPart {
-  std::uint32_t first_vertex = 0, vertex_count = 0;
-  std::uint32_t first_index = 0, index_count = 0;
-};
-
 // Adds the bodies that approximate a part: groups of its triangles. A flat group, as in a leaf, hides sky depending on
 // the side it is seen from; a round one, as in a tube, does not.
-void add_specks(const Mesh& mesh, const MeshPart& part, std::int32_t owner, std::vector<SkyBody>& specks);
+void add_specks(const Mesh& mesh, const MeshRange& part, std::int32_t owner, std::vector<SkyBody>& specks);
 
 // Returns the sky of each vertex of a skin swept over `segments`, whose indices are the owners.
 std::vector<std::uint8_t> sky_of_stems(Sky& sky, const StemMesh& stems, std::span<const Segment> segments);
 
 // Computes the sky of a part's vertices (of a sheet, which is lit from both sides, the better of the two), and writes
 // it to their places in `bytes`, which has one byte a vertex of the mesh.
-void sample_part(Sky& sky, const Mesh& mesh, const MeshPart& part, std::int32_t owner, bool sheet,
+void sample_part(Sky& sky, const Mesh& mesh, const MeshRange& part, std::int32_t owner, bool sheet,
                  std::span<std::uint8_t> bytes);
 
 }  // namespace panicle

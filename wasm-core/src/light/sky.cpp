@@ -15,6 +15,7 @@ constexpr float worth_a_look = 0.4f;                  // radius over distance, f
 // Numbers for a body without an owner, one without a parent, and a receiver without either: no two are the same.
 constexpr std::uint32_t no_owner = 0xffffffffu, no_parent = 0xfffffffeu, no_receiver = 0xfffffffdu;
 
+// The number by which owners are compared; `none` for −1.
 std::uint32_t number(std::int32_t owner, std::uint32_t none) {
   return owner < 0 ? none : static_cast<std::uint32_t>(owner);
 }
@@ -28,8 +29,8 @@ FourWords mask(const Comparison& four) {
   return words;
 }
 
-// `v` where the mask is set, else 0.
-Four where(const FourWords& holds, const Four& v) {
+// `v` in the lanes where the mask is set, 0 in the others.
+Four select_lanes(const FourWords& holds, const Four& v) {
   FourWords bits;
   std::memcpy(&bits, &v, sizeof bits);
   bits &= holds;
@@ -38,12 +39,15 @@ Four where(const FourWords& holds, const Four& v) {
   return four;
 }
 
+// Whether the mask is set in any lane.
 bool any(const FourWords& holds) { return (holds[0] | holds[1] | holds[2] | holds[3]) != 0; }
 
-Four greater(const Four& a, const Four& b) { return a > b ? a : b; }
+// The greater value in each lane.
+Four max_of(const Four& a, const Four& b) { return a > b ? a : b; }
 
 float sum_of(const Four& v) { return (v[0] + v[1]) + (v[2] + v[3]); }
 
+// Whether a body is finite and has an area.
 bool counts(const SkyBody& body) {
   const glm::vec3& p = body.centre;
   return std::isfinite(p.x + p.y + p.z) && std::isfinite(body.square) && body.square > 0;
@@ -51,6 +55,8 @@ bool counts(const SkyBody& body) {
 
 }  // namespace
 
+// Sorts the bodies into a grid and copies them to columns in the order of its slots. `horizon`: how far queries reach,
+// in radii of the largest body. Bodies that do not count are put in no cell.
 Sky::BodyTable::BodyTable(std::span<const SkyBody> bodies, float horizon) {
   constexpr float nowhere = std::numeric_limits<float>::infinity();  // in no cell
   std::vector<glm::vec3> centres;
@@ -76,9 +82,12 @@ Sky::BodyTable::BodyTable(std::span<const SkyBody> bodies, float horizon) {
   }
 }
 
+// Sorts the bodies that hide sky into grids; they count up to a few radii of the largest away.
 Sky::Sky(std::span<const SkyBody> balls, std::span<const SkyBody> specks)
     : balls_(balls, ball_horizon), specks_(specks, speck_horizon) {}
 
+// Prepares sampling at a receiver: sums up all bodies around it, but those of the receiver's own part, and lists the
+// balls that look largest.
 void Sky::set_receiver(const SkyReceiver& receiver) {
   count_ = 0;
   far_balls_ = sum(balls_, receiver, true);
@@ -86,7 +95,8 @@ void Sky::set_receiver(const SkyReceiver& receiver) {
   far_specks_ = sum(specks_, receiver, false);
 }
 
-// Insertion into the short list, greatest weight first.
+// Inserts a ball into the short list of those that look largest, greatest weight first; the last one drops out of a
+// full list.
 void Sky::insert_nearest(std::uint32_t slot, float weight) {
   if (count_ == nearest && !(weight > weights_[nearest - 1])) return;
   if (count_ < nearest) ++count_;
@@ -99,7 +109,8 @@ void Sky::insert_nearest(std::uint32_t slot, float weight) {
   slots_[k] = slot;
 }
 
-// Sums bodies up; with `look`, also inserts the most visible ones into the short list.
+// Sums up the light that bodies hide from a receiver, as a constant and a term that is proportional to the cosine
+// between normal and direction; with `look`, also inserts the balls that look largest into the short list.
 Sky::Bands Sky::sum(const BodyTable& bodies, const SkyReceiver& receiver, bool look) {
   const glm::vec3 c = receiver.centre;
   const float reach = bodies.reach;
@@ -118,13 +129,13 @@ Sky::Bands Sky::sum(const BodyTable& bodies, const SkyReceiver& receiver, bool l
         seen &= mask(owner != parent) & mask(its_parent != self) & mask(its_parent != parent);
       }
       if (!any(seen)) continue;
-      const Four away = square_root(greater(square, size)), nearness = 1.0f / away;
-      Four hidden = where(seen, size * nearness * nearness);
+      const Four away = square_root(max_of(square, size)), nearness = 1.0f / away;
+      Four hidden = select_lanes(seen, size * nearness * nearness);
       if (!look) {
         const Four turned =
             (four(BodyTable::facing_x) * dx + four(BodyTable::facing_y) * dy + four(BodyTable::facing_z) * dz) *
             nearness;
-        hidden *= greater(turned, -turned) + four(BodyTable::round);
+        hidden *= max_of(turned, -turned) + four(BodyTable::round);
       }
       const Four unit = 0.5f * hidden * nearness;
       constant += 0.25f * hidden;
@@ -133,8 +144,8 @@ Sky::Bands Sky::sum(const BodyTable& bodies, const SkyReceiver& receiver, bool l
       z += unit * dz;
       if (!look) continue;
       // The weight of a ball is its apparent size seen from the receiver's surface.
-      const Four gap = greater(away - receiver.extent, Four{}) + touching * receiver.extent;
-      const Four radius = four(BodyTable::radius), weight = where(seen, radius / gap);
+      const Four gap = max_of(away - receiver.extent, Four{}) + touching * receiver.extent;
+      const Four radius = four(BodyTable::radius), weight = select_lanes(seen, radius / gap);
       const float least = count_ < nearest ? worth_a_look : weights_[nearest - 1];
       if (!any(mask(weight > least))) continue;
       for (std::uint32_t k = 0; k < 4; ++k)
@@ -158,6 +169,7 @@ void Sky::load_nearest(const glm::vec3& centre) {
   }
 }
 
+// Converts the receiver's bodies to the coordinates of a frame.
 void Sky::set_frame(const SkyFrame& frame) {
   const auto within = [&](const glm::vec3& v) {
     return glm::vec3(glm::dot(frame.side, v), glm::dot(frame.up, v), glm::dot(frame.front, v));
@@ -170,11 +182,12 @@ void Sky::set_frame(const SkyFrame& frame) {
   far_specks_.cosine = within(far_specks_.cosine);
 }
 
-// The visible share of the sky at four points.
+// The visible share of the sky, 0 … 1, at four points with unit normals: e to the power of minus the hidden light of
+// all far bodies, times the share that each near ball leaves (its disc weighted by the cosine).
 Four Sky::unoccluded(const Vec3x4& place, const Vec3x4& normal) const {
   const auto hidden_by = [&](const Bands& far) {
     const Four sum = far.cosine.x * normal.x + far.cosine.y * normal.y + far.cosine.z * normal.z + far.constant;
-    return greater(sum, Four{});  // bodies behind a point add no light
+    return max_of(sum, Four{});  // bodies behind a point add no light
   };
   const Four sum = hidden_by(far_balls_) + hidden_by(far_specks_);
   // e^−sum to within a hundredth: sums are hardly ever above 2.
@@ -185,14 +198,15 @@ Four Sky::unoccluded(const Vec3x4& place, const Vec3x4& normal) const {
     const Four ahead = dx * normal.x + dy * normal.y + dz * normal.z;
 
     // A point within the ball is taken to be at its surface.
-    const Four inverse = 1.0f / greater(square_root(dx * dx + dy * dy + dz * dz), Four{} + 1.001f * ball.radius);
+    const Four inverse = 1.0f / max_of(square_root(dx * dx + dy * dy + dz * dz), Four{} + 1.001f * ball.radius);
     const Four sine = ball.radius * inverse, cosine = ahead * inverse;
-    const Four low = greater(cosine + sine, Four{});
+    const Four low = max_of(cosine + sine, Four{});
     left *= 1.0f - sine * (cosine >= sine ? sine * cosine : 0.25f * low * low);
   }
   return left;
 }
 
+// Sets the visible share of the sky, 0 … 255, at all points; the receiver must be set.
 void Sky::sample(std::span<const float> positions, std::span<const float> normals, std::span<std::uint8_t> sky) const {
   const auto sample_four = [&](std::size_t v0, std::size_t v1, std::size_t v2, std::size_t v3) {
     const auto four = [&](std::span<const float> values, std::size_t axis) {
@@ -200,7 +214,7 @@ void Sky::sample(std::span<const float> positions, std::span<const float> normal
     };
     const Four left = unoccluded({four(positions, 0), four(positions, 1), four(positions, 2)},
                                  {four(normals, 0), four(normals, 1), four(normals, 2)});
-    const Four bytes = 255.0f * greater(left, Four{}) + 0.5f;
+    const Four bytes = 255.0f * max_of(left, Four{}) + 0.5f;
     sky[v0] = static_cast<std::uint8_t>(bytes[0]);
     sky[v1] = static_cast<std::uint8_t>(bytes[1]);
     sky[v2] = static_cast<std::uint8_t>(bytes[2]);

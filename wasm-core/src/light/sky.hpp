@@ -68,6 +68,7 @@ class Sky {
     enum Column : std::size_t { x, y, z, square, radius, facing_x, facing_y, facing_z, round, owner, parent, columns };
 
     BodyTable(std::span<const SkyBody> bodies, float horizon);
+    // The values of a column, one for each body.
     const float* of(Column column) const { return &values[column * stride]; }
 
     PointGrid grid;

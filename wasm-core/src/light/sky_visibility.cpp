@@ -13,6 +13,8 @@ namespace {
 
 constexpr float least = 1e-6f;  // a lattice's longest edge
 
+// Builds the density grid of segments and occluders, and lights it from `directions` directions all round. The box of
+// their ends has `cells` cells along its longest edge.
 VoxelLight light_of(std::span<const Segment> segments, std::span<const Occluder> screens, float cells,
                     std::uint32_t directions) {
   glm::vec3 low(std::numeric_limits<float>::max()), high(-low);
@@ -44,8 +46,10 @@ SkyVisibility::SkyVisibility(std::span<const Segment> segments, std::span<const 
                              std::uint32_t directions)
     : light_(light_of(segments, screens, cells, directions)) {}
 
+// The visible share of the sky at a place, 0 … 255.
 std::uint8_t SkyVisibility::at(const glm::vec3& place) const { return byte_of(light_.at(place)); }
 
+// The visible share of the sky at each vertex of a mesh.
 std::vector<std::uint8_t> SkyVisibility::of(const Mesh& mesh) const {
   return of(mesh.positions.size() / 3, [&](std::size_t v) {
     const float* const p = &mesh.positions[3 * v];

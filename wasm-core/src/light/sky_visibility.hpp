@@ -52,6 +52,7 @@ class SkyVisibility {
   std::vector<std::uint8_t> of(const Mesh& mesh) const;
 
  private:
+  // A share, 0 … 1, as a byte.
   static std::uint8_t byte_of(float open) {
     return static_cast<std::uint8_t>(std::clamp(open, 0.0f, 1.0f) * 255 + 0.5f);
   }

@@ -3,49 +3,46 @@
 #include <algorithm>
 #include <cmath>
 
+#include "foundation/golden_spiral.hpp"
 #include "foundation/lanes.hpp"
 #include "foundation/mathematics.hpp"
 
 namespace panicle {
 namespace {
 
-// The golden angle, in degrees: no two points on a spiral share a direction.
-constexpr float golden_angle = 137.50776f;
-
 constexpr std::size_t lanes = 4;
 
-// Loads so many values with a stride; 0 in the other lanes.
-Four gathered(const float* at, std::size_t stride, std::size_t count) {
+// Loads up to four of `count` values that are `stride` apart, from `at` on; 0 in the other lanes.
+Four load_strided(const float* at, std::size_t stride, std::size_t count) {
   if (count >= lanes) return Four{at[0], at[stride], at[2 * stride], at[3 * stride]};
   return Four{at[0], count > 1 ? at[stride] : 0, count > 2 ? at[2 * stride] : 0, 0};
 }
 
 }  // namespace
 
+// Directions of an overcast sky: evenly weighted, denser towards the zenith (cosine-weighted).
 std::vector<LightDirection> overcast(std::uint32_t count) {
   std::vector<LightDirection> lamps;
   const auto all = static_cast<float>(count);
   for (std::uint32_t k = 0; k < count; ++k) {
     // Points uniform on the disc below give cosine-weighted directions above.
-    const float square = (static_cast<float>(k) + 0.5f) / all, radius = std::sqrt(square);
-    const auto [sine, cosine] = sincos_degrees(golden_angle * static_cast<float>(k));
-    lamps.push_back({{radius * cosine, std::sqrt(1 - square), radius * sine}, 1 / all});
+    const glm::vec2 place = golden_disc_point(k, count);
+    const float square = (static_cast<float>(k) + 0.5f) / all;
+    lamps.push_back({{place.x, std::sqrt(1 - square), place.y}, 1 / all});
   }
   return lamps;
 }
 
+// Directions evenly over the whole sphere.
 std::vector<LightDirection> all_round(std::uint32_t count) {
   std::vector<LightDirection> lamps;
   const auto all = static_cast<float>(count);
-  for (std::uint32_t k = 0; k < count; ++k) {
-    // Points uniform along the axis give directions uniform on the sphere (Archimedes).
-    const float height = 1 - (2 * static_cast<float>(k) + 1) / all, radius = std::sqrt(1 - height * height);
-    const auto [sine, cosine] = sincos_degrees(golden_angle * static_cast<float>(k));
-    lamps.push_back({{radius * cosine, height, radius * sine}, 1 / all});
-  }
+  for (std::uint32_t k = 0; k < count; ++k) lamps.push_back({golden_sphere_point(k, count), 1 / all});
   return lamps;
 }
 
+// Computes the light in all cells of a grid: the sum over all directions of their share times e to the power of minus
+// the optical depth. `matter` is the density of each cell, x fastest.
 VoxelLight::VoxelLight(const glm::vec3& low, float edge, std::uint32_t x, std::uint32_t y, std::uint32_t z,
                        std::span<const float> matter, std::span<const LightDirection> lamps)
     : low_(low),
@@ -56,11 +53,13 @@ VoxelLight::VoxelLight(const glm::vec3& low, float edge, std::uint32_t x, std::u
   for (const LightDirection& lamp : lamps) shine(lamp, matter, planes);
 }
 
+// The numbers of cells along x, y and z.
 std::array<std::uint32_t, 3> VoxelLight::counts() const {
   return {static_cast<std::uint32_t>(count_[0]), static_cast<std::uint32_t>(count_[1]),
           static_cast<std::uint32_t>(count_[2])};
 }
 
+// The index of a cell.
 std::size_t VoxelLight::index(std::int32_t x, std::int32_t y, std::int32_t z) const {
   return static_cast<std::size_t>((z * count_[1] + y) * count_[0] + x);
 }
@@ -92,7 +91,7 @@ void VoxelLight::shine(const LightDirection& lamp, std::span<const float> matter
       float* left = &here[(row + 1) * pitch + 1];
       for (std::size_t x = 0; x < width; x += lanes) {
         const std::size_t first = layer + row * strides[along] + x * stride, count = std::min(lanes, width - x);
-        const Four some = way * gathered(&matter[first], stride, count);
+        const Four some = way * load_strided(&matter[first], stride, count);
         const Four depth = (1 - v) * ((1 - u) * load(near + x) + u * load(near + x + 1)) +
                            v * ((1 - u) * load(far + x) + u * load(far + x + 1)) + some;
         store(left + x, depth + some);
@@ -105,6 +104,7 @@ void VoxelLight::shine(const LightDirection& lamp, std::span<const float> matter
   }
 }
 
+// Finds the eight cells whose middles surround a place. A place beyond the outermost middles is moved to them.
 VoxelLight::Corner VoxelLight::corner_of(const glm::vec3& p) const {
   const FourIntegers strides = {1, count_[0], count_[0] * count_[1], 0};
   const FourIntegers last = {count_[0] - 1, count_[1] - 1, count_[2] - 1, 0};
@@ -124,6 +124,7 @@ VoxelLight::Corner VoxelLight::corner_of(const glm::vec3& p) const {
   return corner;
 }
 
+// The light at a point, interpolated between the eight cells around it.
 float VoxelLight::at(const glm::vec3& p) const {
   const Corner at = corner_of(p);
   // The four rows along x.
@@ -137,6 +138,7 @@ float VoxelLight::at(const glm::vec3& p) const {
   return mix(mix(along[0], along[1], at.share[1]), mix(along[2], along[3], at.share[1]), at.share[2]);
 }
 
+// The light at four points.
 Four VoxelLight::at(const FourVectors& p) const {
   FourIntegers lower[3], upper[3];
   Four share[3];
@@ -165,6 +167,7 @@ Four VoxelLight::at(const FourVectors& p) const {
              mix(row(lower[1] + upper[2]), row(upper[1] + upper[2]), share[1]), share[2]);
 }
 
+// The gradient of light at a point, in light per unit of length.
 glm::vec3 VoxelLight::ascent(const glm::vec3& p) const {
   const Corner at = corner_of(p);
   glm::vec3 ascent(0);

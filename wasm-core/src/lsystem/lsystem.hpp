@@ -14,6 +14,7 @@
 
 #include "expression/space.hpp"
 #include "foundation/limits.hpp"
+#include "foundation/message.hpp"
 #include "foundation/result.hpp"
 #include "lsystem/turtle/listener.hpp"
 #include "lsystem/turtle/turtle.hpp"
@@ -43,7 +44,7 @@ struct Inputs {
 enum class Lineages { where_needed, always };
 
 // The turtle's sense of rotation, and the meaning of some letters, where the text has no line `#turtle …`: Table 1 of
-// Huang et al. (2013), or cpfg (docs/turtle.md).
+// Huang et al. (2013), or cpfg (docs/language.md).
 enum class Notation : std::uint8_t { huang, cpfg };
 
 class Watcher;
@@ -86,6 +87,7 @@ struct Roles {
   std::vector<std::string> names;        // in the order of the text
   std::vector<std::uint32_t> of_symbol;  // by symbol: the place of its role among the names, or `none`
 
+  // The role's index for a symbol; `none` if it has none.
   std::uint32_t of(std::uint32_t symbol) const { return symbol < of_symbol.size() ? of_symbol[symbol] : none; }
 };
 const Roles& roles(const Program& program);
@@ -97,7 +99,7 @@ std::span<const std::string> symbols(const Program& program);
 // A part of a text that the engine ignores, in one sentence with advice. Line and column are 0 for remarks that concern
 // no text.
 struct Remark {
-  std::string message;
+  Message message;
   std::uint32_t line = 0;
   std::uint32_t column = 0;
 };

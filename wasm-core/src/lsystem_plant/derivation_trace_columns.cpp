@@ -4,12 +4,15 @@
 #include <string>
 #include <vector>
 
+#include "lsystem_plant/messages.generated.hpp"
+
 namespace panicle {
 namespace {
 
 using lsystem::TraceEntry;
 using Words = std::vector<std::uint32_t>;
 
+// One of the texts of each module, a line each.
 std::string lines_of(const std::vector<TraceEntry>& modules, std::string TraceEntry::* text) {
   std::string all;
   for (const TraceEntry& entry : modules) {
@@ -19,7 +22,7 @@ std::string lines_of(const std::vector<TraceEntry>& modules, std::string TraceEn
   return all;
 }
 
-// One line for each module: its refusals as `3:1 its condition is false`, separated by tabs.
+// A line for each module: the productions that did not fit it, as `3:1 the condition is false`, separated by tabs.
 std::string refusals_of(const std::vector<TraceEntry>& modules) {
   std::string all;
   for (const TraceEntry& entry : modules) {
@@ -33,6 +36,7 @@ std::string refusals_of(const std::vector<TraceEntry>& modules) {
   return all;
 }
 
+// For each module the line and column of one of its source locations.
 Words pairs_of(const std::vector<TraceEntry>& modules, expression::SourceLocation TraceEntry::* place) {
   return column_of<std::uint32_t>(modules, 2, [place](const TraceEntry& entry, std::uint32_t* at) {
     at[0] = (entry.*place).line;
@@ -40,6 +44,7 @@ Words pairs_of(const std::vector<TraceEntry>& modules, expression::SourceLocatio
   });
 }
 
+// For each module the first index and the number of one of its spans of modules.
 Words pairs_of(const std::vector<TraceEntry>& modules, lsystem::ModuleSpan TraceEntry::* span) {
   return column_of<std::uint32_t>(modules, 2, [span](const TraceEntry& entry, std::uint32_t* at) {
     at[0] = (entry.*span).first;
@@ -49,6 +54,7 @@ Words pairs_of(const std::vector<TraceEntry>& modules, lsystem::ModuleSpan Trace
 
 }  // namespace
 
+// The part of the derivation that the request wants traced; none if it wants no trace.
 Result<std::optional<lsystem::TraceRequest>> read_trace_request(Request& request) {
   using lsystem::TraceRequest;
   TraceRequest trace;
@@ -58,17 +64,16 @@ Result<std::optional<lsystem::TraceRequest>> read_trace_request(Request& request
   if (request.has("chronicle_module")) trace.module = request.word("chronicle_module");
   if (!request.wants("chronicle")) return std::optional<TraceRequest>();
   if (trace.count > TraceRequest::most)
-    return Diagnostic{
-        Reason::bad_request,
-        "At most " + std::to_string(TraceRequest::most) + " modules of a derivation are told at once; ask for fewer.",
-        0, 0};
+    return bad_request(message(messages::lsystem_plant::trace_window_too_long, TraceRequest::most));
   return std::optional(trace);
 }
 
+// The note that the trace ended early, and why.
 std::string cut_short(const lsystem::DerivationTrace& trace) {
-  return "The derivation is told as far as it goes in steps. " + trace.stopped().message;
+  return message(messages::lsystem_plant::trace_cut_short).encoded() + " " + trace.stopped().message;
 }
 
+// Adds the trace's columns, which the header lists.
 void add_trace_columns(Plant& plant, const lsystem::DerivationTrace& trace) {
   const std::vector<TraceEntry>& modules = trace.modules();
   Columns& columns = plant.columns;

@@ -13,7 +13,7 @@
 //   chronicle.production   uint32 x 2: line and column of the production that wrote it in this step; 0 for none
 //   chronicle.fires        uint32 x 2: of the one that rewrites it next, or draws it in place of a query
 //   chronicle.refusals     text, one a line: the reasons why the other productions of its symbol do not rewrite it,
-//                          separated by tabs: `3:1 its condition is false with x = 3`
+//                          separated by tabs: `3:1 the condition is false with x = 3`
 //   chronicle.values       text, one a line: the values that one is applied with, `n=3 t=0.5`
 //   chronicle.chance       float32 x 3: where it was drawn by weight: the sum of all weights, its own, where it fell
 //   chronicle.children     uint32 x 2: first and count of its children in the next step

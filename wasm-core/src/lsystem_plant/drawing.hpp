@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "foundation/limits.hpp"
+#include "foundation/message.hpp"
 #include "foundation/result.hpp"
 #include "lsystem/lsystem.hpp"
 #include "stems/segment.hpp"
@@ -31,6 +32,7 @@ class Drawing : public lsystem::Listener {
  public:
   explicit Drawing(const Limits& limits) : limits_(limits) {}
 
+  // Begins a new drawing: earlier segments stay, and lines of the turtle are numbered from here.
   void begin() { first_ = static_cast<std::int32_t>(segments.size()); }
 
   void line(std::int32_t id, const lsystem::Turtle& before, const lsystem::Turtle& after,
@@ -50,7 +52,7 @@ class Drawing : public lsystem::Listener {
   // Index of the segment that the turtle stands on, −1 at the root.
   std::int32_t segment_of(const lsystem::Turtle& turtle) const { return turtle.line < 0 ? -1 : first_ + turtle.line; }
   // Whether there is room for one more; if not, `trouble` is set.
-  bool within(std::size_t count, std::uint32_t limit, std::string_view what);
+  bool within(std::size_t count, std::uint32_t limit, const MessageCode<1>& otherwise);
   // Stores the first error.
   void fail(Diagnostic trouble);
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "light/plant_sky.hpp"
+#include "lsystem_plant/messages.generated.hpp"
 #include "mesh/uv_sphere.hpp"
 #include "stems/tubes.hpp"
 
@@ -19,7 +20,7 @@ glm::vec4 turn_from_up(const glm::vec3& way) {
   return {way.z / length, 0, -way.x / length, w / length};
 }
 
-// Owners are segments, then organs.
+// Makes the sky that organs, as balls, and segments, as specks, leave open. Owners are numbered: segments, then organs.
 Sky build_sky(const Plant& plant) {
   std::vector<SkyBody> balls;
   for (const Organ& organ : plant.organs)
@@ -31,7 +32,7 @@ Sky build_sky(const Plant& plant) {
   return Sky(balls, specks);
 }
 
-// A mean over each ball, which hides nothing from itself.
+// How much sky each organ sees, 0 … 255: the mean over its ball, which hides nothing from itself.
 std::vector<std::uint8_t> sky_of_organs(Sky& sky, const Plant& plant) {
   const Mesh ball = make_uv_sphere(8);
   std::vector<std::uint8_t> points(ball.positions.size() / 3), means;
@@ -47,6 +48,7 @@ std::vector<std::uint8_t> sky_of_organs(Sky& sky, const Plant& plant) {
   return means;
 }
 
+// Adds the meshes `stems` and, where there are organs, `balls`, whose index plant_of has set to 1.
 void add_meshes(Plant& plant, const PlainOptions& options) {
   const TubeOptions tubes{.sides = options.sides};
   StemMesh stems = sweep_stems({plant.segments}, tubes, 1.0f);
@@ -63,31 +65,27 @@ void add_meshes(Plant& plant, const PlainOptions& options) {
 
 }  // namespace
 
+// Turns a drawing into a plant in metres, with meshes if requested.
 Plant plant_of(const Drawing& drawing, const PlainOptions& options) {
   Plant plant;
   plant.tags = {"stem"};
   plant.organ_tags = {"ball"};
   plant.segments = drawing.segments;
-  for (Segment& segment : plant.segments) {
-    segment.start *= options.metres;
-    segment.end *= options.metres;
-    segment.radius *= options.metres;
-    segment.radius_end *= options.metres;
-  }
+  for (Segment& segment : plant.segments) scale(segment, options.metres);
   constexpr std::int32_t second_mesh = 1;
   for (const Ball& ball : drawing.balls)
     plant.organs.push_back({0, ball.segment, options.meshes ? second_mesh : -1, ball.centre * options.metres,
                             turn_from_up(ball.heading), ball.radius * options.metres});
   plant.counts = {{"segments", static_cast<std::uint32_t>(plant.segments.size())},
                   {"organs", static_cast<std::uint32_t>(plant.organs.size())}};
-  if (plant.segments.empty() && plant.organs.empty()) plant.notes.push_back("The grammar drew nothing.");
-  plant.fingerprint = fingerprint_of(plant);
-  if (!options.meshes) return plant;
-  add_meshes(plant, options);
-  if (options.mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
+  if (plant.segments.empty() && plant.organs.empty())
+    plant.notes.push_back(message(messages::lsystem_plant::nothing_drawn));
+  if (options.meshes) add_meshes(plant, options);
+  set_fingerprints(plant, options.meshes && options.mesh_fingerprint);
   return plant;
 }
 
+// Derives the string of an L-system, draws it, and makes a plant of the drawing.
 Result<Plant> draw_plainly(std::shared_ptr<const lsystem::Program> program, const lsystem::Inputs& inputs,
                            const PlainOptions& options, const Limits& limits) {
   const auto bound = lsystem::bind(std::move(program), inputs, limits);

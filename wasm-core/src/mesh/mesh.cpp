@@ -3,6 +3,7 @@
 namespace panicle {
 namespace {
 
+// Appends three numbers.
 template <class Number>
 void put_three(std::vector<Number>& values, Number a, Number b, Number c) {
   values.push_back(a);
@@ -12,6 +13,12 @@ void put_three(std::vector<Number>& values, Number a, Number b, Number c) {
 
 }  // namespace
 
+// The range of all vertices and indices.
+MeshRange whole_range(const Mesh& mesh) {
+  return {0, static_cast<std::uint32_t>(mesh.positions.size() / 3), 0, static_cast<std::uint32_t>(mesh.indices.size())};
+}
+
+// Appends coordinates, or the corners of a triangle, to a list.
 void put(std::vector<float>& values, const glm::vec3& v) { put_three(values, v.x, v.y, v.z); }
 
 void put(std::vector<float>& values, const glm::vec2& v) {

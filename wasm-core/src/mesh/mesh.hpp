@@ -15,6 +15,15 @@ struct Mesh {
   std::vector<std::uint32_t> indices;  // 3 × triangles
 };
 
+// A contiguous part of a mesh's arrays.
+struct MeshRange {
+  std::uint32_t first_vertex = 0, vertex_count = 0;
+  std::uint32_t first_index = 0, index_count = 0;  // indices count from the whole mesh's first vertex
+};
+
+// The range of a whole mesh.
+MeshRange whole_range(const Mesh& mesh);
+
 // Append coordinates, or a triangle: in wasm a few push_back calls are several times as fast as an insert.
 void put(std::vector<float>& values, const glm::vec3& v);
 void put(std::vector<float>& values, const glm::vec2& v);

@@ -24,14 +24,14 @@ struct Collapse {
 };
 
 // Triangles of which `thinning_of` compares all collapses, which takes some 10 µs a triangle as wasm.
-inline constexpr std::uint32_t most_compared = 100'000;
+inline constexpr std::uint32_t max_compared = 100'000;
 
 // Until nothing can go without turning something over. Deterministic: of equal costs the lower number goes first.
 // Of a patch with more triangles than `most`, all vertices within a cell of a grid become one instead, for
 // increasingly large cells (Rossignac and Borrel 1993, "Multi-resolution 3D approximations for rendering complex
 // scenes"): in O(n log n), and triangles may turn over. Fixed vertices stay. `looks`: how many collapses were compared
 // is added to it.
-std::vector<Collapse> thinning_of(const Patch& patch, std::uint32_t most = most_compared,
+std::vector<Collapse> thinning_of(const Patch& patch, std::uint32_t most = max_compared,
                                   std::uint64_t* looks = nullptr);
 
 }  // namespace panicle

@@ -4,11 +4,15 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "mesh/normals.hpp"
+
 namespace panicle {
 namespace {
 
-// Of a vertex with n edges: the mean of its faces' points, twice that of its edges' middles, n − 3 times itself.
-glm::vec3 rounded(const glm::vec3& place, const glm::vec3& faces, const glm::vec3& middles, std::uint32_t valence) {
+// The new place of a vertex by Catmull & Clark (1978): (F + 2 M + (n − 3) P) / n, with F the mean of its n faces'
+// points, M that of its edges' middles, and P itself. `faces` and `middles` are sums.
+glm::vec3 catmull_clark_vertex(const glm::vec3& place, const glm::vec3& faces, const glm::vec3& middles,
+                               std::uint32_t valence) {
   if (valence == 0) return faces;
   const auto n = static_cast<float>(valence);
   return (faces / n + 2.0f * middles / n + (n - 3) * place) / n;
@@ -16,6 +20,8 @@ glm::vec3 rounded(const glm::vec3& place, const glm::vec3& faces, const glm::vec
 
 }  // namespace
 
+// The topology of the Catmull-Clark subdivision of a surface: each half-edge becomes a quad between its origin, the
+// middle of its edge, the face's point and the middle of the edge before.
 ClosedSurface refined(const ClosedSurface& surface) {
   const std::uint32_t halves = surface.half_edges();
   const auto vertices = static_cast<std::uint32_t>(surface.positions.size());
@@ -27,6 +33,7 @@ ClosedSurface refined(const ClosedSurface& surface) {
   fine.face.resize(4 * halves);
   fine.positions.resize(vertices + halves / 2 + surface.faces);
 
+  // The half-edge before each in its face, and the number of each one's edge.
   std::vector<std::uint32_t> before(halves), edge(halves);
   std::uint32_t edges = 0;
   for (std::uint32_t h = 0; h < halves; ++h) {
@@ -34,6 +41,7 @@ ClosedSurface refined(const ClosedSurface& surface) {
     const std::uint32_t twin = surface.twin[h];
     edge[h] = h < twin ? edges++ : edge[twin];
   }
+  // Half-edge h becomes the quad with the half-edges 4 h … 4 h + 3.
   for (std::uint32_t h = 0; h < halves; ++h) {
     const std::uint32_t first = 4 * h, last = before[h];
     fine.origin[first] = surface.origin[h];
@@ -52,6 +60,8 @@ ClosedSurface refined(const ClosedSurface& surface) {
   return fine;
 }
 
+// Places the vertices of a refined surface by the rules of Catmull & Clark. Vertices come first, then edges' points,
+// then faces' points.
 void place_refined(const ClosedSurface& surface, ClosedSurface& fine) {
   const std::uint32_t halves = surface.half_edges();
   const auto vertices = static_cast<std::uint32_t>(surface.positions.size());
@@ -81,9 +91,10 @@ void place_refined(const ClosedSurface& surface, ClosedSurface& fine) {
     ++valence[from];
   }
   for (std::uint32_t v = 0; v < vertices; ++v)
-    of_vertex[v] = rounded(surface.positions[v], of_vertex[v], middles[v], valence[v]);
+    of_vertex[v] = catmull_clark_vertex(surface.positions[v], of_vertex[v], middles[v], valence[v]);
 }
 
+// The places of a surface's own vertices after one round of subdivision.
 std::vector<glm::vec3> rounded_vertices(const ClosedSurface& surface) {
   const auto vertices = static_cast<std::uint32_t>(surface.positions.size());
   const std::uint32_t halves = surface.half_edges();
@@ -101,16 +112,18 @@ std::vector<glm::vec3> rounded_vertices(const ClosedSurface& surface) {
     ++valence[from];
   }
   for (std::uint32_t v = 0; v < vertices; ++v)
-    about[v] = rounded(surface.positions[v], about[v], middles[v], valence[v]);
+    about[v] = catmull_clark_vertex(surface.positions[v], about[v], middles[v], valence[v]);
   return about;
 }
 
+// One round of Catmull-Clark subdivision.
 ClosedSurface subdivided(const ClosedSurface& surface) {
   ClosedSurface fine = refined(surface);
   place_refined(surface, fine);
   return fine;
 }
 
+// The unit normals of all vertices.
 std::vector<glm::vec3> normals_of(const ClosedSurface& surface) {
   std::vector<glm::vec3> normals(surface.positions.size(), glm::vec3(0));
   // The corner's own triangle: the bend of a quad is shared out among its corners.
@@ -118,12 +131,9 @@ std::vector<glm::vec3> normals_of(const ClosedSurface& surface) {
     const std::uint32_t after = surface.next[h], behind = surface.next[after];
     const glm::vec3& corner = surface.positions[surface.origin[after]];
     normals[surface.origin[after]] +=
-        glm::cross(surface.positions[surface.origin[behind]] - corner, surface.positions[surface.origin[h]] - corner);
+        triangle_normal(corner, surface.positions[surface.origin[behind]], surface.positions[surface.origin[h]]);
   }
-  for (glm::vec3& normal : normals) {
-    const float length = std::sqrt(glm::dot(normal, normal));
-    normal = length > 1e-20f ? normal / length : glm::vec3(0, 0, 1);
-  }
+  for (glm::vec3& normal : normals) normal = unit_normal(normal, 1e-20f);
   return normals;
 }
 

@@ -14,7 +14,7 @@ namespace panicle {
 inline constexpr float triangulation_lattice = 1048576;  // 2²⁰
 
 // About half a second natively; a hundred times the steps of the finest blades.
-inline constexpr std::uint64_t most_triangulation_steps = 20'000'000;
+inline constexpr std::uint64_t max_triangulation_steps = 20'000'000;
 
 // Triangles, counter-clockwise, three indices each, that fill the polygon of the first `ring` points exactly; the
 // others are corners too where they lie inside it. Those that lie outside or on its edges, or where another is, are
@@ -22,6 +22,6 @@ inline constexpr std::uint64_t most_triangulation_steps = 20'000'000;
 // crosses nor touches itself; of one that does nothing comes back, nor of one that takes more than so many steps:
 // flips, and triangles that are passed on the way to a point.
 std::vector<std::uint32_t> triangulate(std::span<const glm::vec2> points, std::size_t ring,
-                                       std::uint64_t most_steps = most_triangulation_steps);
+                                       std::uint64_t max_steps = max_triangulation_steps);
 
 }  // namespace panicle

@@ -6,6 +6,7 @@
 
 namespace panicle {
 
+// A sphere of radius 1 with `segments` segments around and half as many rows.
 Mesh make_uv_sphere(std::uint32_t segments) {
   const std::uint32_t round = std::max(segments, 3u), rows = std::max(round / 2, 2u);
   Mesh ball;

@@ -14,6 +14,7 @@ namespace {
 
 constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
 
+// Sums up length, volume and surface of the segments as truncated cones, and finds their box and the thickest base.
 void measure_size(std::span<const Segment> segments, Branching& found) {
   glm::vec3 low(std::numeric_limits<float>::max()), high(-low);
   for (const Segment& segment : segments) {
@@ -32,6 +33,7 @@ void measure_size(std::span<const Segment> segments, Branching& found) {
   found.width_z = high.z - low.z;
 }
 
+// Finds the Strahler order of each segment, from the tips back to the base, and counts the branches of each order.
 void measure_orders(std::span<const Segment> segments, Branching& found) {
   // For each segment: the highest order among its children, and whether two of them have it.
   std::vector<std::uint8_t> highest(segments.size(), 0), twice(segments.size(), 0), orders(segments.size(), 1);
@@ -57,6 +59,7 @@ void measure_orders(std::span<const Segment> segments, Branching& found) {
   found.bifurcation = power(first / last, 1 / static_cast<float>(found.order - 1));
 }
 
+// Counts tips and forks, and finds the mean angle between the two thickest segments of each fork.
 void measure_forks(std::span<const Segment> segments, Branching& found) {
   struct Fork {
     std::uint32_t count = 0;
@@ -94,6 +97,7 @@ void measure_forks(std::span<const Segment> segments, Branching& found) {
 
 }  // namespace
 
+// Measures sizes, Strahler orders and forks of a branched skeleton, in which parents come first.
 Branching branching_of(std::span<const Segment> segments) {
   Branching found;
   measure_size(segments, found);

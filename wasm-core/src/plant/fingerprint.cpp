@@ -6,6 +6,7 @@
 
 namespace panicle {
 
+// A hash of all numbers of the meshes.
 std::uint64_t mesh_fingerprint_of(const Plant& plant) {
   Fingerprint print;
   for (const PlantMesh& each : plant.meshes) {
@@ -17,6 +18,7 @@ std::uint64_t mesh_fingerprint_of(const Plant& plant) {
   return print.value();
 }
 
+// A hash of all numbers of segments and organs.
 std::uint64_t fingerprint_of(const Plant& plant) {
   Fingerprint print;
   const auto add = [&print](const glm::vec3& p) {
@@ -40,6 +42,12 @@ std::uint64_t fingerprint_of(const Plant& plant) {
     print.add(organ.scale);
   }
   return print.value();
+}
+
+// Stores both fingerprints in the plant; that of the meshes if requested.
+void set_fingerprints(Plant& plant, bool of_meshes) {
+  plant.fingerprint = fingerprint_of(plant);
+  if (of_meshes) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
 }
 
 }  // namespace panicle

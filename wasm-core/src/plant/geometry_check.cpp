@@ -4,17 +4,19 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string>
 #include <string_view>
 
 #include "foundation/bits.hpp"
+#include "plant/messages.generated.hpp"
 
 namespace panicle {
 namespace {
 
 constexpr std::uint32_t exponent = 0x7f800000;
 
+// Whether a number is neither infinite nor NaN: its exponent's bits are not all 1.
 bool is_finite(float value) { return (bit_cast<std::uint32_t>(value) & exponent) != exponent; }
+// The same for all three coordinates.
 bool is_finite(const glm::vec3& p) { return is_finite(p.x) && is_finite(p.y) && is_finite(p.z); }
 
 // The index of the first that is not finite; the number of all where there is none.
@@ -30,30 +32,24 @@ std::size_t first_not_finite(std::span<const float> values) {
   return values.size();
 }
 
+// Numbers in rows of `width`.
 struct Rows {
   std::span<const float> values;
   std::size_t width;
 };
 
-Diagnostic refused(const std::string& what) {
-  return {Reason::evaluation, what + " has numbers that are not finite, and cannot be drawn; make sizes smaller.", 0,
-          0};
-}
+// The error for geometry that is not finite.
+Diagnostic not_finite_error(const Message& why) { return {Reason::evaluation, why}; }
 
-std::string named(const char* kind, std::size_t number, const std::vector<std::string>& tags, std::uint32_t tag) {
-  std::string name = kind + std::to_string(number + 1);
-  if (tag < tags.size()) name += " (" + tags[tag] + ")";
-  return name;
-}
-
-// The part of a mesh that a vertex belongs to; the mesh itself where it has no parts.
-std::string part_of(const PlantMesh& mesh, std::size_t vertex) {
+// Names the part of a mesh that a vertex belongs to; the mesh itself where it has no parts.
+Message vertex_not_finite(const PlantMesh& mesh, std::size_t vertex) {
   for (const MeshRun& run : mesh.runs)
     if (vertex >= run.first_vertex && vertex - run.first_vertex < run.vertex_count)
-      return "“" + run.name + "” of the mesh “" + mesh.name + "”";
-  return "The mesh “" + mesh.name + "”";
+      return message(messages::plant::mesh_part_not_finite, run.name, mesh.name);
+  return message(messages::plant::mesh_not_finite, mesh.name);
 }
 
+// Whether a column holds places or directions, by the end of its name.
 bool holds_places(std::string_view column) {
   for (const std::string_view ending : {"spheres", "places", "positions", "normals"})
     if (column.ends_with(ending)) return true;
@@ -62,30 +58,31 @@ bool holds_places(std::string_view column) {
 
 }  // namespace
 
+// Checks that all coordinates of a plant are finite; an error for the first that is not.
 Diagnostic check_geometry(const Plant& plant) {
   for (std::size_t i = 0; i < plant.segments.size(); ++i) {
     const Segment& segment = plant.segments[i];
     if (!is_finite(segment.start) || !is_finite(segment.end) || !is_finite(segment.radius) ||
         !is_finite(segment.radius_end))
-      return refused(named("Segment ", i, plant.tags, segment.tag));
+      return not_finite_error(message(messages::plant::segment_not_finite, i + 1));
   }
   for (std::size_t i = 0; i < plant.organs.size(); ++i) {
     const Organ& organ = plant.organs[i];
     const glm::vec4& turn = organ.rotation;
     if (!is_finite(organ.position) || !is_finite(organ.scale) || !is_finite(turn.w) || !is_finite(glm::vec3(turn)))
-      return refused(named("Organ ", i, plant.organ_tags, organ.tag));
+      return not_finite_error(message(messages::plant::organ_not_finite, i + 1));
   }
   for (const PlantMesh& mesh : plant.meshes) {
     const Mesh& all = mesh.mesh;
     for (const auto& [values, width] : {Rows{all.positions, 3}, Rows{all.normals, 3}, Rows{all.uvs, 2}})
       if (const std::size_t at = first_not_finite(values); at < values.size())
-        return refused(part_of(mesh, at / width));
+        return not_finite_error(vertex_not_finite(mesh, at / width));
   }
   for (std::size_t i = 0; i < plant.columns.size(); ++i) {
     const ColumnView column = plant.columns[i];
     const std::span<const float> values = column.as<float>();
     if (holds_places(column.name) && first_not_finite(values) < values.size())
-      return refused("The column “" + std::string(column.name) + "”");
+      return not_finite_error(message(messages::plant::column_not_finite, column.name));
   }
   return {};
 }

@@ -8,8 +8,8 @@
 namespace panicle {
 
 // The first number that is not finite, of segments, organs and meshes and of the columns that hold places ("spheres",
-// "places", "positions", "normals"): an error of reason evaluation, which names the segment, the organ, the mesh and
-// its part, or the column. Reason::none where there is none.
+// "places", "positions", "normals"): an error of reason evaluation, which has the number of the segment or organ, or
+// names the mesh and its part, or the column. Reason::none where there is none.
 Diagnostic check_geometry(const Plant& plant);
 
 }  // namespace panicle

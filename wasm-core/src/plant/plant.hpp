@@ -67,6 +67,7 @@ std::vector<Value> column_of(const Rows& rows, std::uint32_t width, Write write)
   return values;
 }
 
+// Writes the coordinates of a point to at[0 … 2].
 inline void put(const glm::vec3& point, float* at) {
   at[0] = point.x;
   at[1] = point.y;
@@ -83,11 +84,9 @@ struct Organ {
   float scale = 1;
 };
 
-// A contiguous run of a mesh, with a name: one part of it.
-struct MeshRun {
+// A named part of a mesh.
+struct MeshRun : MeshRange {
   std::string name;
-  std::uint32_t first_vertex = 0, vertex_count = 0;
-  std::uint32_t first_index = 0, index_count = 0;  // indices count from the whole mesh's first vertex
 };
 
 struct PlantMesh {

@@ -2,36 +2,28 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
 #include "plant/branching.hpp"
+#include "plant/measures.hpp"
 
 namespace panicle {
 
-// Measures in the order of a model's table. `Measure`: its enumeration, in which both tables have the same keys for
-// branching; the caller sets the others.
+// The measures of branching, for which the models' tables have the same keys; the caller sets the others.
 template <class Measure>
-class WoodMeasures {
- public:
-  WoodMeasures(const Branching& branching, std::size_t count) : values_(count) {
-    set(Measure::spread, 0.5f * (branching.width_x + branching.width_z));
-    set(Measure::wood_length, branching.length);
-    set(Measure::wood_volume, 1000 * branching.volume);
-    set(Measure::tips, branching.tips);
-    set(Measure::forks, branching.forks);
-    set(Measure::order, branching.order);
-    set(Measure::order1, branching.of_order[0]);
-    set(Measure::order2, branching.of_order[1]);
-    set(Measure::order3, branching.of_order[2]);
-    set(Measure::bifurcation, branching.bifurcation);
-    set(Measure::fork_angle, branching.fork_angle);
-  }
-
-  void set(Measure measure, double value) { values_[static_cast<std::size_t>(measure)] = static_cast<float>(value); }
-  const std::vector<float>& values() const { return values_; }
-
- private:
-  std::vector<float> values_;
-};
+Measures<Measure> wood_measures(const Branching& branching, std::size_t count) {
+  Measures<Measure> measures(count, 0);
+  measures.set(Measure::spread, 0.5f * (branching.width_x + branching.width_z));
+  measures.set(Measure::wood_length, branching.length);
+  measures.set(Measure::wood_volume, 1000 * branching.volume);
+  measures.set(Measure::tips, branching.tips);
+  measures.set(Measure::forks, branching.forks);
+  measures.set(Measure::order, branching.order);
+  measures.set(Measure::order1, branching.of_order[0]);
+  measures.set(Measure::order2, branching.of_order[1]);
+  measures.set(Measure::order3, branching.of_order[2]);
+  measures.set(Measure::bifurcation, branching.bifurcation);
+  measures.set(Measure::fork_angle, branching.fork_angle);
+  return measures;
+}
 
 }  // namespace panicle

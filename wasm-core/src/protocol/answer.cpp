@@ -13,6 +13,7 @@ namespace {
 
 using Words = std::vector<std::uint32_t>;
 
+// Names as text, a line each.
 template <class Names>
 std::string lines(const Names& names) {
   std::string text;
@@ -20,13 +21,14 @@ std::string lines(const Names& names) {
   return text;
 }
 
+// The lower and the upper 32 bits.
 std::array<std::uint32_t, 2> halves(std::uint64_t value) {
   return {static_cast<std::uint32_t>(value), static_cast<std::uint32_t>(value >> 32)};
 }
 
 constexpr std::uint64_t large = 1 << 14;  // bytes that are worth leaving where they are
 
-// The columns of all segments.
+// Adds the columns of all segments.
 void add_segments(Columns& columns, const std::vector<Segment>& segments) {
   columns.add("segments.parent", column_of<std::int32_t>(segments, 1, [](const Segment& segment, std::int32_t* at) {
                 *at = segment.parent;
@@ -49,6 +51,7 @@ void add_segments(Columns& columns, const std::vector<Segment>& segments) {
               2);
 }
 
+// Adds the columns of all organs. A transform is the position, the rotation as a quaternion x y z w, and the scale.
 void add_organs(Columns& columns, const std::vector<Organ>& organs) {
   columns.add("organs.tag",
               column_of<std::uint32_t>(organs, 1, [](const Organ& organ, std::uint32_t* at) { *at = organ.tag; }));
@@ -66,7 +69,7 @@ void add_organs(Columns& columns, const std::vector<Organ>& organs) {
               8);
 }
 
-// Which runs of a mesh are which.
+// Adds the columns of a mesh's runs: ranges of vertices and indices, and names, a line each.
 void add_runs(Columns& columns, const std::vector<MeshRun>& runs) {
   std::string names;
   for (const MeshRun& run : runs) names.append(names.empty() ? "" : "\n").append(run.name);
@@ -82,10 +85,12 @@ void add_runs(Columns& columns, const std::vector<MeshRun>& runs) {
   columns.add("runs.names", std::string_view(names));
 }
 
+// Adds columns with a prefix before their names.
 void add_columns(ContainerWriter& out, const std::string& prefix, const Columns& columns) {
   for (std::size_t i = 0; i < columns.size(); ++i) out.add(prefix + std::string(columns[i].name), columns[i]);
 }
 
+// Adds the columns of a mesh.
 void add_mesh(ContainerWriter& out, const PlantMesh& mesh) {
   const std::string prefix = "mesh." + mesh.name + ".";
   out.add(prefix + "material", std::string_view(mesh.material));
@@ -98,6 +103,7 @@ void add_mesh(ContainerWriter& out, const PlantMesh& mesh) {
 
 }  // namespace
 
+// Writes the response for a plant. In wasm, large arrays are not copied.
 std::uint8_t* write_plant(Plant& plant) {
   ContainerWriter out;
   const std::array<std::uint32_t, 3> status{};
@@ -136,6 +142,7 @@ std::uint8_t* write_plant(Plant& plant) {
   return sizeof(void*) == 4 ? out.write(large) : out.write();
 }
 
+// Writes the response for a compiled text.
 std::uint8_t* write_program(std::uint32_t handle) {
   ContainerWriter out;
   const std::array<std::uint32_t, 3> status{};
@@ -144,6 +151,7 @@ std::uint8_t* write_program(std::uint32_t handle) {
   return out.write();
 }
 
+// Writes the response for an error: its reason, place and message.
 std::uint8_t* write_failure(const Diagnostic& diagnostic) {
   ContainerWriter out;
   const std::array<std::uint32_t, 3> status{static_cast<std::uint32_t>(diagnostic.reason), diagnostic.line,

@@ -27,6 +27,7 @@ class CompiledTexts {
       if (entry.handle == handle) return entry.text;
     return nullptr;
   }
+  // Removes the text of a handle, if there is one.
   void remove(std::uint32_t handle) {
     for (Entry& entry : entries_) {
       if (entry.handle != handle) continue;

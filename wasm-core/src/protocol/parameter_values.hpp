@@ -2,36 +2,37 @@
 // outside.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "protocol/parameter_info.hpp"
+
 namespace panicle {
+
+// Whether row `i` of the table has a value in the request: missing values and NaN have none.
+inline bool is_given(std::span<const float> requested, std::size_t i) {
+  return i < requested.size() && requested[i] == requested[i];
+}
+
+// The requested value of row `i` in its range, with a note where it was outside; the default where there is none.
+float parameter_value(const ParameterInfo& info, std::span<const float> requested, std::size_t i,
+                      std::vector<std::string>& notes);
 
 // `Parameter` and `table` as generated from the model's table.
 template <class Parameter, const auto& table>
 class Values {
  public:
-  // Missing values and NaN get the default.
+  // Reads all parameters; notes are added for those out of range.
   Values(std::span<const float> requested, std::vector<std::string>& notes) {
-    for (std::size_t i = 0; i < table.size(); ++i) {
-      const auto& info = table[i];
-      values_[i] = info.standard;
-      if (i >= requested.size() || requested[i] != requested[i]) continue;
-      float fitting = std::clamp(requested[i], info.min, info.max);
-      if (info.whole) fitting = std::floor(fitting + 0.5f);
-      if (fitting != requested[i])
-        notes.push_back("Parameter " + std::string(info.key) + " was brought into its range.");
-      values_[i] = fitting;
-    }
+    for (std::size_t i = 0; i < table.size(); ++i) values_[i] = parameter_value(table[i], requested, i, notes);
   }
 
   float operator[](Parameter parameter) const { return values_[static_cast<std::size_t>(parameter)]; }
+  // The value of a whole-number parameter.
   std::uint32_t whole(Parameter parameter) const { return static_cast<std::uint32_t>((*this)[parameter]); }
   // The chosen option, where the options are in the order of an enumeration.
   template <class Choice>

@@ -18,9 +18,10 @@
 
 namespace panicle {
 
-// Blocks that every model has: `model` (text), `seed` (uint32), `outputs` (text: words out of meshes, measures, sky,
-// mesh_fingerprint), `parameters` (float32, in the order of the model's table; NaN or missing: the default), and where
-// a grammar is wanted `grammar` (text) or, in its place, `program` (uint32: the handle of a compiled one) and `steps`.
+// Blocks that every model has (common_request.hpp reads them): `model` (text), `seed` (uint32), `outputs` (text: words
+// out of meshes, measures, sky, mesh_fingerprint), `parameters` (float32, in the order of the model's table; NaN or
+// missing: the default), and where a grammar is wanted `grammar` (text) or, in its place, `program` (uint32: the handle
+// of a compiled one) and `steps`.
 class Request {
  public:
   static constexpr std::uint32_t most_numbers = 100'000;  // of one block
@@ -30,6 +31,8 @@ class Request {
 
   // The values of a block, rows one after the other; empty, zero or `otherwise` where it is absent.
   std::string_view text(std::string_view name);
+  // The same; a request without the block has an error.
+  std::string_view required_text(std::string_view name);
   std::span<const float> floats(std::string_view name);
   std::span<const std::int32_t> integers(std::string_view name);
   std::span<const std::uint32_t> words(std::string_view name);

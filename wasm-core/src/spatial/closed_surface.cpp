@@ -10,6 +10,7 @@
 
 namespace panicle {
 
+// The box between two corners, as twelve triangles.
 Surface box(const glm::vec3& low, const glm::vec3& high) {
   Surface made;
   for (std::uint32_t i = 0; i < 8; ++i)
@@ -19,6 +20,7 @@ Surface box(const glm::vec3& low, const glm::vec3& high) {
   return made;
 }
 
+// Revolves a profile of radii (x) and heights (y) about the vertical axis through `foot`; discs close it at both ends.
 Surface surface_of_revolution(std::span<const glm::vec2> profile, const glm::vec3& foot, std::uint32_t sides) {
   Surface made;
   if (profile.empty()) return made;
@@ -48,6 +50,7 @@ Surface surface_of_revolution(std::span<const glm::vec2> profile, const glm::vec
   return made;
 }
 
+// An ellipsoid with `sides` segments around the vertical axis and half as many rows from pole to pole.
 Surface ellipsoid(const glm::vec3& centre, const glm::vec3& radii, std::uint32_t sides) {
   std::vector<glm::vec2> profile;
   const std::uint32_t rings = std::max(sides / 2, 2u);
@@ -62,12 +65,14 @@ Surface ellipsoid(const glm::vec3& centre, const glm::vec3& radii, std::uint32_t
   return made;
 }
 
+// The surface scaled about a point.
 Surface scaled(const Surface& surface, const glm::vec3& about, float factor) {
   Surface made = surface;
   for (glm::vec3& p : made.points) p = about + factor * (p - about);
   return made;
 }
 
+// The surface stretched so that its box is the one from `low` to `high`.
 Surface stretched(Surface surface, const glm::vec3& low, const glm::vec3& high) {
   if (surface.points.empty()) return surface;
   glm::vec3 from = surface.points[0], to = from;
@@ -82,12 +87,15 @@ Surface stretched(Surface surface, const glm::vec3& low, const glm::vec3& high) 
   return surface;
 }
 
+// Appends another surface's points and triangles.
 void append(Surface& surface, const Surface& other) {
   const auto first = static_cast<std::uint32_t>(surface.points.size());
   surface.points.insert(surface.points.end(), other.points.begin(), other.points.end());
   for (const std::uint32_t corner : other.triangles) surface.triangles.push_back(first + corner);
 }
 
+// Counts the edges where a surface is open or turned over: sorts the edges of all triangles, so that those between the
+// same two places are next to each other.
 Seams seams_of(const Surface& surface) {
   // Points at the same place are one: each has the number of the first of them in an order of places.
   using Place = std::array<std::uint32_t, 3>;
@@ -106,6 +114,7 @@ Seams seams_of(const Surface& surface) {
   struct Run {
     std::uint32_t low, high;
     int up;
+    // Whether two runs are of one edge, in either direction.
     bool same_edge(const Run& other) const { return low == other.low && high == other.high; }
   };
   std::vector<Run> runs;

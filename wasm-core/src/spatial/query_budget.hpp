@@ -26,6 +26,7 @@ class QueryBudget {
   // The most entries that the index of one mesh may have.
   std::size_t members_each() const { return members_each_; }
 
+  // Takes looks, units of search work, from the budget.
   void spend(std::uint64_t looks) { left_ = looks < left_ ? left_ - looks : 0; }
   bool is_exhausted() const { return left_ == 0; }
   std::uint64_t left() const { return left_; }

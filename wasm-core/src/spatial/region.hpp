@@ -33,6 +33,7 @@ class Region {
   // Whether queries have used up their budget: then no place is inside any more, and the model returns an error.
   virtual bool is_exhausted() const { return false; }
 
+  // Whether the region is an area in the plane of x and y.
   bool flat() const { return low().z == high().z; }
 };
 

@@ -14,8 +14,8 @@ namespace panicle {
 namespace {
 
 constexpr float cells_along = 64;  // the edge of a cube as large as the box
-constexpr float most_along = 4096;
-constexpr float most_cells = 400'000;
+constexpr float max_along = 4096;
+constexpr float max_cells = 400'000;
 constexpr float least_edge = 1e-30f;     // of a cell, where all points coincide
 constexpr float half_diagonal = 0.867f;  // of a cell, in edges
 constexpr float slack = 1e-3f;           // for rounding, in edges
@@ -35,6 +35,8 @@ constexpr float rounding = 4e-6f;
 
 }  // namespace
 
+// Builds a solid from a closed surface, with a grid of cells that are known to be inside, outside or mixed. Queries
+// count against the budget.
 Solid::Solid(Surface surface, std::shared_ptr<QueryBudget> budget)
     : surface_(std::move(surface)), budget_(std::move(budget)) {
   const std::vector<glm::vec3>& points = surface_.points;
@@ -48,12 +50,13 @@ Solid::Solid(Surface surface, std::shared_ptr<QueryBudget> budget)
   classify();
 }
 
+// Chooses the width of the grid's cells: as fine as the limits of cells and of index entries allow.
 void Solid::choose_cells() {
   const glm::vec3 size = high_ - low_;
   const float longest = std::max({size.x, size.y, size.z});
-  edge_ = std::max({cube_root(size.x * size.y * size.z) / cells_along, longest / most_along, least_edge});
+  edge_ = std::max({cube_root(size.x * size.y * size.z) / cells_along, longest / max_along, least_edge});
   const auto cells = [&] { return (size.x / edge_ + 1) * (size.y / edge_ + 1) * (size.z / edge_ + 1); };
-  while (cells() > most_cells) edge_ *= wider;
+  while (cells() > max_cells) edge_ *= wider;
   // A single row has an entry for each triangle, so the loop ends.
   const std::size_t most = std::max(budget_->members_each(), surface_.triangles.size() / 3);
   std::vector<Entry> entries;
@@ -66,12 +69,14 @@ void Solid::choose_cells() {
   build_row_index(entries);
 }
 
+// The range of cells that a triangle's box meets.
 Solid::CellBox Solid::cells_around(const std::uint32_t* corners) const {
   const auto corner = [&](std::size_t k) { return cell_of(surface_.points[corners[k]]); };
   const glm::ivec3 a = corner(0), b = corner(1), c = corner(2);
   return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
 }
 
+// Lists for each triangle the rows of cells (along x) that it may meet. Returns false if there are more than `most`.
 bool Solid::list_entries(std::size_t most, std::vector<Entry>& entries) const {
   entries.clear();
   std::size_t rows = 0;  // that the boxes of all triangles meet
@@ -119,6 +124,7 @@ bool Solid::list_entries(std::size_t most, std::vector<Entry>& entries) const {
   return true;
 }
 
+// Builds the index from its entries: sorts the triangles by row, and finds the bounds that let queries skip them.
 void Solid::build_row_index(const std::vector<Entry>& entries) {
   first_.assign(static_cast<std::size_t>(count_.y * count_.z) + 1, 0);
   for (const Entry& each : entries) ++first_[each.row + 1];
@@ -136,6 +142,7 @@ void Solid::build_row_index(const std::vector<Entry>& entries) {
   }
 }
 
+// Marks the cells near a triangle as mixed; `unmarked` counts the other cells of each row.
 void Solid::mark(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, std::vector<std::int32_t>& unmarked) {
   const float little = slack * edge_, reach = half_diagonal * edge_ + little;
   const glm::vec3 across = glm::cross(b - a, c - a);
@@ -198,6 +205,7 @@ void Solid::classify() {
     }
 }
 
+// Whether a point is inside; false once the budget is used up.
 bool Solid::contains(const glm::vec3& p) const {
   for (int k = 0; k < 3; ++k)
     if (!(p[k] >= low_[k] && p[k] <= high_[k])) return false;
@@ -206,6 +214,7 @@ bool Solid::contains(const glm::vec3& p) const {
   return cell == Cell::mixed ? slice_contains(p) : cell == Cell::inside;
 }
 
+// A bound for a box from the cells that it meets: all or none where these are all inside or all outside.
 Share Solid::share_of(const glm::vec3& low, const glm::vec3& high) const {
   bool beyond = cells_.empty();
   for (int k = 0; k < 3; ++k) {
@@ -223,8 +232,8 @@ Share Solid::share_of(const glm::vec3& low, const glm::vec3& high) const {
   return first == Cell::inside ? Share::all : Share::none;
 }
 
-// Crossings are counted on the way from the place towards +x, so parts that end before it add none, nor do parts above
-// or below.
+// Whether the winding number at a point is not 0. Counts crossings on the ray from the point towards +x, so triangles
+// that end before it add none, nor do those above or below.
 bool Solid::slice_contains(const glm::vec3& p) const {
   int turns = 0;
   const glm::ivec3 place = cell_of(p);
@@ -244,9 +253,10 @@ bool Solid::slice_contains(const glm::vec3& p) const {
   return turns != 0;
 }
 
+// The winding number that one triangle adds at a point: 1, −1 or 0.
 int Solid::winding_number(const glm::vec3& p, const std::uint32_t* corners) const {
   // Where the plane enters and leaves the triangle, in its own sense: corners at the plane's height count as below.
-  glm::vec2 in(0), out(0);
+  glm::vec2 entering(0), leaving(0);
   int crossed = 0;
   for (int k = 0; k < 3; ++k) {
     const glm::vec3& a = surface_.points[corners[k]];
@@ -257,16 +267,17 @@ int Solid::winding_number(const glm::vec3& p, const std::uint32_t* corners) cons
     const glm::vec3& lower = below ? a : b;
     const glm::vec3& upper = below ? b : a;
     const float at = (p.y - lower.y) / (upper.y - lower.y);
-    (below ? in : out) = {lower.x + at * (upper.x - lower.x), lower.z + at * (upper.z - lower.z)};
+    (below ? entering : leaving) = {lower.x + at * (upper.x - lower.x), lower.z + at * (upper.z - lower.z)};
     ++crossed;
   }
-  if (crossed != 2 || (in.y <= p.z) == (out.y <= p.z)) return 0;
-  const float side = (out.x - in.x) * (p.z - in.y) - (out.y - in.y) * (p.x - in.x);
-  if (in.y <= p.z) return side > 0 ? 1 : 0;
+  if (crossed != 2 || (entering.y <= p.z) == (leaving.y <= p.z)) return 0;
+  const float side = (leaving.x - entering.x) * (p.z - entering.y) - (leaving.y - entering.y) * (p.x - entering.x);
+  if (entering.y <= p.z) return side > 0 ? 1 : 0;
   return side < 0 ? -1 : 0;
 }
 
-// Möller & Trumbore 1997, "Fast, minimum storage ray/triangle intersection".
+// Appends the parameters t in (begin, end] at which the ray from + t way meets triangles, by Möller & Trumbore (1997),
+// "Fast, minimum storage ray/triangle intersection".
 void Solid::intersections(const glm::vec3& from, const glm::vec3& way, float begin, float end,
                           std::vector<float>& at) const {
   const glm::vec3 a = from + begin * way, b = from + end * way;
@@ -295,29 +306,30 @@ void Solid::intersections(const glm::vec3& from, const glm::vec3& way, float beg
     }
 }
 
-// The space between two intersections is all inside or all outside, so its middle is tested: edges hit twice, surfaces
-// within and triangles seen edgewise then need no rules of their own.
+// The distance from a point inside along a unit vector to the surface, `most` at most; 0 from outside. Tests the pieces
+// of the ray between intersections: each is all inside or all outside, so its middle is tested. Edges hit twice,
+// surfaces within and triangles seen edgewise then need no rules of their own.
 float Solid::exit_distance(const glm::vec3& from, const glm::vec3& way, float most) const {
   if (!contains(from)) return 0;
   const auto inside = [&](float t) { return contains(from + t * way); };
-  std::vector<float> at;
+  std::vector<float> hits;
   for (float begin = 0; begin < most;) {
     const float end = std::min(begin + piece * edge_, most);
-    at.clear();
-    intersections(from, way, begin, end, at);
-    std::sort(at.begin(), at.end());
-    at.push_back(end);
+    hits.clear();
+    intersections(from, way, begin, end, hits);
+    std::sort(hits.begin(), hits.end());
+    hits.push_back(end);
     float last = begin;
-    for (const float t : at) {
+    for (const float t : hits) {
       if (t > last && !inside(0.5f * (last + t))) return last;
       last = t;
     }
     // A ray through a gap that rounding leaves between two triangles has no intersection there.
     if (!inside(end)) {
-      float in = at.size() > 1 ? at[at.size() - 2] : begin, out = end;
-      in = 0.5f * (in + out);
-      for (int k = 0; k < halvings; ++k) (inside(0.5f * (in + out)) ? in : out) = 0.5f * (in + out);
-      return in;
+      float low = hits.size() > 1 ? hits[hits.size() - 2] : begin, high = end;
+      low = 0.5f * (low + high);
+      for (int k = 0; k < halvings; ++k) (inside(0.5f * (low + high)) ? low : high) = 0.5f * (low + high);
+      return low;
     }
     if (!(end > begin)) break;
     begin = end;

@@ -67,6 +67,7 @@ class Solid final : public Region {
   struct Entry {
     std::uint32_t row, triangle;
   };
+  // The index of a row of cells along x, and of a cell.
   std::uint32_t row_at(int y, int z) const { return static_cast<std::uint32_t>(z * count_.y + y); }
   // The cells of a triangle's bounding box.
   CellBox cells_around(const std::uint32_t* corners) const;

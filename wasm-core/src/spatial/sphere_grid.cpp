@@ -9,25 +9,27 @@ namespace panicle {
 namespace {
 
 constexpr double clearance = 1.00001;
-constexpr double most_depth = 1e6;               // in diameters of the probe
+constexpr double max_depth = 1e6;                // in diameters of the probe
 constexpr double edge_per_radius = 3.0;          // small cells make add slow, large ones probe: flat from 2 to 4
 constexpr double margin = 1.0001;                // covers the rounding of the overlap test, clearance included
 constexpr std::int32_t farthest_cell = 1 << 30;  // cells beyond share the outermost ones
 constexpr std::uint32_t first_capacity = 8;
 
-bool finite(const Sphere& sphere) {
+// Whether a sphere's numbers are finite and its radius is not negative.
+bool is_valid(const Sphere& sphere) {
   // A sum of finite floats is finite in double; any infinity or NaN survives it.
   const double sum = double{sphere.centre.x} + sphere.centre.y + sphere.centre.z + sphere.radius;
   return std::isfinite(sum) && sphere.radius >= 0;
 }
 
-// Sums up the pushes of the spheres in contact on one probe. In double, where no square of a float overflows or
-// vanishes.
-class Sum {
+// Sum of the pushes of all spheres in contact on one probe. In double, where no square of a float overflows or
+// vanishes. `tie` is the direction if the centres coincide.
+class PushSum {
  public:
-  Sum(const Sphere& probe, const glm::vec3& tie) : centre_(probe.centre), radius_(probe.radius), tie_(tie) {}
+  PushSum(const Sphere& probe, const glm::vec3& tie) : centre_(probe.centre), radius_(probe.radius), tie_(tie) {}
 
-  void meet(const Sphere& other) {
+  // Adds the push of another sphere if it touches the probe.
+  void add_contact(const Sphere& other) {
     const double x = centre_.x - other.centre.x;
     const double y = centre_.y - other.centre.y;
     const double z = centre_.z - other.centre.z;
@@ -35,12 +37,13 @@ class Sum {
     const double reach = (radius_ + other.radius) * clearance;
     if (square < reach * reach) [[unlikely]] {
       const double distance = std::sqrt(square);
-      const double share = std::min((reach - distance) / (2 * radius_), most_depth);
+      const double share = std::min((reach - distance) / (2 * radius_), max_depth);
       force_ += distance > 0 ? glm::dvec3(x, y, z) * (share / distance) : tie_ * share;
       ++contacts_;
     }
   }
 
+  // The mean push over all contacts.
   Push push() const { return contacts_ == 0 ? Push{} : Push{contacts_, glm::vec3(force_ / double(contacts_))}; }
 
  private:
@@ -51,6 +54,7 @@ class Sum {
   std::uint32_t contacts_ = 0;
 };
 
+// A hash of a cell's coordinates.
 std::uint32_t hash_of(std::int32_t x, std::int32_t y, std::int32_t z) {
   std::uint32_t h = static_cast<std::uint32_t>(x) * 0x9e3779b1u;
   h = (h ^ (h >> 15) ^ static_cast<std::uint32_t>(y)) * 0x85ebca6bu;
@@ -60,11 +64,13 @@ std::uint32_t hash_of(std::int32_t x, std::int32_t y, std::int32_t z) {
 
 }  // namespace
 
+// An empty grid for spheres of radii up to `largest`; it adapts to larger ones.
 SphereGrid::SphereGrid(float largest) {
   size_cells(std::isfinite(largest) && largest > 0 ? largest : 1);
   table_.resize(64);
 }
 
+// Sets the cells' width from the largest radius.
 void SphereGrid::size_cells(float largest) {
   largest_ = largest;
   edge_ = edge_per_radius * largest;
@@ -95,6 +101,7 @@ std::size_t SphereGrid::slot_of(const Key& key) const {
   return slot;
 }
 
+// Doubles the hash table of cells.
 void SphereGrid::grow_table() {
   std::vector<Cell> old(table_.size() * 2);
   old.swap(table_);
@@ -103,6 +110,7 @@ void SphereGrid::grow_table() {
   }
 }
 
+// Adds an id to the list of a cell, and the cell to the hash table where it is new.
 void SphereGrid::append(const Key& key, std::uint32_t id) {
   Cell* cell = &table_[slot_of(key)];
   if (cell->count == cell->capacity) {
@@ -146,8 +154,10 @@ void SphereGrid::enlist(std::uint32_t id) {
   }
 }
 
+// Adds a sphere and returns its id; `no_sphere` if it is not valid. A sphere larger than all before makes the cells
+// larger.
 std::uint32_t SphereGrid::add(const Sphere& sphere) {
-  if (!finite(sphere)) return no_sphere;
+  if (!is_valid(sphere)) return no_sphere;
   nearby_.forget();
   const std::uint32_t id = static_cast<std::uint32_t>(spheres_.size());
   spheres_.push_back(sphere);
@@ -183,12 +193,14 @@ void SphereGrid::gather(const glm::vec3& centre) const {
   }
 }
 
+// The mean push on a probe by all spheres that touch it, but the sphere `except`. `tie` is the direction of a push
+// where centres coincide.
 Push SphereGrid::probe(const Sphere& probe, std::uint32_t except, const glm::vec3& tie) const {
-  Sum sum(probe, tie);
+  PushSum sum(probe, tie);
   if (!(probe.radius <= largest_)) {
-    if (!finite(probe)) return {};
+    if (!is_valid(probe)) return {};
     for (std::uint32_t id = 0; id < spheres_.size(); ++id) {
-      if (id != except) sum.meet(spheres_[id]);
+      if (id != except) sum.add_contact(spheres_[id]);
     }
     return sum.push();
   }
@@ -206,7 +218,7 @@ Push SphereGrid::probe(const Sphere& probe, std::uint32_t except, const glm::vec
     if (all(far)) continue;
     const std::uint32_t end = std::min(count - first, lanes);
     for (std::uint32_t lane = 0; lane < end; ++lane) {
-      if (!far[lane] && ids[first + lane] != except) sum.meet(spheres_[ids[first + lane]]);
+      if (!far[lane] && ids[first + lane] != except) sum.add_contact(spheres_[ids[first + lane]]);
     }
   }
   return sum.push();

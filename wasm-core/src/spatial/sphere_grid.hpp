@@ -64,7 +64,9 @@ class SphereGrid {
     std::vector<std::uint32_t> ids;
     std::vector<Group> groups;
 
+    // Makes the box empty.
     void forget() { high = low; }
+    // Whether the box contains a point.
     bool around(const glm::dvec3& p) const {
       return p.x >= low.x && p.x < high.x && p.y >= low.y && p.y < high.y && p.z >= low.z && p.z < high.z;
     }

@@ -15,9 +15,10 @@ constexpr std::uint32_t lanes = 4;
 // A few roundings of a coordinate must not make a neighbour's cell the next but one.
 constexpr float margin = 1.0001f;
 
+// Four lanes with the same value.
 Four four(float v) { return Four{v, v, v, v}; }
 
-// Four lanes' places on a stem, 0 at its start to 1 at its end.
+// Clamps four values to 0 … 1.
 Four within_unit(const Four& v) {
   const Four above = v > 0.0f ? v : four(0);
   return above < 1.0f ? above : four(1);
@@ -25,6 +26,7 @@ Four within_unit(const Four& v) {
 
 }  // namespace
 
+// Sorts spheres into a grid; those without a valid radius are in no cell.
 void SphereOverlapQuery::build(std::span<const Sphere> spheres) {
   constexpr float nowhere = std::numeric_limits<float>::quiet_NaN();
   largest_ = 0;
@@ -48,8 +50,10 @@ void SphereOverlapQuery::build(std::span<const Sphere> spheres) {
   }
 }
 
-// Finds the spheres from index `least` on that touch a stem.
-void SphereOverlapQuery::look(const glm::vec3& start, const glm::vec3& way, float radius, std::uint32_t least) {
+// Finds the spheres from index `least` on that touch a capsule, the points within `radius` of the segment from `start`
+// along `way`; sets `found_` in ascending order.
+void SphereOverlapQuery::find_touching(const glm::vec3& start, const glm::vec3& way, float radius,
+                                       std::uint32_t least) {
   found_.clear();
   const glm::vec3 end = start + way, room(margin * (radius + largest_));
   const float square = glm::dot(way, way);
@@ -76,17 +80,19 @@ void SphereOverlapQuery::look(const glm::vec3& start, const glm::vec3& way, floa
   std::sort(found_.begin(), found_.end());
 }
 
+// Appends pairs of spheres that touch, until there are `most`.
 void SphereOverlapQuery::pairs(std::vector<SpherePair>& found, std::size_t most) {
   for (std::uint32_t a = 0; a < centres_.size() && found.size() < most; ++a) {
-    look(centres_[a], glm::vec3(0), radii_[a], a + 1);
+    find_touching(centres_[a], glm::vec3(0), radii_[a], a + 1);
     for (const std::uint32_t b : found_) {
       if (found.size() < most) found.push_back({a, b});
     }
   }
 }
 
+// The spheres that touch a stem of that radius; valid until the next query.
 std::span<const std::uint32_t> SphereOverlapQuery::along(const glm::vec3& start, const glm::vec3& end, float radius) {
-  look(start, end - start, radius, 0);
+  find_touching(start, end - start, radius, 0);
   return found_;
 }
 

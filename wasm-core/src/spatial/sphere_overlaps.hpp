@@ -36,7 +36,7 @@ class SphereOverlapQuery {
   std::span<const std::uint32_t> along(const glm::vec3& start, const glm::vec3& end, float radius);
 
  private:
-  void look(const glm::vec3& start, const glm::vec3& way, float radius, std::uint32_t least);
+  void find_touching(const glm::vec3& start, const glm::vec3& way, float radius, std::uint32_t least);
 
   PointGrid grid_;
   float largest_ = 0;

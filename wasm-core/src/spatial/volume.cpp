@@ -13,8 +13,9 @@ constexpr float least = 1e-6f;     // half of a size, where none is given
 constexpr float rounding = 1e-5f;  // of the size and of the distance from the origin
 constexpr double forever = std::numeric_limits<double>::infinity();
 
-// The least t ≥ 0 where a·t² + 2·b·t + c is 0, for c ≤ 0: where a ray from inside leaves the region of negative values.
-double root(double a, double b, double c) {
+// The least t ≥ 0 where a·t² + 2·b·t + c is 0, for c ≤ 0; infinity if there is none. That is where a ray from inside
+// leaves the region of negative values.
+double exit_root(double a, double b, double c) {
   c = std::min(c, 0.0);
   const double square = b * b - a * c;
   if (square < 0) return forever;
@@ -22,13 +23,14 @@ double root(double a, double b, double c) {
   return a > 0 ? (std::sqrt(square) - b) / a : forever;
 }
 
-// The distance from a coordinate to the wall at −1 or 1.
-double wall(double at, double way) {
+// The distance from the coordinate `at` along `way` to the wall at −1 or 1.
+double wall_distance(double at, double way) {
   if (way > 0) return std::max((1 - at) / way, 0.0);
   return way < 0 ? std::max((-1 - at) / way, 0.0) : forever;
 }
 
-glm::quat sound(const glm::quat& q) {
+// The rotation of length 1; none for a quaternion of length 0.
+glm::quat normalised(const glm::quat& q) {
   const float square = glm::dot(q, q);
   return square > 0 ? q * (1 / std::sqrt(square)) : glm::quat(1, 0, 0, 0);
 }
@@ -40,13 +42,15 @@ Volume::Volume(Kind kind, const glm::vec3& centre, const glm::vec3& size, const 
     : kind_(kind),
       centre_(centre),
       half_(glm::max(0.5f * (kind == Kind::sphere ? glm::vec3(size.x) : size), least)),
-      to_local_rotation_(glm::conjugate(sound(rotation))),
+      to_local_rotation_(glm::conjugate(normalised(rotation))),
       margin_(rounding * (std::max({half_.x, half_.y, half_.z}) + glm::length(centre))) {
   if (kind == Kind::mesh) solid_ = std::make_shared<const Solid>(stretched(mesh, -half_, half_), std::move(budget));
 }
 
+// Whether a point is in the volume.
 bool Volume::contains(const glm::vec3& p) const { return contains_local(to_local(p - centre_)); }
 
+// Whether a point in the volume's own frame is in the volume.
 bool Volume::contains_local(const glm::vec3& p) const {
   const glm::vec3 u = p / half_;
   switch (kind_) {
@@ -67,27 +71,29 @@ bool Volume::contains_local(const glm::vec3& p) const {
   return solid_->contains(p);
 }
 
+// The distance from a point inside to the surface, `most` at most; point and unit vector in the volume's own frame. All
+// but meshes are solved exactly, in units in which the volume reaches from −1 to 1 on each axis.
 float Volume::exit_distance(const glm::vec3& p, const glm::vec3& way, float most) const {
   if (kind_ == Kind::mesh) return solid_->exit_distance(p, way, most);
   const glm::dvec3 u = glm::dvec3(p) / glm::dvec3(half_), w = glm::dvec3(way) / glm::dvec3(half_);
   double end = most;
   switch (kind_) {
     case Kind::box:
-      end = std::min({end, wall(u.x, w.x), wall(u.y, w.y), wall(u.z, w.z)});
+      end = std::min({end, wall_distance(u.x, w.x), wall_distance(u.y, w.y), wall_distance(u.z, w.z)});
       break;
     case Kind::sphere:
     case Kind::ellipsoid:
-      end = std::min(end, root(glm::dot(w, w), glm::dot(u, w), glm::dot(u, u) - 1));
+      end = std::min(end, exit_root(glm::dot(w, w), glm::dot(u, w), glm::dot(u, u) - 1));
       break;
     case Kind::cylinder:
-      end = std::min(
-          {end, wall(u.y, w.y), root(w.x * w.x + w.z * w.z, u.x * w.x + u.z * w.z, u.x * u.x + u.z * u.z - 1)});
+      end = std::min({end, wall_distance(u.y, w.y),
+                      exit_root(w.x * w.x + w.z * w.z, u.x * w.x + u.z * w.z, u.x * u.x + u.z * u.z - 1)});
       break;
     case Kind::cone: {
       const double radius = 0.5 * (1 - u.y), slope = -0.5 * w.y;
-      end = std::min({end, wall(u.y, w.y),
-                      root(w.x * w.x + w.z * w.z - slope * slope, u.x * w.x + u.z * w.z - radius * slope,
-                           u.x * u.x + u.z * u.z - radius * radius)});
+      end = std::min({end, wall_distance(u.y, w.y),
+                      exit_root(w.x * w.x + w.z * w.z - slope * slope, u.x * w.x + u.z * w.z - radius * slope,
+                                u.x * u.x + u.z * u.z - radius * radius)});
       break;
     }
     case Kind::mesh:
@@ -96,6 +102,7 @@ float Volume::exit_distance(const glm::vec3& p, const glm::vec3& way, float most
   return static_cast<float>(end);
 }
 
+// The distance from a point along a unit vector that certainly stays in the volume, `most` at most; 0 from outside.
 float Volume::reach(const glm::vec3& from, const glm::vec3& way, float most) const {
   const glm::vec3 p = to_local(from - centre_), w = to_local(way);
   if (!contains_local(p) || !(most > 0)) return 0;

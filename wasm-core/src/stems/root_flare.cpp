@@ -28,6 +28,7 @@ constexpr float stem_width = 0.92f;
 // The ridges of one trunk: at angles of their own, some higher than others.
 class Ridges {
  public:
+  // Random heights and directions of the ridges for a seed.
   explicit Ridges(std::uint64_t seed) {
     for (std::uint32_t k = 0; k < ridges; ++k) {
       turn_[k] = (static_cast<float>(k) + 0.7f * (random_unit(seed, stream_ridge, 2 * k) - 0.5f)) / ridges;
@@ -50,6 +51,7 @@ class Ridges {
   std::array<float, ridges> turn_{}, size_{};
 };
 
+// The surface of a trunk's flared foot. `flare` is its additional width over the radius.
 struct FlareShape {
   const TrunkLine& trunk;
   float radius, flare;
@@ -65,10 +67,12 @@ struct FlareShape {
   }
 };
 
+// Writer of vertices and triangles, all of the segment `number`.
 class Writer {
  public:
   Writer(StemMesh& stems, std::uint32_t number) : stems_(stems), number_(number) {}
 
+  // Adds a vertex; returns its index.
   std::uint32_t vertex(const glm::vec3& place, const glm::vec3& normal, float u, float v) {
     Mesh& mesh = stems_.mesh;
     mesh.positions.insert(mesh.positions.end(), {place.x, place.y, place.z});
@@ -86,6 +90,8 @@ class Writer {
   std::uint32_t number_;
 };
 
+// Adds the flared surface around a trunk's foot as rings of vertices, from the ground up, and the disc that closes it
+// below. Normals come from differences of points nearby.
 void add_flare_surface(StemMesh& stems, const FlareShape& shape) {
   Writer writer(stems, static_cast<std::uint32_t>(shape.trunk.base));
   constexpr float step = 0.5f / around;
@@ -117,11 +123,14 @@ void add_flare_surface(StemMesh& stems, const FlareShape& shape) {
   for (std::uint32_t k = 0; k < around; ++k) writer.triangle(middle, middle + 1 + k, middle + 2 + k);
 }
 
-// The height of a trunk's vertical piece.
-float rise_of(const Segment& base) { return std::min(upright * base.radius, 0.4f * (base.end.y - base.start.y)); }
+// The height of a trunk's vertical piece at its foot.
+float upright_height(const Segment& base) {
+  return std::min(upright * base.radius, 0.4f * (base.end.y - base.start.y));
+}
 
 }  // namespace
 
+// By target, the thickest segment that begins there; −1 if there is none.
 std::vector<std::int32_t> trunk_bases(std::span<const Segment> segments, std::span<const glm::vec3> targets) {
   std::vector<std::int32_t> bases(targets.size(), -1);
   for (std::size_t i = 0; i < segments.size(); ++i) {
@@ -136,10 +145,12 @@ std::vector<std::int32_t> trunk_bases(std::span<const Segment> segments, std::sp
   return bases;
 }
 
+// The pieces that replace a trunk's first segment: a vertical one on the ground and the rest, or a stump in the soil
+// before it.
 std::vector<Segment> base_pieces(const Segment& base, const RootFlareOptions& options) {
   Segment rest = base, first = base;
   if (options.standing) {
-    const float rise = rise_of(base);
+    const float rise = upright_height(base);
     if (!(rise > 0)) return {base};
     first.end = rest.start = base.start + glm::vec3(0, rise, 0);
     first.radius_end = base.radius;
@@ -153,10 +164,11 @@ std::vector<Segment> base_pieces(const Segment& base, const RootFlareOptions& op
   return {first, rest};
 }
 
+// The point of the trunk's axis at a height above the ground.
 glm::vec3 TrunkLine::at(float height) const {
   const glm::vec3 ground = segments[base].start;
   const float y = ground.y + height;
-  glm::vec3 from = ground + glm::vec3(0, rise_of(segments[base]), 0), to = from;
+  glm::vec3 from = ground + glm::vec3(0, upright_height(segments[base]), 0), to = from;
   if (y <= from.y) return {ground.x, y, ground.z};
   // Parents precede their children.
   std::size_t last = base;
@@ -172,6 +184,7 @@ glm::vec3 TrunkLine::at(float height) const {
   return {place.x, y, place.z};
 }
 
+// Cuts a trunk's tube off at the ground, and adds the surface of its flared foot.
 void add_root_flare(StemMesh& stems, const StemPart& tube, const TrunkLine& trunk, const RootFlareOptions& options) {
   if (!options.standing) return;
   const Segment& base = trunk.segments[trunk.base];

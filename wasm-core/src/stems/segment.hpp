@@ -15,4 +15,12 @@ struct Segment {
   float radius_end = 0;  // at the end
 };
 
+// Scales lengths and thicknesses, from one unit to another.
+inline void scale(Segment& segment, float factor) {
+  segment.start *= factor;
+  segment.end *= factor;
+  segment.radius *= factor;
+  segment.radius_end *= factor;
+}
+
 }  // namespace panicle

@@ -13,38 +13,41 @@ constexpr std::int32_t none = -1;
 constexpr float cosine_of_fork = 0.6428f;         // 50°
 constexpr float cosine_of_only_child = -0.1736f;  // 100°
 
-// Finite, and small enough for lengths to be so too.
-bool usable(const Segment& segment) {
+// Whether all numbers of a segment are finite, and small enough for its length to be so too.
+bool is_usable(const Segment& segment) {
   float sum = std::fabs(segment.radius) + std::fabs(segment.radius_end);
   for (int axis = 0; axis < 3; ++axis) sum += std::fabs(segment.start[axis]) + std::fabs(segment.end[axis]);
   return sum < 1e15f;
 }
 
+// The vector with length 1, or `otherwise` if it has no length.
 glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& otherwise) {
   const float length = glm::length(v);
   return length > 0 ? v / length : otherwise;
 }
 
+// Finder of the axes of stems: unbranched lines of segments, each of which is swept as one tube.
 class Finder {
  public:
   explicit Finder(const Stems& stems) : stems_(stems), segments_(stems.segments) {}
 
+  // Finds all axes and the nodes between their segments.
   StemAxes find() {
-    measure();
-    relate();
-    successors();
-    for (const std::int32_t first : heads()) trace(first);
+    set_finest();
+    find_parents();
+    find_successors();
+    for (const std::int32_t first : axis_heads()) trace_axis(first);
     return std::move(result_);
   }
 
  private:
   // Sets the finest useful length: floats of the largest coordinate are 2^−24 of it apart; a thousand such steps make a
   // ring that is round.
-  void measure() {
+  void set_finest() {
     float extent = 0;
     usable_.resize(segments_.size());
     for (std::size_t i = 0; i < segments_.size(); ++i) {
-      usable_[i] = usable(segments_[i]) ? 1 : 0;
+      usable_[i] = is_usable(segments_[i]) ? 1 : 0;
       if (!usable_[i]) continue;
       for (int axis = 0; axis < 3; ++axis) {
         extent = std::max({extent, std::fabs(segments_[i].start[axis]), std::fabs(segments_[i].end[axis])});
@@ -53,7 +56,7 @@ class Finder {
     result_.finest = std::max(extent * 6e-5f, 1e-15f);
   }
 
-  // The parent, if it is an earlier, usable segment whose end is this one's start.
+  // The parent of a segment, if it is an earlier, usable segment whose end is this one's start; −1 otherwise.
   std::int32_t find_parent(std::size_t i) const {
     const Segment& segment = segments_[i];
     const std::int32_t parent = segment.parent;
@@ -64,7 +67,7 @@ class Finder {
   }
 
   // Finds parents, and a direction for every segment; one without length takes its parent's.
-  void relate() {
+  void find_parents() {
     parents_.resize(segments_.size());
     directions_.resize(segments_.size());
     for (std::size_t i = 0; i < segments_.size(); ++i) {
@@ -78,7 +81,9 @@ class Finder {
     }
   }
 
-  void successors() {
+  // Finds the segment that continues each segment: the best aligned child of the same group, unless it turns too
+  // sharply.
+  void find_successors() {
     successor_.assign(segments_.size(), none);
     std::vector<float> alignment(segments_.size(), -2);
     std::vector<std::uint32_t> children(segments_.size(), 0);
@@ -104,7 +109,7 @@ class Finder {
   }
 
   // The first segments of all axes, by group.
-  std::vector<std::int32_t> heads() const {
+  std::vector<std::int32_t> axis_heads() const {
     std::vector<std::int32_t> found;
     for (std::size_t i = 0; i < segments_.size(); ++i) {
       const bool carried_on = parents_[i] != none && successor_[parents_[i]] == static_cast<std::int32_t>(i);
@@ -116,7 +121,9 @@ class Finder {
     return sorted;
   }
 
-  void trace(std::int32_t first) {
+  // Adds the axis that begins with a segment and goes on with its successors; nodes too near the one before are left
+  // out, and an axis of one node is none.
+  void trace_axis(std::int32_t first) {
     std::vector<Node>& nodes = result_.nodes;
     const Segment& head = segments_[first];
     StemAxis axis;
@@ -145,21 +152,22 @@ class Finder {
       Node& node = nodes[axis.first + i];
       node.radius = std::max(node.radius, result_.finest);
     }
-    bend(axis);
+    set_tangents(axis);
     result_.axes.push_back(axis);
   }
 
+  // Whether the axis after a segment begins at a sharp corner.
   bool is_corner(std::int32_t segment) const { return !corners_.empty() && corners_[segment] != 0; }
 
-  // Tangents: at a node between two segments the shorter one counts more (as in a Catmull–Rom curve over lengths);
-  // a branch sets out leaning towards its parent's direction, and the last segment ends straight.
-  void bend(const StemAxis& axis) {
+  // Sets the tangents of an axis' nodes. Between two segments the shorter one counts more (as in a Catmull–Rom curve
+  // over lengths); a branch begins leaning towards its parent's direction, and the last segment ends straight.
+  void set_tangents(const StemAxis& axis) {
     Node* node = &result_.nodes[axis.first];
-    glm::vec3 before = (node[1].position - node[0].position) / node[1].step;
+    glm::vec3 before = (node[1].position - node[0].position) / node[1].length;
     node[0].tangent = axis.origin.attached ? unit_or(before + 0.25f * axis.origin.direction, before) : before;
     for (std::uint32_t i = 1; i + 1 < axis.count; ++i) {
-      const glm::vec3 after = (node[i + 1].position - node[i].position) / node[i + 1].step;
-      node[i].tangent = unit_or(before * node[i + 1].step + after * node[i].step, after);
+      const glm::vec3 after = (node[i + 1].position - node[i].position) / node[i + 1].length;
+      node[i].tangent = unit_or(before * node[i + 1].length + after * node[i].length, after);
       before = after;
     }
     node[axis.count - 1].tangent = before;
@@ -177,6 +185,7 @@ class Finder {
 
 }  // namespace
 
+// Divides a branched skeleton into axes, chains of segments that become one tube each.
 StemAxes find_stem_axes(const Stems& stems) { return Finder(stems).find(); }
 
 }  // namespace panicle

@@ -16,7 +16,7 @@ struct Node {
   glm::vec3 position{0};
   glm::vec3 tangent{0};      // unit
   float radius = 0;          // of the stem here
-  float step = 0;            // straight distance from the node before, 0 at the first
+  float length = 0;          // straight distance from the node before, 0 at the first
   std::int32_t segment = 0;  // that ends here (of the first node: that begins here)
 };
 

@@ -5,44 +5,46 @@
 #include <glm/geometric.hpp>
 
 #include "foundation/mathematics.hpp"
+#include "foundation/rotation.hpp"
 
 namespace panicle {
 namespace {
 
-constexpr float most_bends = 4;                                       // rings more for them, where thin axes are plain
+constexpr float max_bends = 4;  // most rings added for bends on thin axes with few rings
 constexpr float cap_degrees[] = {35, 65}, thin_cap_degrees[] = {50};  // from the rim; the pole is at 90
 
 // A cubic Hermite curve from node to node, as powers of t.
 struct Curve {
   glm::vec3 constant, linear, square, cube;
 
+  // The cubic from node a to node b with their tangents (Hermite).
   Curve(const Node& a, const Node& b) {
     const glm::vec3 chord = b.position - a.position;
-    const glm::vec3 out = a.tangent * b.step, in = b.tangent * b.step;
+    const glm::vec3 out = a.tangent * b.length, in = b.tangent * b.length;
     constant = a.position;
     linear = out;
     square = chord * 3.0f - out * 2.0f - in;
     cube = out + in - chord * 2.0f;
   }
+  // The point at t, 0 … 1, and the derivative there.
   glm::vec3 at(float t) const { return constant + (linear + (square + cube * t) * t) * t; }
   glm::vec3 slope(float t) const { return linear + (square * 2.0f + cube * (3 * t)) * t; }
 };
 
-// A coordinate axis well off `v`.
-glm::vec3 world_axis_across(const glm::vec3& v) {
-  return std::fabs(v.y) < 0.8f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
-}
+constexpr float steep = 0.8f;  // cosine of the angle to the vertical from which directions count as vertical
 
 // The part of `v` at right angles to the unit vector `tangent`, as a unit vector; any such if `v` has none.
-glm::vec3 reject(const glm::vec3& v, const glm::vec3& tangent) {
+glm::vec3 perpendicular_part(const glm::vec3& v, const glm::vec3& tangent) {
   const glm::vec3 part = v - tangent * glm::dot(tangent, v);
   const float square = glm::dot(part, part);
   return square > 1e-6f ? part * (1 / std::sqrt(square))
-                        : glm::normalize(glm::cross(world_axis_across(tangent), tangent));
+                        : glm::normalize(glm::cross(axis_across(tangent, steep), tangent));
 }
 
-void place(Ring& ring, const glm::vec3& centre, const glm::vec3& tangent, const glm::vec3& right,
-           const Section& section) {
+// Sets a ring at right angles to the axis. `right` is a unit vector at right angles to `tangent`; the section has the
+// ring's two radii.
+void set_ring(Ring& ring, const glm::vec3& centre, const glm::vec3& tangent, const glm::vec3& right,
+              const Section& section) {
   ring.centre = centre;
   ring.tangent = tangent;
   ring.radius = section.narrow;
@@ -52,6 +54,7 @@ void place(Ring& ring, const glm::vec3& centre, const glm::vec3& tangent, const 
   ring.blend = 0;
 }
 
+// Tilts a ring near a branch's beginning towards the direction of its parent, by the section's lean.
 void lean_towards(Ring& ring, const glm::vec3& parent, const Section& section) {
   const glm::vec3 right = ring.right / section.wide;
   const glm::vec3 leaning = right + (parent - right) * section.lean;
@@ -60,7 +63,8 @@ void lean_towards(Ring& ring, const glm::vec3& parent, const Section& section) {
   ring.round = false;
 }
 
-// How the half-axes change along a run of rings. A ring next to one that is not round is not quite round either.
+// Computes how the half-axes change along a run of rings. A ring next to one that is not round is not quite round
+// either.
 void find_changes(std::span<Ring> rings) {
   bool round_before = true;
   for (std::size_t i = 0; i < rings.size(); ++i) {
@@ -78,7 +82,8 @@ void find_changes(std::span<Ring> rings) {
   }
 }
 
-// A ring of a rounded end, `degrees` from the rim; `height` is negative at the start of the axis.
+// A ring of a rounded end, `degrees` from its rim. `height` is that of the end's pole above the rim, negative at the
+// start of the axis.
 Ring cap_ring(const Ring& rim, float degrees, float height) {
   const SinCos angle = sincos_degrees(degrees);
   const float steepness = -angle.sine / (angle.cosine * height);
@@ -102,9 +107,11 @@ float distance_between(const Ring& a, const Ring& b) {
 
 }  // namespace
 
-TubeMaker::TubeMaker(const Stems& stems, const StemAxes& axes, float thin, bool plain)
-    : stems_(stems), axes_(axes), thin_(thin), plain_(plain) {
-  for (std::uint32_t n = 1; n <= most_steps; ++n) {
+// Prepares making tubes. Axes thinner than `thin` have fewer rings, with `few_rings_on_thin` as few as possible.
+// `crowding_` moves rings towards the nodes, by a sine.
+TubeMaker::TubeMaker(const Stems& stems, const StemAxes& axes, float thin, bool few_rings_on_thin)
+    : stems_(stems), axes_(axes), thin_(thin), few_rings_on_thin_(few_rings_on_thin) {
+  for (std::uint32_t n = 1; n <= max_steps; ++n) {
     for (std::uint32_t k = 0; k <= n; ++k) {
       const float turn = static_cast<float>(k) / static_cast<float>(n);
       crowding_[n][k] = sincos_degrees(360 * turn).sine / (2 * pi);
@@ -112,6 +119,7 @@ TubeMaker::TubeMaker(const Stems& stems, const StemAxes& axes, float thin, bool 
   }
 }
 
+// The form of an axis' end.
 StemEnd TubeMaker::end_of(const StemAxis& axis) const {
   return stems_.end_of(static_cast<std::size_t>(axes_.nodes[axis.first + axis.count - 1].segment));
 }
@@ -121,42 +129,45 @@ std::span<const float> TubeMaker::cap_of(const StemAxis& axis) const {
   return is_thin(axis) ? std::span<const float>(thin_cap_degrees) : std::span<const float>(cap_degrees);
 }
 
-// The number of steps from node i − 1 of the axis to node i.
-std::uint32_t TubeMaker::steps_to(const StemAxis& axis, std::uint32_t i) const {
+// The number of rings from node i − 1 of the axis to node i: more on long, bent, branching or flaring pieces, fewer on
+// thin axes; `max_steps` at most.
+std::uint32_t TubeMaker::rings_between(const StemAxis& axis, std::uint32_t i) const {
   const Node& a = axes_.nodes[axis.first + i - 1];
   const Node& b = axes_.nodes[axis.first + i];
-  const glm::vec3 along = (b.position - a.position) / b.step;
-  const bool shaped = (i == 1 && axis.origin.attached) || (i + 1 == axis.count && end_of(axis).flare > 0);
-  const float by_length = 2 + 2 * b.step / std::max(a.radius, b.radius);
+  const glm::vec3 along = (b.position - a.position) / b.length;
+  const bool changes_shape = (i == 1 && axis.origin.attached) || (i + 1 == axis.count && end_of(axis).flare > 0);
+  const float by_length = 2 + 2 * b.length / std::max(a.radius, b.radius);
   const bool thin = is_thin(axis);
   const float bend = glm::length(a.tangent - along) + glm::length(b.tangent - along);
-  const float by_bend = (thin ? 4 : 6) * bend;  // about every 15°, every 10°
-  if (thin && plain_) return 1 + static_cast<std::uint32_t>(std::min(3 * bend, most_bends));
-  const float most = thin ? (shaped ? 6.0f : 3.0f) : (shaped ? 10.0f : 7.0f);
-  const float wanted = std::max(std::min(most, by_length), by_bend);
-  const auto steps = static_cast<std::uint32_t>(std::min(wanted, static_cast<float>(most_steps)));
+  const float by_bend = (thin ? 4 : 6) * bend;  // a ring about every 15° on thin axes, every 10° on others
+  if (thin && few_rings_on_thin_) return 1 + static_cast<std::uint32_t>(std::min(3 * bend, max_bends));
+  const float limit = thin ? (changes_shape ? 6.0f : 3.0f) : (changes_shape ? 10.0f : 7.0f);
+  const float wanted = std::max(std::min(limit, by_length), by_bend);
+  const auto steps = static_cast<std::uint32_t>(std::min(wanted, static_cast<float>(max_steps)));
   return coarse_ ? 1 + steps / 8 : steps;
 }
 
+// The number of an axis' rings, with those of its rounded ends.
 std::uint32_t TubeMaker::count_rings(const StemAxis& axis) const {
   std::uint32_t rings = 1 + static_cast<std::uint32_t>(cap_of(axis).size()) * (axis.origin.attached ? 1 : 2);
-  for (std::uint32_t i = 1; i < axis.count; ++i) rings += steps_to(axis, i);
+  for (std::uint32_t i = 1; i < axis.count; ++i) rings += rings_between(axis, i);
   return rings;
 }
 
-// Makes the rings between the two ends. A branch begins with its right in the plane of branch and parent.
+// Sets the rings between the two ends of an axis. A branch begins with its right in the plane of branch and parent.
 void TubeMaker::sweep(const StemAxis& axis, Ring* rings) const {
   const std::span<const Node> nodes(&axes_.nodes[axis.first], axis.count);
   Thickness thickness(nodes, axis.origin, end_of(axis), stems_.jointed, stems_.tapering);
   glm::vec3 centre = nodes[0].position;
-  glm::vec3 right = axis.origin.attached ? axis.origin.direction : world_axis_across(nodes[0].tangent);
+  glm::vec3 right = axis.origin.attached ? axis.origin.direction : axis_across(nodes[0].tangent, steep);
+  // Adds the ring at the fraction `t` of a segment, turned as little as possible from the ring before.
   const auto add = [&](const glm::vec3& next, const glm::vec3& tangent, float t, std::int32_t segment) {
     Section section = thickness.at(t);
     section.wide = std::max(section.wide, axes_.finest);
     section.narrow = std::max(section.narrow, axes_.finest);
-    right = reject(right, tangent);
+    right = perpendicular_part(right, tangent);
     Ring& ring = *rings++;
-    place(ring, next, tangent, right, section);
+    set_ring(ring, next, tangent, right, section);
     if (section.lean > 0) lean_towards(ring, axis.origin.direction, section);
     ring.run = glm::length(next - centre);
     ring.segment = static_cast<std::uint32_t>(segment);
@@ -168,8 +179,9 @@ void TubeMaker::sweep(const StemAxis& axis, Ring* rings) const {
     const Node& node = nodes[i];
     const Curve curve(nodes[i - 1], node);
     if (i > 1) thickness.enter(i);
-    const std::uint32_t steps = steps_to(axis, i);
-    const float crowded = 0.85f * std::clamp(0.25f * node.step / node.radius - 0.75f, 0.0f, 1.0f);
+    const std::uint32_t steps = rings_between(axis, i);
+    // The longer a piece is in radii, the nearer its rings are to the nodes.
+    const float crowded = 0.85f * std::clamp(0.25f * node.length / node.radius - 0.75f, 0.0f, 1.0f);
     const float per_steps = 1 / static_cast<float>(steps);
     for (std::uint32_t k = 1; k < steps; ++k) {
       const float t = static_cast<float>(k) * per_steps - crowded * crowding_[steps][k];
@@ -182,6 +194,7 @@ void TubeMaker::sweep(const StemAxis& axis, Ring* rings) const {
   }
 }
 
+// Makes the tube of an axis: rings, rounded ends and texture coordinates.
 void TubeMaker::make(const StemAxis& axis, Tube& tube) const {
   std::vector<Ring>& rings = tube.rings;
   rings.resize(count_rings(axis));

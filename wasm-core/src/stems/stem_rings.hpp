@@ -41,9 +41,11 @@ struct Tube {
 // parent, rings lean towards the parent's axis and take on its normals, so that the two look grown together.
 class TubeMaker {
  public:
-  // Axes that begin thinner than `thin` get about half the rings; with `plain` one a node and more in bends.
-  TubeMaker(const Stems& stems, const StemAxes& axes, float thin = 0, bool plain = false);
+  // Axes that begin thinner than `thin` get about half the rings; with `few_rings_on_thin` one a node and more in
+  // bends.
+  TubeMaker(const Stems& stems, const StemAxes& axes, float thin = 0, bool few_rings_on_thin = false);
 
+  // Whether an axis is thin enough for fewer sides.
   bool is_thin(const StemAxis& axis) const { return axes_.nodes[axis.first].radius < thin_; }
 
   // From now on uses as few rings as possible, for very many stems.
@@ -51,24 +53,24 @@ class TubeMaker {
 
   // The number of rings that `make` makes.
   std::uint32_t count_rings(const StemAxis& axis) const;
-  // Overwrites `tube`, whose memory is used again.
+  // Makes the rings of an axis with their texture coordinate v, and the poles. Overwrites `tube`: its memory is reused.
   void make(const StemAxis& axis, Tube& tube) const;
 
  private:
-  static constexpr std::uint32_t most_steps = 16;  // from node to node
+  static constexpr std::uint32_t max_steps = 16;  // from node to node
 
   std::span<const float> cap_of(const StemAxis& axis) const;
-  std::uint32_t steps_to(const StemAxis& axis, std::uint32_t i) const;
+  std::uint32_t rings_between(const StemAxis& axis, std::uint32_t i) const;
   StemEnd end_of(const StemAxis& axis) const;
   void sweep(const StemAxis& axis, Ring* rings) const;
 
   const Stems stems_;
   const StemAxes& axes_;
   const float thin_;
-  const bool plain_;
+  const bool few_rings_on_thin_;
   bool coarse_ = false;
   // Steps are shorter near nodes: at fraction k / n − c sin(2π k / n) / 2π. Here is that without c, for every n.
-  std::array<std::array<float, most_steps + 1>, most_steps + 1> crowding_{};
+  std::array<std::array<float, max_steps + 1>, max_steps + 1> crowding_{};
 };
 
 }  // namespace panicle

@@ -28,7 +28,9 @@ struct Stems {
   float corner = -2;
   bool tapering = false;  // whether thickness runs on through nodes, as wood's does; else it halts at each
 
+  // The group of a segment; 0 without groups.
   std::int32_t group_of(std::size_t segment) const { return groups.empty() ? 0 : groups[segment]; }
+  // The form of a segment's end; a plain one without ends.
   StemEnd end_of(std::size_t segment) const { return ends.empty() ? StemEnd{} : ends[segment]; }
 };
 

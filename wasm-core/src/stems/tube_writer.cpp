@@ -3,13 +3,14 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "foundation/lane_vectors.hpp"
 #include "foundation/lanes.hpp"
 #include "foundation/mathematics.hpp"
 
 namespace panicle {
 namespace {
 
-// A vector over and over, as four vertices in a row hold it: xyzx yzxy zxyz.
+// A vector in three groups of four floats, as four vertices in a row have it: xyzx yzxy zxyz.
 struct Repeated {
   Four part[3];
 
@@ -17,42 +18,30 @@ struct Repeated {
       : part{Four{v.x, v.y, v.z, v.x}, Four{v.y, v.z, v.x, v.y}, Four{v.z, v.x, v.y, v.z}} {}
 };
 
-// Three coordinates of four vertices.
-struct FourVectors {
-  Four x, y, z;
-};
-
-FourVectors cross(const FourVectors& a, const FourVectors& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-FourVectors unit(const FourVectors& v) {
-  const Four per_length = 1 / square_root(v.x * v.x + v.y * v.y + v.z * v.z);
-  return {v.x * per_length, v.y * per_length, v.z * per_length};
-}
-
-// The part of `v` at right angles to a unit vector.
-FourVectors reject(const FourVectors& v, const glm::vec3& direction) {
+// The parts of four vectors at right angles to a unit vector.
+FourVectors perpendicular_part(const FourVectors& v, const glm::vec3& direction) {
   const Four part = v.x * direction.x + v.y * direction.y + v.z * direction.z;
   return {v.x - part * direction.x, v.y - part * direction.y, v.z - part * direction.z};
 }
 
+// share_a a + share_b b, for four pairs of vectors.
 FourVectors mix(const FourVectors& a, float share_a, const FourVectors& b, float share_b) {
   return {a.x * share_a + b.x * share_b, a.y * share_a + b.y * share_b, a.z * share_a + b.z * share_b};
 }
 
-// base + a x + b y
+// base + a x + b y, for four pairs of factors x and y.
 FourVectors sum(const glm::vec3& base, const glm::vec3& a, const Four& x, const glm::vec3& b, const Four& y) {
   return {base.x + a.x * x + b.x * y, base.y + a.y * x + b.y * y, base.z + a.z * x + b.z * y};
 }
 
-// The first vertex again, where the texture's seam is.
+// Repeats a ring's first vertex behind its last, where the texture's seam is.
 void close_ring(float* out, std::uint32_t sides) {
   for (std::uint32_t axis = 0; axis < 3; ++axis) out[3 * sides + axis] = out[axis];
 }
 
 }  // namespace
 
+// Computes the pattern of rings with that number of sides. Vertex `sides` repeats the first, for the texture's seam.
 RingPattern::RingPattern(std::uint32_t sides_) : sides(sides_), padded((sides_ + 3) / 4 * 4) {
   for (std::uint32_t k = 0; k < padded; ++k) {
     const SinCos angle = sincos_degrees(360 * static_cast<float>(k) / static_cast<float>(sides));
@@ -68,6 +57,7 @@ RingPattern::RingPattern(std::uint32_t sides_) : sides(sides_), padded((sides_ +
   while (band.size() % 4 != 0) band.push_back(0);
 }
 
+// Makes room for all vertices and triangles.
 TubeWriter::TubeWriter(StemMesh& stem, std::uint64_t vertices, std::uint64_t triangles) : stem_(stem) {
   const auto room = static_cast<std::size_t>(vertices) + 4;
   // Made, not grown: in a wasm where some code is built for size, growing writes zeros one number at a time.
@@ -78,6 +68,7 @@ TubeWriter::TubeWriter(StemMesh& stem, std::uint64_t vertices, std::uint64_t tri
   stem.mesh.indices = std::vector<std::uint32_t>(static_cast<std::size_t>(triangles) * 3 + 4);
 }
 
+// Removes the room that is not used.
 void TubeWriter::finish() {
   stem_.mesh.positions.resize(std::size_t{vertices_} * 3);
   stem_.mesh.normals.resize(std::size_t{vertices_} * 3);
@@ -86,6 +77,7 @@ void TubeWriter::finish() {
   stem_.mesh.indices.resize(indices_);
 }
 
+// Writes a tube, scaled: its triangles, then the vertices of the first pole, all rings and the last pole.
 void TubeWriter::write(const Tube& tube, const RingPattern& pattern, float scale) {
   pattern_ = &pattern;
   const Ring& first = tube.rings.front();
@@ -96,6 +88,7 @@ void TubeWriter::write(const Tube& tube, const RingPattern& pattern, float scale
   write_pole(tube.last_pole * scale, last.tangent, last);
 }
 
+// Writes the vertex in the middle of a tube's end. `ring`: the one next to it.
 void TubeWriter::write_pole(const glm::vec3& position, const glm::vec3& normal, const Ring& ring) {
   for (int axis = 0; axis < 3; ++axis) {
     stem_.mesh.positions[3 * vertices_ + axis] = position[axis];
@@ -107,6 +100,8 @@ void TubeWriter::write_pole(const glm::vec3& position, const glm::vec3& normal, 
   ++vertices_;
 }
 
+// Writes the vertices of a ring: positions, normals, texture coordinates and segment, four numbers at a time. The
+// normals of a round ring form an ellipse, too, tilted by the slope of its radius.
 void TubeWriter::write_ring(const Tube& tube, const Ring& ring, float scale) {
   write_ellipse(&stem_.mesh.positions[3 * vertices_], ring.centre * scale, ring.right * scale, ring.forward * scale);
   float* normals = &stem_.mesh.normals[3 * vertices_];
@@ -127,6 +122,7 @@ void TubeWriter::write_ring(const Tube& tube, const Ring& ring, float scale) {
   vertices_ += pattern_->sides + 1;
 }
 
+// Writes centre + right cos a + forward sin a for the angle a of each side, and the first point again.
 void TubeWriter::write_ellipse(float* out, const glm::vec3& centre, const glm::vec3& right,
                                const glm::vec3& forward) const {
   const Repeated c(centre), r(right), f(forward);
@@ -140,7 +136,8 @@ void TubeWriter::write_ellipse(float* out, const glm::vec3& centre, const glm::v
   close_ring(out, pattern_->sides);
 }
 
-// Normals are at right angles to the two directions within the surface, around the ring and along the axis.
+// Writes the normals of a ring that is not round: at right angles to the two directions within the surface, around the
+// ring and along the axis. Near the parent, they are blended with the parent's normals.
 void TubeWriter::write_normals(const Tube& tube, const Ring& ring, float* out) const {
   const float* cosine = pattern_->cosine.data();
   const float* sine = pattern_->sine.data();
@@ -152,7 +149,7 @@ void TubeWriter::write_normals(const Tube& tube, const Ring& ring, float* out) c
     if (ring.blend > 0) {
       // The parent's normal, shorter within it: zero on its axis, where there is none.
       const FourVectors from_point = sum(ring.centre - tube.parent_point, ring.right, c, ring.forward, s);
-      const FourVectors away = reject(from_point, tube.parent_direction);
+      const FourVectors away = perpendicular_part(from_point, tube.parent_direction);
       normal = mix(normal, (1 - ring.blend) / ring.radius, away, ring.blend / tube.parent_radius);
     }
     normal = unit(normal);
@@ -164,7 +161,7 @@ void TubeWriter::write_normals(const Tube& tube, const Ring& ring, float* out) c
   close_ring(out, pattern_->sides);
 }
 
-// A fan, bands of two triangles a side, a fan; counter-clockwise from without.
+// Writes the triangles of a tube: a fan, bands of two triangles a side, a fan; counter-clockwise from outside.
 void TubeWriter::write_triangles(std::uint32_t first_pole, std::uint32_t rings) {
   const std::uint32_t row = pattern_->sides + 1;
   const std::uint32_t* band = pattern_->band.data();

@@ -24,6 +24,7 @@ struct RingPattern {
 struct TubeCount {
   std::uint64_t rings = 0, tubes = 0;
 
+  // The number of vertices of tubes with so many sides: rings with a seam, and two poles for each tube.
   std::uint64_t vertices(std::uint32_t sides) const { return rings * (sides + 1) + tubes * 2; }
 };
 

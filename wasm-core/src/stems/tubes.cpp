@@ -8,6 +8,7 @@
 
 namespace panicle {
 
+// Sweeps tubes along all axes of stems, with as many sides and rings as the limit of vertices allows.
 StemMesh sweep_stems(const Stems& stems, const TubeOptions& options, float scale) {
   const StemAxes axes = find_stem_axes(stems);
   TubeMaker maker(stems, axes, options.thin, options.thin_plain);
@@ -20,14 +21,15 @@ StemMesh sweep_stems(const Stems& stems, const TubeOptions& options, float scale
     }
     return all;
   };
+  // Halves the sides, and then uses fewer rings, where there would be too many vertices.
   TubeCount thick = count(false), thin = count(true);
   std::uint32_t sides = std::clamp(options.sides, 3u, 64u), thin_sides = std::clamp(options.thin_sides, 3u, sides);
   const auto vertices = [&] { return thick.vertices(sides) + thin.vertices(thin_sides); };
-  while (vertices() > options.most_vertices && sides > 3) {
+  while (vertices() > options.max_vertices && sides > 3) {
     sides = std::max(sides / 2, 3u);
     thin_sides = std::min(thin_sides, sides);
   }
-  if (vertices() > options.most_vertices) {
+  if (vertices() > options.max_vertices) {
     maker.coarsen();
     thick = count(false);
     thin = count(true);
@@ -39,7 +41,7 @@ StemMesh sweep_stems(const Stems& stems, const TubeOptions& options, float scale
   Tube tube;
   for (const StemAxis& axis : axes.axes) {
     if (stem.parts.empty() || stem.parts.back().group != axis.group) {
-      stem.parts.push_back({axis.group, writer.vertices(), 0, writer.indices(), 0});
+      stem.parts.push_back({{writer.vertices(), 0, writer.indices(), 0}, axis.group});
     }
     maker.make(axis, tube);
     writer.write(tube, maker.is_thin(axis) ? thin_pattern : pattern, scale);

@@ -9,11 +9,9 @@
 
 namespace panicle {
 
-// A contiguous run of the stem mesh: the tubes of one group.
-struct StemPart {
+// A part of the stem mesh: the tubes of one group.
+struct StemPart : MeshRange {
   std::int32_t group = 0;
-  std::uint32_t first_vertex = 0, vertex_count = 0;
-  std::uint32_t first_index = 0, index_count = 0;
 };
 
 struct StemMesh {
@@ -26,7 +24,7 @@ struct TubeOptions {
   std::uint32_t sides = 12;  // 3 … 64
   // A mesh that would have more gets fewer sides, then fewer rings. 60 bytes each: meshes of as many segments as the
   // limit allows fit memory.
-  std::uint64_t most_vertices = 10'000'000;
+  std::uint64_t max_vertices = 10'000'000;
   // Axes that begin thinner than this, in the segments' unit, get `thin_sides` sides and about half the rings: of tubes
   // a few pixels wide no more would be seen.
   float thin = 0;

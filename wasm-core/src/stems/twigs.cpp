@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "foundation/mathematics.hpp"
+#include "foundation/rotation.hpp"
 
 namespace panicle {
 namespace {
@@ -16,23 +17,25 @@ constexpr float half = 0.8660254f;  // √3 / 2
 constexpr std::array<glm::vec2, sides> corners{{{1, 0}, {-0.5f, half}, {-0.5f, -half}}};
 constexpr std::int32_t none = -1;
 
-glm::vec3 way_of(const Segment& segment) {
+// The unit direction of a segment; up if it has no length.
+glm::vec3 direction_of(const Segment& segment) {
   const glm::vec3 way = segment.end - segment.start;
   const float length = glm::length(way);
   return length > 0 ? way / length : glm::vec3(0, 1, 0);
 }
 
-// The part of `v` at right angles to a unit vector, or any perpendicular.
-glm::vec3 reject(const glm::vec3& v, const glm::vec3& tangent) {
+// The part of `v` at right angles to a unit vector, normalised; any perpendicular if `v` has none.
+glm::vec3 perpendicular_part(const glm::vec3& v, const glm::vec3& tangent) {
   const glm::vec3 part = v - glm::dot(v, tangent) * tangent;
   if (glm::dot(part, part) > 1e-4f) return glm::normalize(part);
-  return glm::normalize(glm::cross(tangent, std::fabs(tangent.y) < 0.8f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0)));
+  return any_perpendicular(tangent, 0.8f);
 }
 
 class Writer {
  public:
   explicit Writer(StemMesh& stem) : stem_(stem) {}
 
+  // Adds a vertex; returns its index.
   std::uint32_t vertex(const glm::vec3& place, const glm::vec3& normal, const glm::vec2& uv, std::size_t segment) {
     Mesh& mesh = stem_.mesh;
     put(mesh.positions, place);
@@ -41,6 +44,7 @@ class Writer {
     stem_.segment.push_back(static_cast<std::uint32_t>(segment));
     return static_cast<std::uint32_t>(stem_.segment.size()) - 1;
   }
+  // Writes a ring of three vertices around a place. Returns the index of the first.
   std::uint32_t ring(const glm::vec3& place, const glm::vec3& tangent, const glm::vec3& right, float radius, float v,
                      std::size_t segment) {
     const glm::vec3 forward = glm::cross(tangent, right);
@@ -57,6 +61,7 @@ class Writer {
   StemMesh& stem_;
 };
 
+// The ring at the end of a segment: its first vertex, the direction of its first corner, and the texture coordinate.
 struct End {
   std::uint32_t ring = 0;  // its first vertex
   glm::vec3 right{0};
@@ -65,6 +70,7 @@ struct End {
 
 }  // namespace
 
+// Adds segments thinner than `fine` as tubes with three sides, without rounded joints.
 void add_twigs(StemMesh& stem, std::span<const Segment> segments, std::span<const std::int32_t> axes, float fine) {
   // For each segment, the one that continues its axis.
   std::vector<std::int32_t> onward(segments.size(), none);
@@ -77,26 +83,29 @@ void add_twigs(StemMesh& stem, std::span<const Segment> segments, std::span<cons
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const Segment& segment = segments[i];
     if (!(segment.radius < fine)) continue;
-    const glm::vec3 way = way_of(segment);
+    const glm::vec3 way = direction_of(segment);
     const auto parent = static_cast<std::size_t>(segment.parent);
     const bool carries_on = segment.parent >= 0 && onward[parent] == static_cast<std::int32_t>(i);
+    // Begins at the ring of the segment before, or with a ring of its own.
     End from;
     if (carries_on && segments[parent].radius < fine) {
       from = ends[parent];
     } else {
-      from.right = reject(carries_on ? way_of(segments[parent]) : glm::vec3(0, 1, 0), way);
+      from.right = perpendicular_part(carries_on ? direction_of(segments[parent]) : glm::vec3(0, 1, 0), way);
       from.ring = writer.ring(segment.start, way, from.right, segment.radius, 0, i);
     }
     const float v = from.v + glm::distance(segment.start, segment.end) / (2 * pi * segment.radius);
+    // The last segment of an axis ends in a point.
     if (onward[i] == none) {
       const std::uint32_t tip = writer.vertex(segment.end, way, {0.5f, v}, i);
       for (std::uint32_t k = 0; k < sides; ++k) writer.triangle(from.ring + k, from.ring + (k + 1) % sides, tip);
       continue;
     }
-    const glm::vec3 both = way + way_of(segments[static_cast<std::size_t>(onward[i])]);
+    // Others end in a ring across the mean direction of both segments.
+    const glm::vec3 both = way + direction_of(segments[static_cast<std::size_t>(onward[i])]);
     const glm::vec3 tangent = glm::length(both) > 0.1f ? glm::normalize(both) : way;
     End& end = ends[i];
-    end.right = reject(from.right, tangent);
+    end.right = perpendicular_part(from.right, tangent);
     end.v = v;
     end.ring = writer.ring(segment.end, tangent, end.right, segment.radius_end, v, i);
     for (std::uint32_t k = 0; k < sides; ++k) {

@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "foundation/vectors.hpp"
+#include "mesh/normals.hpp"
 #include "stems/twigs.hpp"
 
 namespace panicle {
@@ -15,32 +17,23 @@ constexpr std::uint32_t sides = 10, thin_sides = 6;
 // where all of it is seen, they are a pixel or two wide.
 constexpr float thin = 0.3f, fine_of_all = 0.002f;
 
-// Where a branch leaves at a narrow angle, its first rings fold over each other and over the parent, and normals of the
-// tube's shape look into the wood: black facets. Such vertices get the normals of their triangles.
+// Repairs normals that look into the wood: where a branch leaves at a narrow angle, its first rings fold over each
+// other and over the parent, which shows as black facets. Such vertices get the normals of their triangles.
 void repair_normals(Mesh& mesh) {
-  const auto at = [](const std::vector<float>& values, std::uint32_t i) {
-    return glm::vec3(values[3 * i], values[3 * i + 1], values[3 * i + 2]);
-  };
-  const auto face_of = [&](std::size_t t) {
-    const glm::vec3 a = at(mesh.positions, mesh.indices[t]);
-    return glm::cross(at(mesh.positions, mesh.indices[t + 1]) - a, at(mesh.positions, mesh.indices[t + 2]) - a);
-  };
   std::vector<std::uint8_t> opposed(mesh.positions.size() / 3, 0);
   bool any = false;
   for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
-    const glm::vec3 face = face_of(t);
+    const glm::vec3 face =
+        triangle_normal(vector_at(mesh.positions, mesh.indices[t]), vector_at(mesh.positions, mesh.indices[t + 1]),
+                        vector_at(mesh.positions, mesh.indices[t + 2]));
     for (std::size_t k = t; k < t + 3; ++k) {
-      if (!(glm::dot(face, at(mesh.normals, mesh.indices[k])) < 0)) continue;
+      if (!(glm::dot(face, vector_at(mesh.normals, mesh.indices[k])) < 0)) continue;
       opposed[mesh.indices[k]] = 1;
       any = true;
     }
   }
   if (!any) return;
-  std::vector<glm::vec3> sums(opposed.size(), glm::vec3(0));
-  for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
-    const glm::vec3 face = face_of(t);
-    for (std::size_t k = t; k < t + 3; ++k) sums[mesh.indices[k]] += face;
-  }
+  const std::vector<glm::vec3> sums = sum_normals(mesh);
   for (std::size_t v = 0; v < opposed.size(); ++v) {
     const float length = glm::length(sums[v]);
     if (!opposed[v] || !(length > 0)) continue;
@@ -56,6 +49,7 @@ struct Branches {
   std::vector<std::uint32_t> whole;
 };
 
+// Collects the segments whose radius is at least `fine`, and replaces those of `bases` by their base_pieces.
 Branches branches_of(std::span<const Segment> segments, std::span<const std::int32_t> axes,
                      std::span<const std::int32_t> bases, const RootFlareOptions& options, float fine) {
   Branches found;
@@ -83,6 +77,7 @@ Branches branches_of(std::span<const Segment> segments, std::span<const std::int
 
 }  // namespace
 
+// Builds the mesh of a woody plant: tubes, flared trunks at the targets, and thin twigs.
 StemMesh sweep_wood(std::span<const Segment> segments, std::span<const std::int32_t> axes,
                     std::span<const glm::vec3> targets, const RootFlareOptions& flare) {
   float thickest = 0;

@@ -2,10 +2,16 @@
 
 const requiredOfAll = ["key", "link", "label", "group", "kind", "help", "since"];
 
+/**
+ * Lists what is wrong with a parameter, each as the end of a sentence about it. `groups` holds the keys of known
+ * groups.
+ */
 function problemsOf(parameter, groups) {
 	const problems = requiredOfAll.filter((field) => parameter[field] === undefined).map((field) => `has no ${field}`);
 	if (!/^[a-z][a-z0-9_]*$/.test(parameter.key ?? "")) problems.push("has a key that is no lower-case name");
 	if (!groups.has(parameter.group)) problems.push(`is of the unknown group ${parameter.group}`);
+	if (parameter.basic !== undefined && !(Number.isInteger(parameter.basic) && parameter.basic > 0))
+		problems.push("has a place among the basics that is no whole number above 0");
 	if (!["number", "integer", "choice", "colour"].includes(parameter.kind))
 		problems.push(`is of the unknown kind ${parameter.kind}`);
 	if (parameter.kind === "colour") {

@@ -1,7 +1,7 @@
 /**
- * The files that are made from tables and texts: code (`*.generated.hpp`, `*.generated.ts`), which is written beside the files that use it and
- * is ignored by git, and pages of documentation, which are committed. Imports no package: every command that reads generated code calls
- * `generateCode` first, before packages are installed.
+ * The files that are made from tables and texts: code (`*.generated.hpp`, `*.generated.ts`), which is written beside
+ * the files that use it and is ignored by git, and pages of documentation, which are committed. Imports no package:
+ * every command that reads generated code calls `generateCode` first, before packages are installed.
  */
 import {
 	existsSync,
@@ -17,13 +17,15 @@ import { dirname, join } from "node:path";
 import { repository } from "../repository.mjs";
 import { outputs as grammars } from "./grammars.mjs";
 import { outputs as measures } from "./measures.mjs";
+import { outputs as messagePage } from "./message_page.mjs";
+import { outputs as messages } from "./messages.mjs";
 import { outputs as parameters } from "./parameters.mjs";
 import { outputs as texts } from "./texts.mjs";
 import { outputs as turtle } from "./turtle.mjs";
 import { outputs as words } from "./words.mjs";
 
 /** Makers of generated files; each returns `{ path, text }[]`, with paths from the repository's root. */
-const makers = [parameters, measures, grammars, texts, turtle, words];
+const makers = [parameters, measures, grammars, messages, messagePage, texts, turtle, words];
 /** The folders that hold generated code. */
 const codeFolders = ["wasm-core/src", "web/src"];
 
@@ -55,7 +57,10 @@ export function update(files, { write, root = repository }) {
 	return stale.map(({ path }) => path);
 }
 
-/** Removes `folder` and the folders above it, below `top`, that are empty: the build takes every folder of models for a model. */
+/**
+ * Removes `folder` and the folders above it, below `top`, that are empty: the build takes every folder of models for a
+ * model.
+ */
 function removeEmptyFolders(folder, top) {
 	for (let at = folder; at !== top; at = dirname(at)) {
 		try {

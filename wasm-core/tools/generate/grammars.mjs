@@ -1,4 +1,7 @@
-/** From wasm-core/grammars/<model>/*.lsys: the texts as the web sends them, a constant each, so that only those used are loaded. */
+/**
+ * From wasm-core/grammars/<model>/*.lsys: the texts as the web sends them, a constant each, so that only those used are
+ * loaded.
+ */
 import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { coreFolder } from "../repository.mjs";
@@ -21,7 +24,7 @@ function constant(model, file) {
 /** As a template, so that the text reads as it does in its file. */
 const literal = (text) => `\`${text.replace(/[\\`]|\$\{/g, "\\$&")}\``;
 
-/** The generated files. */
+/** Returns the generated files. */
 export function outputs() {
 	return readdirSync(grammars)
 		.filter((model) => existsSync(join(coreFolder, "src/models", model)) && !isGrown(model))

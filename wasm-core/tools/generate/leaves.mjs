@@ -9,6 +9,7 @@ import { buildCore } from "../core.mjs";
 import { buildFolder, repository } from "../repository.mjs";
 import { setUp } from "../setup.mjs";
 
+/** Builds the core, and grows the leaves by the page's own modules, which Vite loads. */
 export async function generateLeaves() {
 	await setUp("core");
 	await buildCore();

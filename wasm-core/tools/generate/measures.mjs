@@ -1,7 +1,9 @@
-/** From wasm-core/parameters/<model>.measures.json: that model's C++ list, its TypeScript table and its page of docs. */
+/**
+ * From wasm-core/parameters/<model>.measures.json: that model's C++ list, its TypeScript table and its page of docs.
+ */
 import { namespaceOf, noticeOf, tablesOf } from "./tables.mjs";
 
-/** The generated files. */
+/** Returns the generated files. */
 export function outputs() {
 	return tablesOf(".measures.json").flatMap(({ model, source, table }) => {
 		checkMeasures(table, source);
@@ -49,6 +51,7 @@ export function checkMeasures(table, from) {
 	if (problems.length > 0) throw new Error(`${from}: ${problems.join("; ")}`);
 }
 
+/** Writes the C++ header: an enumeration of the measures and their number. */
 function cplusplus(table, notice) {
 	const { measures } = table;
 	return `// ${notice}
@@ -58,7 +61,7 @@ function cplusplus(table, notice) {
 
 namespace panicle::${namespaceOf(table)} {
 
-// In the order of Grown::measures; docs/models/${table.model}/measures.md has their units.
+// In the order of Plant::measures; docs/models/${table.model}/measures.md has their units.
 enum class Measure : std::uint32_t {
 ${measures.map(({ key }) => `  ${key},`).join("\n")}
 };
@@ -77,7 +80,7 @@ const line = (properties) =>
 		.join(", ")} }`;
 
 /**
- * An object as the formatter lays it out: one property a line, each class in a line of its own.
+ * Writes an object literal in the formatter's style: one property per line, and one class per line.
  * @param {any} measure with classes or without
  */
 function object({ classes, ...properties }, indent) {
@@ -96,6 +99,7 @@ function keysOf(measures) {
 	return `[\n${keys.map((key) => `\t${key},\n`).join("")}]`;
 }
 
+/** Writes the TypeScript module: keys, descriptions and groups of the measures. */
 function typescript({ groups, measures, skin }, notice) {
 	return `// ${notice}
 import type { MeasureGroup, MeasureInfo } from "../../specimen/measures";
@@ -134,19 +138,23 @@ function row(measure) {
 	return `| ${cells.map(cell).join(" | ")} |`;
 }
 
+/** Writes the page of docs: a table of measures for each group. */
 function markdown({ noun, groups, measures, skin, remarks }, notice) {
-	const head = "| key | name | unit | what it is | classes | source |\n|---|---|---|---|---|---|";
+	const head = "| key | name | unit | meaning | classes | source |\n|---|---|---|---|---|---|";
 	const sections = groups.map((group) => {
 		const rows = measures.filter((measure) => measure.group === group.key).map(row);
 		return `## ${group.title}\n\n${head}\n${rows.join("\n")}\n`;
 	});
-	if (skin) sections.push(`## Of the look\n\n${head}\n${row({ ...skin, kind: "note", unit: "" })}\n`);
+	if (skin) sections.push(`## Appearance\n\n${head}\n${row({ ...skin, kind: "note", unit: "" })}\n`);
 	return `<!-- ${notice} -->
 
 # Measures of a ${noun}
 
-What the core measures on a grown ${noun}, by the keys that the JSON and the tables of the app and the command line use. A measure that does
-not apply is NaN in the core and \`null\` in JSON. ${remarks}
+Panicle measures every ${noun} that it grows. The app shows the measures under *Numbers*.
+On the command line and in the JSON, use the name in the column *key*. If a measure does not apply to a plant, its value
+in the JSON is \`null\`.
+
+${remarks}
 
 ${sections.join("\n")}`;
 }

@@ -2,7 +2,7 @@
 import { checkTable } from "./check_table.mjs";
 import { namespaceOf, noticeOf, tablesOf } from "./tables.mjs";
 
-/** The generated files. */
+/** Returns the generated files. */
 export function outputs() {
 	return tablesOf(".json").flatMap(({ model, source, table }) => {
 		checkTable(table, source);
@@ -23,6 +23,7 @@ const bounds = (p) => (p.kind === "choice" ? { min: 0, max: p.options.length - 1
 
 const float = (value) => (Number.isInteger(value) ? `${value}.0f` : `${value}f`);
 
+/** Writes the C++ table of the symbols' roles; `roles` are its finished rows. */
 const rolesOf = (roles) => `// What symbols draw where a grammar declares no roles.
 struct RoleInfo {
   std::string_view role;
@@ -36,6 +37,7 @@ ${roles.join("\n")}
 
 `;
 
+/** Writes the C++ header: an enumeration of the parameters that the core reads, and the table of their limits. */
 function cplusplus(table, notice) {
 	const rows = ofCore(table);
 	const entries = rows.map(
@@ -50,7 +52,8 @@ function cplusplus(table, notice) {
 
 #include <array>
 #include <cstdint>
-#include <string_view>
+${roles.length > 0 ? "#include <string_view>\n" : ""}
+#include "protocol/parameter_info.hpp"
 
 namespace panicle::${namespaceOf(table)} {
 
@@ -60,16 +63,6 @@ ${rows.map((p) => `  ${p.key},`).join("\n")}
 };
 
 inline constexpr std::uint32_t parameter_count = ${rows.length};
-
-struct ParameterInfo {
-  std::string_view key;
-  std::string_view define;  // the grammar's #define it replaces; empty for none
-  std::string_view where;   // the option that must be chosen for it to be heeded; empty: always
-  float min, max;
-  float gap_below;  // values strictly between 0 and this are raised to it; 0 for none
-  float standard;
-  bool whole;
-};
 
 // clang-format off
 inline constexpr std::array<ParameterInfo, parameter_count> parameter_table = {{
@@ -91,7 +84,7 @@ function literal(value) {
 
 const fits = (line, indent) => 2 * indent + line.length <= 120;
 
-/** A property on a line of its own, or a list in it one item a line. */
+/** Writes a property on its own line; a long list in it has one item per line. */
 function property([key, value], indent) {
 	const tabs = "\t".repeat(indent);
 	const line = `${key}: ${literal(value)},`;
@@ -99,7 +92,7 @@ function property([key, value], indent) {
 	return [`${tabs}${key}: [`, ...value.map((each) => `${tabs}\t${literal(each)},`), `${tabs}],`].join("\n");
 }
 
-/** An object literal as the formatter lays it out: one line where it fits, else one property a line. */
+/** Writes an object literal in the formatter's style: on one line if it fits, else one property per line. */
 function object(properties, indent) {
 	const given = Object.entries(properties).filter(([, value]) => value !== undefined);
 	const line = `{ ${given.map(([key, value]) => `${key}: ${literal(value)}`).join(", ")} },`;
@@ -109,7 +102,7 @@ function object(properties, indent) {
 }
 
 const fields = (
-	"key link slot label symbol group kind unit options min max gapBelow default step " +
+	"key link slot label symbol group basic kind unit options min max gapBelow default step " +
 	"zero where help since before define look"
 ).split(" ");
 
@@ -128,6 +121,7 @@ function keyList(name, doc, parameters) {
 /** `"a" | "b"`; where there are none, `never`. */
 const union = (parameters) => parameters.map((p) => literal(p.key)).join(" | ") || "never";
 
+/** Writes the TypeScript module: keys, descriptions and groups of the parameters. */
 function typescript(table, notice) {
 	const look = table.parameters.filter((p) => p.look);
 	return `// ${notice}
@@ -167,12 +161,13 @@ function standardOf(p) {
 	return p.kind === "colour" ? `\`${p.default}\`` : p.default;
 }
 
-/** Which specimens heed it. */
-const heedingOf = ({ where = {} }) =>
+/** Returns the options for which a parameter has an effect, for the page of docs. */
+const conditionOf = ({ where = {} }) =>
 	Object.entries(where)
 		.map(([key, option]) => `\`${key}=${option}\``)
 		.join(", ") || "all";
 
+/** Writes a parameter's row of the page of docs. */
 function row(p) {
 	const link = p.slot === undefined ? `\`${p.link}\`` : `\`${p.link}\`, value ${p.slot + 1}`;
 	const cells = [
@@ -183,25 +178,34 @@ function row(p) {
 		p.unit ?? "",
 		link,
 		p.define ? `\`${p.define}\`` : "",
-		heedingOf(p),
+		conditionOf(p),
 		p.help,
 	];
 	return `| ${cells.map(cell).join(" | ")} |`;
 }
 
+/** Writes the page of docs: a table of parameters for each group. */
 function markdown(table, notice) {
 	const sections = table.groups.map((group) => {
 		const rows = table.parameters.filter((p) => p.group === group.key).map(row);
 		const head =
-			"| key | name | range | default | unit | in the link | in the grammar | heeded by | meaning |\n|---|---|---|---|---|---|---|---|---|";
+			"| key | name | range | default | unit | in the link | in the grammar | used by | meaning |\n|---|---|---|---|---|---|---|---|---|";
 		return `## ${group.title}\n\n${group.help}\n\n${head}\n${rows.join("\n")}\n`;
 	});
 	return `<!-- ${notice} -->
 
 # Parameters of the ${table.noun}
 
-*Key* is what \`--set\` of \`npm run grow\` and the programming interfaces call it, *in the link* what the address bar does. *In the
-grammar* names the \`#define\` that a value other than the default replaces. ${table.remarks}
+You can change these parameters in the app, on the command line, in code, or in a link. The columns of the tables have
+this meaning:
+
+- *key*: the name of the parameter on the command line (\`--set KEY=VALUE\`) and in code
+- *in the link*: the name of the parameter in the address bar
+- *in the grammar*: the \`#define\` whose value the parameter replaces; a parameter with its default value replaces
+  nothing
+- *used by*: the options with which the parameter has an effect
+
+${table.remarks}
 
 ${sections.join("\n")}`;
 }

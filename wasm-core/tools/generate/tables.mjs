@@ -3,11 +3,13 @@ import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { coreFolder } from "../repository.mjs";
 
-/** The C++ namespace of a table's model, below panicle: the model's name, within that of its family where it has one. */
+/**
+ * The C++ namespace of a table's model, below panicle: the model's name, within that of its family where it has one.
+ */
 export const namespaceOf = (table) => (table.family ? `${table.family}::${table.model}` : table.model);
 
 /**
- * Every model's table of one sort, read, in the order of their names.
+ * Reads the tables of all models of one kind, in the order of the models' names.
  * @param {".json" | ".measures.json"} ending
  */
 export function tablesOf(ending) {

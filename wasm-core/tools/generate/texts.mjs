@@ -1,7 +1,7 @@
 /**
- * From the texts of wasm-core/grammars/<model>/, of a model whose presets are texts (kinds.json stands with them): the list of its presets,
- * their texts by name as a module of its own, which is loaded when one is grown, and a page of docs. Each text begins with a
- * comment that says what it is; variants.json lists presets that share a text.
+ * From the texts of wasm-core/grammars/<model>/, of a model whose presets are texts (kinds.json is in the same folder):
+ * the list of its presets, their texts by name as a module of its own, which is loaded when one is grown, and a page of
+ * docs. Each text begins with a comment that describes it; variants.json lists presets that share a text.
  */
 import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { join, parse } from "node:path";
@@ -12,16 +12,17 @@ const grammars = join(coreFolder, "grammars");
 /** Whether a model's presets are its texts. */
 export const isGrown = (model) => existsSync(join(grammars, model, "kinds.json"));
 
-/** What texts are called, whatever their language: everything there but the lists. */
+/** Whether a file holds a text: every file but the lists. */
 const isText = (file) => !file.endsWith(".json");
 
 const json = (path) => (existsSync(path) ? JSON.parse(readFileSync(path, "utf8")) : []);
 
-/** What a header may say of its text. */
+/** The keys of a header. */
 const KEYS = ["kind", "about", "source", "page", "set"];
 
 /**
- * The first comment of a text: a title, then lines `key: value`; a line without a key goes on with the one before.
+ * Returns the first comment of a text: a title, then lines `key: value`; a line without a key goes on with the one
+ * before.
  * @throws Error where it is no such comment
  */
 function headerOf(file, text) {
@@ -45,25 +46,25 @@ function headerOf(file, text) {
 	return header;
 }
 
-/** What of a header is for making presets alone: to whoever opens the text it would say nothing. */
-const UNTOLD = ["kind", "set"];
+/** Keys that only make presets: a shown text does not have them. */
+const HIDDEN = ["kind", "set"];
 
-/** A text as people read it: its first comment without those lines, and what goes on with them. */
+/** Returns a text without the lines of its first comment, and their continuations, that only make presets. */
 export function shownText(text) {
 	const end = text.indexOf("*/");
-	let untold = false;
+	let isHidden = false;
 	const lines = text
 		.slice(0, end)
 		.split("\n")
 		.filter((line) => {
 			const [, key] = /^\s*([a-z]+):\s/.exec(line) ?? [];
-			if (key !== undefined) untold = UNTOLD.includes(key);
-			return !untold || line.trim() === "";
+			if (key !== undefined) isHidden = HIDDEN.includes(key);
+			return !isHidden || line.trim() === "";
 		});
 	return lines.join("\n") + text.slice(end);
 }
 
-/** Values by the keys of the model's table, split into what the core reads and looks. */
+/** Splits values by the keys of the model's table into parameters, which the core reads, and the look. */
 function valuesOf(name, set, table) {
 	const values = { parameters: {}, look: {} };
 	for (const [key, value] of Object.entries(set)) {
@@ -82,14 +83,18 @@ const settingsIn = (text = "") =>
 			.map((each) => each.split("=")),
 	);
 
-/** Where a text is from, and the number of its figure apart, which the gallery shows. */
+/** Returns the source of a text, and separately the number of its figure, which the gallery shows. */
 function sourceOf({ source, page }) {
 	if (source === undefined || source === "own text") return {};
-	const [told, figure] = /,? figure (\d[\w.]*(?: [a-z](?![\w]))?)/.exec(source) ?? [];
-	const book = told ? source.replace(told, "") : source;
-	return { figure, source: `${book.replace(/\.$/, "")}${page ? `, page ${page}` : ""}.` };
+	const [written, figure] = /,? figure (\d[\w.]*(?: [a-z](?![\w]))?)/.exec(source) ?? [];
+	const book = (written ? source.replace(written, "") : source).replace(/\.$/, "");
+	return { figure, source: `${book.charAt(0).toUpperCase()}${book.slice(1)}${page ? `, page ${page}` : ""}.` };
 }
 
+/**
+ * Builds a preset from the header of its text and the settings of its variant.
+ * @param set values by the keys of the model's table
+ */
 function presetOf(name, header, text, set, { kinds, table }) {
 	const { title, kind, about, constants, details } = header;
 	if (!/^[a-z0-9]+(-[a-z0-9]+)*$/.test(name)) throw new Error(`${name}: no lower-case name`);
@@ -103,7 +108,8 @@ function presetOf(name, header, text, set, { kinds, table }) {
 		kind,
 		title,
 		since: 2,
-		about: [about, source].filter(Boolean).join(" ") || `${title}.`,
+		about: about ?? `${title}.`,
+		...(source ? { source } : {}),
 		...(figure ? { figure } : {}),
 		...valuesOf(name, set, table),
 		...(Object.keys(own).length > 0 ? { details: own } : {}),
@@ -144,6 +150,7 @@ const literal = (text) => `\`${text.replace(/[\\`]|\$\{/g, "\\$&")}\``;
 
 const quoted = (name) => (/^[a-z]+$/.test(name) ? name : JSON.stringify(name));
 
+/** Writes the TypeScript module with the list of the presets. */
 function listOf({ kinds, presets }, notice) {
 	return `${notice}
 import type { Preset, PresetKind } from "../../specimen/presets";
@@ -163,6 +170,7 @@ ${presets.map((preset) => `\t${JSON.stringify(preset)},`).join("\n")}
 `;
 }
 
+/** Writes the TypeScript module with the texts of the presets. */
 function textsOf({ texts }, notice) {
 	const entries = [...texts].map(([name, text]) => `\t${quoted(name)}: ${literal(shownText(text))},`);
 	return `${notice}
@@ -176,28 +184,29 @@ ${entries.join("\n")}
 
 const cell = (text) => String(text).replaceAll("|", "\\|");
 
+/** Writes the page of docs: a table of presets for each kind. */
 function pageOf(model, { kinds, presets, files }, notice) {
-	// A language of its own has its page with the model's.
+	// A model with its own language has the page about it in its own folder.
 	const own = existsSync(join(repository, `docs/models/${model}/language.md`));
 	const sections = kinds.map(({ key, title }) => {
 		const rows = presets
 			.filter(({ kind }) => kind === key)
 			.map(
-				({ name, title: called, about, figure, text }) =>
-					`| \`${name}\` | ${cell(called)} | ${cell(figure ? `${about} Figure ${figure}.` : about)} | [${files.get(text)}](../../../wasm-core/grammars/${model}/${files.get(text)}) |`,
+				({ name, title: called, about, source = "", figure, text }) =>
+					`| \`${name}\` | ${cell(called)} | ${cell(about)} | ${cell(figure ? `${source} Figure ${figure}.` : source)} | [${files.get(text)}](../../../wasm-core/grammars/${model}/${files.get(text)}) |`,
 			);
-		return `## ${title}\n\n| preset | title | what it is | text |\n|---|---|---|---|\n${rows.join("\n")}\n`;
+		return `## ${title}\n\n| preset | title | description | source | text |\n|---|---|---|---|---|\n${rows.join("\n")}\n`;
 	});
 	return `<!-- ${notice.replace(/^\/\/ /, "")} -->
 
-# Grammars
+# Presets of the model ${model}
 
-${presets.length} texts that grow as presets of the model [${model}](${model}.md), in the notation of [${own ? "its language](language.md" : "the language](../../language.md"}).
+The model [${model}](${model}.md) has ${presets.length} presets. Each of them is written in [${own ? "its language](language.md" : "the language](../../language.md"}).
 
 ${sections.join("\n")}`;
 }
 
-/** The generated files. */
+/** Returns the generated files. */
 export function outputs() {
 	return readdirSync(grammars)
 		.filter(isGrown)

@@ -1,7 +1,11 @@
-/** From wasm-core/parameters/turtle.json: the compiler's and the interpreter's table, and the page of docs. */
-import { readFileSync } from "node:fs";
+/**
+ * From wasm-core/parameters/turtle.json: the compiler's and the interpreter's table, and the section of
+ * docs/language.md.
+ */
+import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
-import { coreFolder } from "../repository.mjs";
+import { coreFolder, repository } from "../repository.mjs";
+import { replaceSection } from "./section.mjs";
 
 const source = "wasm-core/parameters/turtle.json";
 const notice = `Made from ${source} by wasm-core/tools/generate.mjs; edit the table, not this.`;
@@ -12,11 +16,19 @@ export function outputs() {
 	check(table);
 	return [
 		{ path: "wasm-core/src/lsystem/turtle/turtle_symbols.generated.hpp", text: cplusplus(table) },
-		{ path: "docs/turtle.md", text: markdown(table) },
+		...page(table),
 	];
 }
 
-/** Refuses a table that the compiler could not work with. */
+/** docs/language.md with the tables of symbols; none where the pages are not there. */
+function page(table) {
+	const path = "docs/language.md";
+	const file = join(repository, path);
+	if (!existsSync(file)) return [];
+	return [{ path, text: replaceSection(readFileSync(file, "utf8"), "turtle", markdown(table)) }];
+}
+
+/** Checks the table. Throws an Error for one that the compiler of grammars could not use. */
 function check({ categories, symbols }) {
 	const fail = (message) => {
 		throw new Error(`${source}: ${message}`);
@@ -38,6 +50,7 @@ const float = (value) => (Number.isInteger(value) ? `${value}.0f` : `${value}f`)
 const mostArguments = (row) => (row.arguments === "any" ? "any_number" : (row.most ?? (row.argument ? 1 : 0)));
 const setting = (row) => `Setting::${(row.setting ?? "none").replaceAll(" ", "_")}`;
 
+/** Writes the C++ header: the actions, and the table of the turtle's symbols. */
 function cplusplus({ symbols }) {
 	const actions = [...new Set(symbols.map((row) => row.action))];
 	const width = (field) => Math.max(...symbols.map((row) => literal(row[field]).length));
@@ -67,7 +80,7 @@ enum class Action : std::uint8_t {
 ${actions.map((action) => `  ${action},`).join("\n")}
 };
 
-// What a text says once for all its modules, in a line such as angle increment: 25.
+// A default that a statement of the text sets for all modules, such as angle increment: 25.
 enum class Setting : std::uint8_t { none, angle_increment, line_length, line_width, line_width_increment };
 
 inline constexpr std::uint32_t any_number = 0xffffffffu;
@@ -76,13 +89,13 @@ struct TurtleSymbol {
   std::string_view symbol;
   std::string_view name;
   Action action;
-  std::uint32_t most_arguments;
-  float standard;     // stands in for an argument that is left out
-  float sign;         // which way the action goes
+  std::uint32_t max_arguments;
+  float standard;     // the value of an argument that is left out
+  float sign;         // the direction of the action
   bool non_negative;  // the argument may not be below 0
-  Setting setting;    // the line of the text that says what stands in for it
-  bool cpfg_only;     // a symbol of the text's own in the other notation
-  bool yields;        // a symbol of the text's own where a text of cpfg's notation rewrites it
+  Setting setting;    // the statement that sets this default
+  bool cpfg_only;     // an ordinary symbol in the other notation
+  bool yields;        // an ordinary symbol if a text in cpfg's notation rewrites it
 };
 
 // A turtle symbol's number in a derived string is its place here.
@@ -113,25 +126,15 @@ function standard(row) {
 	return row.unit === "°" ? `${row.default}°` : row.default;
 }
 
+/** Writes the section of docs/language.md: a table of symbols for each category. */
 function markdown({ categories, symbols }) {
 	const sections = categories.map(({ key, title }) => {
 		const rows = symbols
 			.filter((row) => row.category === key)
 			.map((row) => `| ${code(written(row))} | ${name(row)} | ${standard(row)} | ${cell(row.help)} |`);
-		return `## ${title}\n\n| symbol | name | argument left out | what it does |\n| --- | --- | --- | --- |\n${rows.join("\n")}\n`;
+		return `### ${title}\n\n| symbol | name | default | action |\n| --- | --- | --- | --- |\n${rows.join("\n")}\n`;
 	});
 	return `<!-- ${notice} -->
-
-# The turtle's symbols
-
-Table 1 of Huang et al. (2013), and what cpfg and *The Algorithmic Beauty of Plants* have besides. The turtle has a position, a width, a
-colour and three axes of unit length: heading, left and up, with heading × left = up. Every argument may be left out; where the table says
-by what angle or length, a line of the text may say another (\`angle increment: 25\`, \`line length: 2\`). An argument that is not a finite number, or one below 0
-of a radius, a width or a size, is an error.
-
-Texts are of one of two notations, which turn the other way round: under \`#turtle cpfg\` + turns left, & pitches down and / rolls the right
-side down, under \`#turtle huang\`, the paper's, + turns right, & pitches up and / rolls the left side down. Without such a line a bunch's text is the
-paper's and a text of the model *grammar* is cpfg's. [language.md](language.md) says how symbols are put together.
 
 ${sections.join("\n")}`;
 }

@@ -17,7 +17,7 @@ const word = ({ kind, name, text, title, help }) => {
 	return `\t{\n${fields.map(([key, value]) => `\t\t${key}: ${JSON.stringify(value)},`).join("\n")}\n\t},`;
 };
 
-/** The generated file. */
+/** Returns the generated file. */
 export function outputs() {
 	const { symbols } = read("turtle");
 	const { statements, functions } = read("language");
@@ -42,13 +42,13 @@ export function outputs() {
 			path: "web/src/grammar_editor/words.generated.ts",
 			text: `// Made from wasm-core/parameters/turtle.json and language.json by wasm-core/tools/generate.mjs; edit the tables, not this.
 
-/** What the notation of grammars knows: the turtle's symbols, what begins a statement, functions. */
+/** Words of the notation of grammars: the turtle's symbols, keywords that begin a statement, and functions. */
 export interface Word {
 	readonly kind: "symbol" | "statement" | "function";
 	readonly name: string;
 	/** With its arguments. */
 	readonly written: string;
-	/** What a symbol is called. */
+	/** Name of the symbol. */
 	readonly title?: string;
 	readonly help: string;
 }

@@ -1,10 +1,12 @@
-/** The package's scripts: the library for browsers, workers and Node, and the element, each with the cores beside it. */
+/**
+ * The package's scripts: the library for browsers, workers and Node, and the element, each with the cores beside it.
+ */
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { repository } from "../repository.mjs";
 import { MODEL_RENDERER, MODEL_UI, without, withoutPreloading } from "../without_pages.mjs";
 
-/** Notes which packages of node_modules went in. */
+/** Records which packages of node_modules are part of the bundle. */
 function noting(packages) {
 	return {
 		name: "noting-packages",
@@ -24,7 +26,7 @@ const source = (path) => join(repository, "web/src", path);
 /**
  * @typedef {object} Bundle
  * @property {Record<string, string>} input its entries
- * @property {RegExp[]} left what it leaves out of models' folders
+ * @property {RegExp[]} left files of models' folders that are left out
  * @property {(string | RegExp)[]} [external] packages that are not in it
  * @property {object} output how its scripts are called
  * @property {false | "oxc"} minify
@@ -33,7 +35,7 @@ const source = (path) => join(repository, "web/src", path);
 /**
  * @param {Bundle} wanted
  * @param {string} folder
- * @param {Set<string>} packages the packages of others that went in are added
+ * @param {Set<string>} packages receives the names of bundled third-party packages
  */
 async function bundle({ input, left, external = [], output, minify }, folder, packages) {
 	const { build } = await import("vite");
@@ -42,7 +44,7 @@ async function bundle({ input, left, external = [], output, minify }, folder, pa
 		configFile: false,
 		publicDir: false,
 		logLevel: "error",
-		// What the element asks for: no app lies beside it (app_address.ts).
+		// The element reads it: there is no app beside the package (app_address.ts).
 		mode: "package",
 		// Every address is relative to the script that has it.
 		base: "./",
@@ -72,7 +74,7 @@ async function bundle({ input, left, external = [], output, minify }, folder, pa
 
 /**
  * Writes all scripts and cores into a folder that is empty.
- * @returns {Promise<string>} the licences of what others have written and went in
+ * @returns {Promise<string>} the licences of the bundled third-party packages
  */
 export async function bundlePackage(folder) {
 	const packages = new Set();
@@ -84,10 +86,10 @@ export async function bundlePackage(folder) {
 			three: source("library/three.ts"),
 		},
 		left: [MODEL_UI, MODEL_RENDERER],
-		// three is the reader's own; Node's modules are asked for by Node's front door alone.
+		// The user of the package installs three; only the entry point for Node imports Node's modules.
 		external: ["three", /^node:/],
 		output: { chunkFileNames: "library/[name].js" },
-		// Whoever ships it makes it small; until then its errors have lines that can be read.
+		// Bundlers of the package's users minify it; unminified, its errors have readable lines.
 		minify: false,
 	};
 	/** @type {Bundle} */

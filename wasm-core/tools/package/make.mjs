@@ -1,4 +1,4 @@
-/** Makes the package: scripts, cores, types, its manifest and what goes with it, and of all that one tarball. */
+/** Makes the npm package: scripts, cores, types, manifest and documents, packed into one tarball. */
 import { copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { buildCore } from "../core.mjs";
@@ -12,13 +12,13 @@ import { pagesOf } from "./pages.mjs";
 import { writeTypes } from "./types.mjs";
 
 const place = join(buildFolder, "package");
-/** What is packed. */
+/** The folder that npm packs. */
 export const packageFolder = join(place, "panicle");
 const stamp = join(place, "made_from.txt");
 const pages = join(place, "pages.json");
 const docs = ["LICENSE", "CHANGELOG.md", "docs/package.md"];
 
-/** The published package's own; the repository's is the workspace's. */
+/** Returns the manifest of the published package; the repository's package.json describes the workspace. */
 export function manifest() {
 	const { name, version, license, engines, devDependencies } = JSON.parse(
 		readFileSync(join(repository, "package.json"), "utf8"),
@@ -47,7 +47,7 @@ export function manifest() {
 			"./package.json": "./package.json",
 		},
 		types: "./panicle.d.ts",
-		// Each of them says where plants grow, or defines the element.
+		// Loading one of these has an effect: it sets where plants are grown, or defines the element.
 		sideEffects: ["./node.js", "./browser.js", "./element.js"],
 		peerDependencies: { three: `>=${devDependencies["@types/three"].replace("^", "")}` },
 		peerDependenciesMeta: { three: { optional: true } },
@@ -55,7 +55,7 @@ export function manifest() {
 }
 
 /**
- * Makes what is not there as the sources are now.
+ * Makes the package unless it is up to date with its sources.
  * @returns {Promise<{ tarball: string, pages: Record<string, string> }>} the pages of docs/api as texts, by their names
  */
 export async function makePackage() {
@@ -75,6 +75,7 @@ export async function makePackage() {
 	});
 }
 
+/** Builds the package's folder and packs it by npm into the tarball. */
 async function write(tarball) {
 	rmSync(place, { recursive: true, force: true });
 	mkdirSync(packageFolder, { recursive: true });
@@ -88,7 +89,7 @@ async function write(tarball) {
 	if (status !== 0 || !existsSync(tarball)) throw new ToolchainError(`npm pack failed:\n${output.trim()}`);
 }
 
-/** The page about the package, without links to its neighbours, which do not come along. */
+/** Returns docs/package.md without links to other pages, which the package does not contain. */
 function readme() {
 	const text = readFileSync(join(repository, "docs/package.md"), "utf8");
 	return text.replace(/\[([^\]]+)\]\((?![a-z]+:)[^)]*\)/g, "$1");

@@ -1,17 +1,17 @@
-/** The pages of docs/api: what the comments of the package's front doors say of every export. */
+/** Writes the pages of docs/api from the comments on the exports of the package's entry points. */
 import { readFileSync } from "node:fs";
 
-/** Front doors, and what is said of them first. */
+/** Entry points, each with the example at the beginning of its page. */
 const DOORS = {
 	panicle: 'import { grow, toGLB } from "panicle";',
 	three: 'import { toObject3D } from "panicle/three";',
 	element: 'import "panicle/element";',
 };
 
-/** What browsers call, and nobody else. */
+/** Methods that only browsers call: the callbacks of custom elements. */
 const CALLBACK = /Callback$/;
 
-/** Sorts of export, in the order of a page. */
+/** Kinds of exports, in the order of a page. */
 const SORTS = [
 	["Functions", ["Function"]],
 	["Classes", ["Class"]],
@@ -19,7 +19,7 @@ const SORTS = [
 ];
 
 /**
- * The pages as texts, by the names of the front doors.
+ * Returns the pages as texts, by the names of the entry points.
  * @param {Record<string, string>} models files that writeTypes has written
  */
 export function pagesOf(models) {
@@ -28,6 +28,10 @@ export function pagesOf(models) {
 
 const read = (file) => JSON.parse(readFileSync(file, "utf8")).members[0];
 
+/**
+ * Writes the page of an entry point: its summary, then its exports by kind.
+ * @param door name of the entry point
+ */
 function page(door, { docComment, members }) {
 	const title = door === "panicle" ? "panicle" : `panicle/${door}`;
 	const begin = [
@@ -43,6 +47,10 @@ function page(door, { docComment, members }) {
 	return `${[...begin, `\`\`\`js\n${DOORS[door]}\n\`\`\``, ...(about ? [about] : []), ...sections].join("\n\n")}\n`;
 }
 
+/**
+ * Writes the section of an export.
+ * @param known names of the entry point's exports, to which texts link
+ */
 function section(member, known) {
 	const { name, kind, docComment, members = [] } = member;
 	const comment = commentOf(docComment);
@@ -67,14 +75,14 @@ function section(member, known) {
 	return blocks.join("\n\n");
 }
 
-/** The parameters of a function. */
+/** Returns the table of the parameters that a comment explains, or nothing. */
 function partsOf({ parameters = [] }, comment) {
-	const said = parameters.filter(({ parameterName }) => comment.params.has(parameterName));
-	if (said.length === 0) return [];
+	const explained = parameters.filter(({ parameterName }) => comment.params.has(parameterName));
+	if (explained.length === 0) return [];
 	return [
 		table(
 			["parameter", ""],
-			said.map(({ parameterName }) => [`\`${parameterName}\``, comment.params.get(parameterName)]),
+			explained.map(({ parameterName }) => [`\`${parameterName}\``, comment.params.get(parameterName)]),
 		),
 	];
 }
@@ -111,7 +119,7 @@ function table(heads, rows) {
 	return [line(heads), line(heads.map(() => "---")), ...rows.map(line)].join("\n");
 }
 
-/** A comment by its tags. */
+/** Splits a comment by its tags. */
 function commentOf(docComment = "") {
 	const text = docComment
 		.trim()
@@ -143,7 +151,7 @@ const flat = (text) =>
 		.join("\n\n");
 const summaryOf = (docComment) => commentOf(docComment).summary;
 
-/** What is thrown, its class as a link to where it stands on the page. */
+/** Returns the text of a `@throws`, with its class as a link to the class's section. */
 function linked(text, known) {
 	return text.replace(/^\w+/, (name) => (known.has(name) ? `[${name}](#${name.toLowerCase()})` : name));
 }

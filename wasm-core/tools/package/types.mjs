@@ -1,6 +1,6 @@
 /**
- * The package's types: declarations of the sources, as TypeScript writes them, drawn together into one file for each front door,
- * with what their comments say.
+ * The package's types: the sources' declarations, as TypeScript writes them, bundled into one file for each entry
+ * point, with their comments.
  */
 import { rmSync } from "node:fs";
 import { join } from "node:path";
@@ -8,17 +8,17 @@ import { run } from "../process.mjs";
 import { buildFolder, repository } from "../repository.mjs";
 import { ToolchainError } from "../toolchain.mjs";
 
-/** Front doors by the names of their files, and the sources whose exports they are. */
+/** Entry points by the names of their files, with the sources whose exports they have. */
 const DOORS = { panicle: "library/index", three: "library/three", element: "element/panicle" };
 
 const declarations = join(buildFolder, "package/declarations");
 
-/** What the sources' comments do not follow of TSDoc's rules, and what is none of ours. */
+/** Messages to ignore: rules of TSDoc that the sources' comments do not follow, and problems of other packages. */
 const IGNORED_MESSAGES = ["ae-missing-release-tag", "ae-forgotten-export", "tsdoc-param-tag-missing-hyphen"];
 
 /**
- * Writes a file of types for each front door into a folder.
- * @returns {Promise<Record<string, string>>} the files with the doors' models, for pages, by the doors' names
+ * Writes a file of types for each entry point into a folder.
+ * @returns {Promise<Record<string, string>>} files with the models of the declarations, for pages, by the names of the entry points
  */
 export async function writeTypes(folder) {
 	rmSync(declarations, { recursive: true, force: true });
@@ -47,9 +47,12 @@ export async function writeTypes(folder) {
 	return models;
 }
 
-/** @returns {import("@microsoft/api-extractor").IExtractorConfigPrepareOptions} */
+/**
+ * Returns the configuration of API Extractor for an entry point: all messages are reported at `logLevel`.
+ * @returns {import("@microsoft/api-extractor").IExtractorConfigPrepareOptions}
+ */
 function configuration(source, types, model, logLevel) {
-	const said = { default: { logLevel } };
+	const messageLevels = { default: { logLevel } };
 	return {
 		configObjectFullPath: undefined,
 		packageJsonFullPath: join(repository, "package.json"),
@@ -74,7 +77,11 @@ function configuration(source, types, model, logLevel) {
 			dtsRollup: { enabled: true, untrimmedFilePath: types },
 			tsdocMetadata: { enabled: false },
 			newlineKind: "lf",
-			messages: { compilerMessageReporting: said, extractorMessageReporting: said, tsdocMessageReporting: said },
+			messages: {
+				compilerMessageReporting: messageLevels,
+				extractorMessageReporting: messageLevels,
+				tsdocMessageReporting: messageLevels,
+			},
 		},
 	};
 }

@@ -1,6 +1,6 @@
 /**
- * A release: what is given out of one commit, and the sums by which anyone can tell that it came whole. The same commit gives
- * the same bytes, under the same version of Node.
+ * Writes a release: the published files of one commit, and their SHA-256 checksums. The same commit gives the same
+ * bytes under the same version of Node.
  */
 import { createHash } from "node:crypto";
 import { copyFileSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -8,7 +8,7 @@ import { basename, join } from "node:path";
 import { capture } from "../process.mjs";
 import { ToolchainError } from "../toolchain.mjs";
 
-/** Of every entry of an archive: archives know no earlier one. */
+/** Date of all entries of an archive: the earliest that archives can hold. */
 const DATE = new Date(1980, 0, 1);
 const SUMS = "SHA256SUMS";
 
@@ -30,7 +30,7 @@ export async function writeRelease({ root, out, make }) {
 	const changes = changesOf(readFileSync(join(root, "CHANGELOG.md"), "utf8"), version);
 	const commit = capture("git", ["-C", root, "rev-parse", "HEAD"])?.trim();
 	const [app, tarball] = [await make.app(), await make.tarball()];
-	// What is built may be what is committed, such as a page of docs: then something was stale.
+	// The build may rewrite committed files, such as a page of docs: then these were out of date.
 	checkClean(root);
 	rmSync(out, { recursive: true, force: true });
 	mkdirSync(out, { recursive: true });
@@ -42,7 +42,7 @@ export async function writeRelease({ root, out, make }) {
 	return [...files, SUMS];
 }
 
-/** Nothing that no commit has may go out. */
+/** Throws a ToolchainError if there are uncommitted changes: a release contains only committed files. */
 function checkClean(root) {
 	const status = capture("git", ["-C", root, "status", "--porcelain"]);
 	if (status === null)
@@ -59,7 +59,7 @@ function checkClean(root) {
 	);
 }
 
-/** What the changelog says of a version, without its heading. */
+/** Returns a version's section of the changelog, without its heading. */
 function changesOf(changelog, version) {
 	const sections = changelog.split(/^(?=## \[)/m).slice(1);
 	const own = sections.find((section) => section.startsWith(`## [${version}]`));
@@ -70,7 +70,7 @@ function changesOf(changelog, version) {
 	);
 }
 
-/** A folder as a ZIP in a folder of that name: the same files give the same bytes. */
+/** Returns a folder as a ZIP in a folder of that name: the same files give the same bytes. */
 async function archive(folder, name) {
 	const { zipSync } = await import("fflate");
 	const files = readdirSync(folder, { recursive: true, withFileTypes: true })

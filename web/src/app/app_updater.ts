@@ -9,9 +9,13 @@ const CHECK_INTERVAL = 3_600_000;
 /** Time within which an installed worker becomes active if no open page holds it back; milliseconds. */
 const ACTIVATION_TIME = 1000;
 
-/** Address of the page's main script, which differs in every version. */
+/** Longest wait for an idle moment before the app is stored, for pages that never rest; milliseconds. */
+const LONGEST_IDLE_WAIT = 5000;
+
+/** Returns the address of the page's main script, which differs in every version. */
 const mainScript = (): string => document.querySelector<HTMLScriptElement>("script[type=module]")?.src ?? "";
-const folder = () => new URL("./", document.baseURI);
+/** Returns the address of the app's folder. */
+const appFolder = () => new URL("./", document.baseURI);
 
 export class AppUpdater {
 	readonly #offer: (reload: () => void) => void;
@@ -25,12 +29,17 @@ export class AppUpdater {
 		holdScripts(mainScript());
 	}
 
-	/** Registers the service worker, which stores the app for offline use. Rejects where that fails: the app then works online only. */
+	/**
+	 * Registers the service worker, which stores the app for offline use. Rejects where that fails: the app then works
+	 * online only.
+	 */
 	async start(): Promise<void> {
 		await new Promise((resolve) =>
-			"requestIdleCallback" in window ? requestIdleCallback(resolve) : setTimeout(resolve),
+			"requestIdleCallback" in window
+				? requestIdleCallback(resolve, { timeout: LONGEST_IDLE_WAIT })
+				: setTimeout(resolve),
 		);
-		const registration = await registerWorker(folder());
+		const registration = await registerWorker(appFolder());
 		if (!registration) return;
 		this.#registration = registration;
 		hostSpecimens();
@@ -46,14 +55,14 @@ export class AppUpdater {
 	}
 
 	/**
-	 * Checks whether the host has another version by now, and offers it. A script that could not be fetched may belong to a version that
-	 * the host no longer has. Calls during a check are ignored.
+	 * Checks whether the host has another version by now, and offers it. A script that could not be fetched may belong to
+	 * a version that the host no longer has. Calls during a check are ignored.
 	 */
 	async look(): Promise<void> {
 		if (this.#looking || !navigator.onLine) return;
 		this.#looking = true;
 		try {
-			const page = await fetch(folder(), { cache: "no-store" });
+			const page = await fetch(appFolder(), { cache: "no-store" });
 			if (!page.ok || (await page.text()).includes(new URL(mainScript()).pathname.split("/").at(-1) as string)) return;
 			// Where a worker serves the page, the worker fetches the new version.
 			await this.#registration?.update().catch(() => {});
@@ -69,13 +78,14 @@ export class AppUpdater {
 	/** Waits until the new worker is installed, and offers it if it then waits to become active. */
 	async #follow(): Promise<void> {
 		const { installing, waiting, active } = this.#registration ?? {};
-		if (installing) await installed(installing);
+		if (installing) await untilInstalled(installing);
 		const next = installing ?? waiting;
 		if (!active || !next) return; // The first worker is no update.
 		await new Promise((resolve) => setTimeout(resolve, ACTIVATION_TIME));
 		if (this.#registration?.waiting === next) this.#offer(() => this.#switchToWaiting());
 	}
 
+	/** Looks for a new version, at most once per interval and only while the page is visible. */
 	#checkForUpdate(): void {
 		if (document.hidden || Date.now() - this.#lastCheck < CHECK_INTERVAL) return;
 		this.#lastCheck = Date.now();
@@ -99,12 +109,12 @@ export class AppUpdater {
 }
 
 /** Resolves when a worker has finished installing, or has failed. */
-function installed(worker: ServiceWorker): Promise<void> {
+function untilInstalled(worker: ServiceWorker): Promise<void> {
 	return new Promise((resolve) => {
-		const look = () => {
+		const check = () => {
 			if (worker.state !== "installing") resolve();
 		};
-		worker.addEventListener("statechange", look);
-		look();
+		worker.addEventListener("statechange", check);
+		check();
 	});
 }

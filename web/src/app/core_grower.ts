@@ -2,11 +2,14 @@
 import { Client } from "../core/client";
 import type { Block } from "../core/container";
 import { Superseded, UnsupportedError } from "../core/errors";
+import { maxPageWorkers } from "../core/page_pool";
 import { grownMembers, MemberCache } from "../generate/members";
+import { readable, readablePlant } from "../generate/readable";
 import type { GrowthOptions } from "../models/model";
 import type { PageModel } from "../models/page_model";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
+import { text } from "./messages.generated";
 
 export interface PageGrowOptions extends GrowthOptions {
 	/** Cancels: the promise rejects with the signal's reason. */
@@ -43,12 +46,16 @@ export class CoreGrower implements Grower {
 		if (wasm !== undefined) this.#client.warm(wasm);
 	}
 
+	/**
+	 * Grows a specimen with all its members. A newer call supersedes an older one, which rejects with Superseded.
+	 * @param options.grew receives the plant while its members arrive
+	 */
 	async grow(
 		model: PageModel,
 		specimen: Specimen,
 		{ signal, sketched, grew, ...wanted }: PageGrowOptions = {},
 	): Promise<Plant> {
-		const wasm = this.#found(model.wasm, model.noun);
+		const wasm = this.#requireAddress(model.wasm);
 		const call = ++this.#calls;
 		// Parts that cannot be fetched are missing from the plant; the core's notes list them.
 		const fetched = sketched && model.sketch ? model.sketch(specimen) : model.prepare?.(specimen);
@@ -57,18 +64,19 @@ export class CoreGrower implements Grower {
 		if (call !== this.#calls) throw new Superseded();
 		const order = { wasm, blocks: model.encode(specimen, wanted) };
 		const ending = signal ? { signal } : {};
-		const grown = model.read(await this.#client.grow(order, ending), specimen);
+		const answer = await readable(() => this.#client.grow(order, ending))();
+		const grown = await readablePlant(model.read(answer, specimen));
 		if (!model.members) return grown;
 		const isNewest = () => {
 			if (call !== this.#calls) throw new Superseded();
 		};
 		const run = async (file: string, blocks: readonly Block[]) => {
 			isNewest();
-			return this.#client.growMember({ wasm: this.#found(file, "plants there"), blocks }, ending);
+			return this.#client.growMember({ wasm: this.#requireAddress(file), blocks }, ending);
 		};
 		return grownMembers(model, grown, run, {
 			meshes: wanted.meshes ?? true,
-			concurrency: 2 * seats(),
+			concurrency: 2 * maxPageWorkers(),
 			cache: this.#members,
 			grew: (part) => {
 				isNewest();
@@ -77,21 +85,13 @@ export class CoreGrower implements Grower {
 		});
 	}
 
-	#found(file: string, noun: string): string {
+	/** Returns the address of a core's file; throws an UnsupportedError for unknown names. */
+	#requireAddress(file: string): string {
 		const wasm = this.#addressOf(file);
-		if (wasm === undefined) throw new UnsupportedError("core", `The core of the ${noun} is not part of this page.`);
+		if (wasm === undefined) throw new UnsupportedError("core", text("growing_no_core"));
 		return wasm;
 	}
 }
 
-/** Number of workers for a stand of plants, each with its own core instances. */
-const seats = () => Math.max(1, Math.min(navigator.hardwareConcurrency, 4));
-
-/** The page's client: grows two plants in parallel where there is a second processor. */
-function pageClient(): Client {
-	return new Client({
-		concurrency: Math.min(navigator.hardwareConcurrency, 2),
-		workers: seats(),
-		onNote: (text) => console.info(text),
-	});
-}
+/** Creates the client of the plant in view: it grows two plants in parallel where there is a second processor. */
+const pageClient = () => new Client({ concurrency: Math.min(navigator.hardwareConcurrency, 2) });

@@ -1,9 +1,12 @@
 /** Opens a link with a packed fragment, which is unpacked asynchronously while the page is in use. */
 import type { Restored } from "../specimen/restore";
+import { text } from "./messages.generated";
 import type { Studio } from "./studio";
+import { fetchFailed } from "./types";
 
 /**
- * Opens a link once it is unpacked. If the document has been changed meanwhile, it stays, and a notice offers to open the link.
+ * Opens a link once it is unpacked. If the document has been changed meanwhile, it stays, and a notice offers to open
+ * the link.
  * @param whole the document of the link; rejects if the script that unpacks it cannot be fetched
  * @throws errors of opening the document, which are no connection errors
  */
@@ -11,9 +14,7 @@ export async function openLate(studio: Studio, whole: Promise<Restored>): Promis
 	const { history, model } = studio.state;
 	const restored = await whole.catch(() => undefined);
 	if (!restored) {
-		studio.notify("The link could not be read to its end", [
-			"Part of this page could not be fetched; check the connection and load the page again.",
-		]);
+		studio.notify(text("link_incomplete"), fetchFailed());
 		return;
 	}
 	if (studio.state.history === history) {
@@ -21,6 +22,5 @@ export async function openLate(studio: Studio, whole: Promise<Restored>): Promis
 		return;
 	}
 	const open = () => studio.take(model, restored, "link");
-	const details = ["You changed the plant before the link was read to its end; your changes are kept."];
-	studio.notify("The link is not opened yet", details, { act: { words: "Open the link", run: open } });
+	studio.notify(text("link_late"), [text("link_late_details")], { act: { label: text("link_open"), run: open } });
 }

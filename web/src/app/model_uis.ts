@@ -9,7 +9,7 @@ export const EMPTY_MODEL_UI: ModelUi = { tools: [] };
 export class ModelUis {
 	readonly #modelUis = new Map<PageModel, ModelUi>();
 
-	/** The UI of a model, if it is loaded. */
+	/** Returns the UI of a model; undefined before it is loaded. */
 	known(model: PageModel): ModelUi | undefined {
 		return this.#modelUis.get(model);
 	}

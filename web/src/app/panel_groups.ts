@@ -1,8 +1,12 @@
-/** Selects the groups and parameters that the panel shows: those active for the specimen, and the tools' additions. */
+/**
+ * Selects the groups and parameters that the panel shows: the basics, then those active for the specimen, and the
+ * tools' additions.
+ */
 
 import type { Specimen } from "../specimen/specimen";
 import type { Group, ParameterEntry, Table } from "../specimen/table";
-import type { Tool } from "../ui/tool";
+import { BASICS, type Tool } from "../ui/tool";
+import { text } from "./messages.generated";
 
 export interface PanelGroup {
 	readonly group: Group;
@@ -12,23 +16,33 @@ export interface PanelGroup {
 	readonly below: readonly Tool[];
 }
 
+/** Key of the disclosure that contains every group but the basics and the numbers. */
+export const ADVANCED = "advanced";
+
 /**
- * The groups that are not empty: tools' own groups, then the table's in its order, then the tools' groups marked `last`.
+ * Returns the groups that are not empty: the basics, tools' own groups, then the table's in its order without the
+ * basics, then the tools' groups marked `last`.
  * @param tools the tools that apply to the specimen
  */
 export function groupsFor(table: Table, specimen: Specimen, tools: readonly Tool[]): readonly PanelGroup[] {
 	const elsewhere = new Set(tools.flatMap(({ parameters = [] }) => parameters));
-	const active = table.entries.filter((entry) => table.isActive(specimen, entry) && !elsewhere.has(entry.key));
+	const isShown = (entry: ParameterEntry) => table.isActive(specimen, entry) && !elsewhere.has(entry.key);
+	const others = table.entries.filter((entry) => entry.basic === undefined && isShown(entry));
 	const brought = tools.flatMap(({ panel }) => (typeof panel?.group === "object" ? [panel.group] : []));
 	const [last, first] = [true, false].map((end) =>
 		[...new Set(brought)].filter((group) => (group.last ?? false) === end),
 	);
-	return [...first, ...table.groups, ...last]
+	const quantities = tools.flatMap((tool) => tool.quantities?.(specimen) ?? []);
+	const basics: Group = { key: BASICS, title: text("panel_basics"), help: "", plain: true };
+	return [basics, ...first, ...table.groups, ...last]
 		.map((group) => {
 			const own = tools.filter(({ panel }) => panel?.group === group.key || panel?.group === group);
 			return {
 				group,
-				entries: active.filter((entry) => entry.group === group.key),
+				entries:
+					group === basics
+						? [...quantities, ...table.basics.filter(isShown)]
+						: others.filter((entry) => entry.group === group.key),
 				above: own.filter(({ panel }) => panel?.place === "above"),
 				below: own.filter(({ panel }) => panel?.place === "below"),
 			};
@@ -36,12 +50,12 @@ export function groupsFor(table: Table, specimen: Specimen, tools: readonly Tool
 		.filter(({ entries, above, below }) => entries.length + above.length + below.length > 0);
 }
 
-/** Parameters that a tool's bar animates: the panel shows no control for them. */
+/** Returns the parameters that a tool's bar animates: the panel shows no control for them. */
 export function runningBy(tools: readonly Tool[] = []): readonly string[] {
 	return tools.flatMap(({ bar, parameters = [] }) => (bar ? parameters : []));
 }
 
-/** The tools that apply to a specimen. */
+/** Returns the tools that apply to a specimen. */
 export function applying(tools: readonly Tool[] = [], specimen: Specimen): readonly Tool[] {
 	return tools.filter(({ applies }) => applies?.(specimen) ?? true);
 }

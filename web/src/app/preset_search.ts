@@ -1,62 +1,84 @@
-/** Searches presets by words and by kind. */
+/** Searches the presets of all models: by title, then by family and shelf, then by description. */
 import type { PageModel } from "../models/page_model";
-import type { Preset, PresetKind } from "../specimen/presets";
+import { FAMILIES, type Preset, type PresetKind } from "../specimen/presets";
+import { familyTitle, firstOf } from "./home/families";
+import type { PresetSection } from "./preset_sections";
+import synonyms from "./search/synonyms.json";
+import { type Scored, type SearchTexts, TextIndex } from "./search/text_index";
 
-/** The presets of one kind of one model. */
-export interface PresetSection {
+/** A preset with its model and its kind. */
+export interface PlacedPreset {
 	readonly model: PageModel;
 	readonly kind: PresetKind;
-	readonly presets: readonly Preset[];
-}
-
-/** Key of a kind of one model, for the gallery's filter. */
-export function kindKey({ model, kind }: Pick<PresetSection, "model" | "kind">): string {
-	return `${model.name} ${kind.key}`;
-}
-
-/** Every kind of every model that has presets, in the order of the gallery. */
-export function sectionsOf(models: readonly PageModel[]): readonly PresetSection[] {
-	return models
-		.flatMap((model) =>
-			model.presets.kinds.map((kind) => ({
-				model,
-				kind,
-				presets: model.presets.list.filter((preset) => preset.kind === kind.key),
-			})),
-		)
-		.filter(({ presets }) => presets.length > 0);
+	readonly preset: Preset;
 }
 
 /**
- * The sections and presets that match a search.
- * @param query words in any order; each must occur in a preset's title, name or description
- * @param kind the key of one kind; all where empty
+ * Returns the presets that match a search, best first, with their scores; all for a query without words.
+ * @param query words in any order (search/text_index.ts)
+ * @param forgives whether words may have a typo if nothing matches otherwise
  */
-export function findPresets(sections: readonly PresetSection[], query: string, kind = ""): readonly PresetSection[] {
-	const words = wordsOf(query);
-	return sections
-		.filter((section) => kind === "" || kindKey(section) === kind)
-		.map((section) => ({
-			...section,
-			presets: section.presets.filter((preset) => isIn(words, numberGroupsOf(section, preset))),
-		}))
-		.filter(({ presets }) => presets.length > 0);
+export function searchPresets(
+	all: readonly PresetSection[],
+	query: string,
+	forgives = true,
+): readonly Scored<PlacedPreset>[] {
+	return indexFor(all).search(query, forgives);
 }
 
-function numberGroupsOf({ model, kind }: PresetSection, { name, title, about, figure = "" }: Preset): string {
-	return [title, name, about, kind.title, model.title, figure].join(" ");
+/** The indices used last, newest first: a gallery searches parts of its sections, too. */
+let indices: readonly { readonly all: readonly PresetSection[]; readonly index: TextIndex<PlacedPreset> }[] = [];
+const MAX_INDICES = 4;
+
+/** Returns the index of sections, created once for the same presets. */
+function indexFor(all: readonly PresetSection[]): TextIndex<PlacedPreset> {
+	const isSame = (other: readonly PresetSection[]) =>
+		other.length === all.length && other.every(({ presets }, i) => presets === all[i].presets);
+	const known = indices.find((each) => isSame(each.all)) ?? { all, index: createIndex(all) };
+	indices = [known, ...indices.filter((each) => each !== known)].slice(0, MAX_INDICES);
+	return known.index;
 }
 
-/** The words of a query, without case and accents. */
-export const wordsOf = (query: string): string[] => plain(query).split(/\s+/).filter(Boolean);
-
-/** Whether a text contains each of the words. */
-export function isIn(words: readonly string[], text: string): boolean {
-	const simplified = plain(text);
-	return words.every((word) => simplified.includes(word));
+/** Creates the index of sections. */
+function createIndex(all: readonly PresetSection[]): TextIndex<PlacedPreset> {
+	const placed = all.flatMap(({ model, kind, presets }) => presets.map((preset) => ({ model, kind, preset })));
+	// Equally good matches: by family, the plant that it opens with first and those of publications last.
+	placed.sort((a, b) => orderOf(a) - orderOf(b));
+	return new TextIndex(placed, textsOf, synonyms);
 }
 
-/** The text without case and accents, which people do not type. */
-function plain(text: string): string {
-	return text.normalize("NFD").replace(/\p{M}/gu, "").toLowerCase();
+/**
+ * Returns the position of a preset among equally good matches: by family, then the plant that it opens with, then
+ * others, then those of publications.
+ */
+function orderOf({ model, kind, preset }: PlacedPreset): number {
+	const first = firstOf(kind.family);
+	const isFirst = first.model === model.name && first.preset === preset.name;
+	return 3 * FAMILIES.indexOf(kind.family) + (isFirst ? 0 : preset.figure === undefined ? 1 : 2);
+}
+
+/** Puts reproductions of a publication after the plants of a shelf, unless the query is their title. */
+const PAPER_PENALTY = 11;
+
+/** Returns the searchable texts of a preset. English keys are among them, so that synonyms work in every language. */
+function textsOf({ model, kind, preset }: PlacedPreset): SearchTexts {
+	const { name, title, about, source = "", figure } = preset;
+	const paper = kind.fromPaper || figure !== undefined ? ["paper"] : [];
+	return {
+		title,
+		names: [name, ...(figure === undefined ? [] : [`figure ${figure}`])],
+		shelves: [
+			familyTitle(kind.family),
+			kind.family,
+			kind.title,
+			kind.key,
+			model.title,
+			model.shelf ?? "",
+			model.name,
+			...paper,
+		],
+		keys: [`family:${kind.family}`, `model:${model.name}`],
+		descriptions: [about, source],
+		penalty: kind.fromPaper ? PAPER_PENALTY : 0,
+	};
 }

@@ -8,9 +8,9 @@ import type { Viewer } from "../render/viewer";
 import type { Specimen } from "../specimen/specimen";
 import type { PointerRay } from "../ui/handles/handle_ways";
 import type { ModelUi, SubstitutePlant, ToolInteraction, ToolView } from "../ui/tool";
+import { text } from "./messages.generated";
 import type { Studio } from "./studio";
 import { lookOf, type PictureOptions, type ShownPlant, type StudioState } from "./studio_state";
-import { TRY_AGAIN } from "./types";
 
 /** Events of the canvas. */
 export interface SolidViewEvents {
@@ -20,7 +20,9 @@ export interface SolidViewEvents {
 	motion(): void;
 }
 
-/** Name of the performance measure of building the scene of a plant: only the last entry is retained (`npm run bench`). */
+/**
+ * Name of the performance measure of building the scene of a plant: only the last entry is retained (`npm run bench`).
+ */
 const SHOW_MEASURE = "shown";
 /** Pixels of a picture per CSS pixel. */
 const PICTURE_SCALE = 2;
@@ -31,6 +33,8 @@ export class SolidView implements ToolView {
 	readonly #studio: Studio;
 	readonly #reduced = matchMedia("(prefers-reduced-motion: reduce)");
 	#wind = false;
+	/** Whether tools find the part under a pointer; false while clicks have another meaning. */
+	picksParts = true;
 	/** Called after every draw. */
 	readonly #drawListeners: Set<() => void>;
 	#orbiting = true;
@@ -53,6 +57,7 @@ export class SolidView implements ToolView {
 	#interactions: ToolInteraction[] = [];
 	#modelUi: ModelUi | undefined;
 
+	/** @param drawListeners called after each drawn frame */
 	private constructor(
 		canvas: HTMLCanvasElement,
 		view: Viewer<Specimen, Plant>,
@@ -65,7 +70,10 @@ export class SolidView implements ToolView {
 		this.#studio = studio;
 	}
 
-	/** @throws NoWebGL2Error where the browser has no WebGL 2, and errors of loading the scripts */
+	/**
+	 * Loads the scripts of the 3-D view and of the model's renderer, and creates the view on a canvas.
+	 * @throws NoWebGL2Error where the browser has no WebGL 2, and errors of loading the scripts
+	 */
 	static async create(canvas: HTMLCanvasElement, studio: Studio, events: SolidViewEvents): Promise<SolidView> {
 		const { model, dark } = studio.state;
 		// Load both scripts first: a canvas gives one context, so nothing may fail after it is created.
@@ -120,7 +128,7 @@ export class SolidView implements ToolView {
 		for (const interaction of this.#interactions) interaction.update(state);
 	}
 
-	/** The current view of the document's plant, as a PNG. */
+	/** Returns the current view of the document's plant, as a PNG. */
 	async picture(options: PictureOptions = {}): Promise<Blob> {
 		this.#picturesInProgress++;
 		this.update(this.#studio.state);
@@ -132,6 +140,7 @@ export class SolidView implements ToolView {
 		}
 	}
 
+	/** Takes a picture at the given height in pixels, with or without background. */
 	#capture({ height, alone }: PictureOptions): Promise<Blob> {
 		const { clientWidth, clientHeight } = this.canvas;
 		const scale = height === undefined ? PICTURE_SCALE : height / clientHeight;
@@ -142,6 +151,21 @@ export class SolidView implements ToolView {
 	/** Turns, moves and zooms by keys. @returns whether the key does so */
 	press(event: KeyboardEvent): boolean {
 		return turnedBy(this.#view, event);
+	}
+
+	/** Turns the plant to the left by an angle, radians. */
+	turn(angle: number): void {
+		this.#view.orbit(-angle, 0);
+	}
+
+	/** Sets whether tools' editing aids in the scene are shown, such as outlines. */
+	set showsAids(on: boolean) {
+		this.#view.showsAids = on;
+	}
+
+	/** Shows the plant in the user's room until a session of augmented reality ends. */
+	showInRoom(session: XRSession, placed: () => void): Promise<void> {
+		return this.#view.showInRoom(session, placed);
 	}
 
 	/** Resets the camera to show the whole plant. */
@@ -169,6 +193,7 @@ export class SolidView implements ToolView {
 		this.#view.resize();
 	}
 
+	/** Ends the view and releases its graphics memory. */
 	dispose(): void {
 		this.#disposed = true;
 		this.#lifetime.abort();
@@ -176,10 +201,17 @@ export class SolidView implements ToolView {
 		this.#view.dispose();
 	}
 
+	/** Metres per CSS pixel at the depth of the plant's centre; undefined without a plant in front of the eye. */
+	get pixelSize(): number | undefined {
+		return this.#view.pixelSize;
+	}
+
+	/** The camera of the view. */
 	get camera(): Camera {
 		return this.#view.camera;
 	}
 
+	/** Whether drags turn the view. */
 	get orbiting(): boolean {
 		return this.#orbiting;
 	}
@@ -189,53 +221,75 @@ export class SolidView implements ToolView {
 		this.#view.orbiting = on;
 	}
 
+	/** Sets whether the camera follows so that the whole plant stays in view. */
 	keepWhole(on: boolean): void {
 		this.#view.keepsWhole = on;
 	}
 
-	addOverlay(object: Object3D): void {
-		this.#view.addOverlay(object);
+	/**
+	 * Adds an object over the plant.
+	 * @param isPictured whether pictures show it
+	 */
+	addOverlay(object: Object3D, isPictured = false): void {
+		this.#view.addOverlay(object, isPictured);
 	}
 
+	/** Removes an object that was added over the plant. */
 	removeOverlay(object: Object3D): void {
 		this.#view.removeOverlay(object);
 	}
 
+	/** Draws a frame soon. */
 	requestRender(): void {
 		this.#view.requestRender();
 	}
 
+	/**
+	 * Returns the number of the part of the plant at a position of the canvas, CSS pixels; undefined where there is none.
+	 */
 	pick(x: number, y: number): number | undefined {
-		return this.#view.pick(x, y);
+		return this.picksParts ? this.#view.pick(x, y) : undefined;
 	}
 
-	mark(picked: number | undefined, whole?: ReadonlySet<number>): void {
-		this.#view.mark(picked, whole);
+	/** Returns the visible point of the scene at a point of the canvas, or within `reach` CSS pixels of it; metres. */
+	surfaceAt(x: number, y: number, reach: number): Promise<PointerRay["origin"] | undefined> {
+		return this.#view.surfaceAt(x, y, reach);
 	}
 
+	/** Highlights a part that `pick` returned, and softly the pick ids of its group; undefined ends the highlight. */
+	mark(picked: number | undefined, group?: ReadonlySet<number>): void {
+		this.#view.mark(picked, group);
+	}
+
+	/** Returns the ray from the eye through a position of the canvas, CSS pixels. */
 	rayThrough(x: number, y: number): PointerRay {
 		return this.#view.rayThrough(x, y);
 	}
 
+	/** Returns the position on the canvas, CSS pixels, of a point in metres. */
 	project([x, y, z]: PointerRay["origin"]): { x: number; y: number } {
 		return this.#view.project({ x, y, z });
 	}
 
+	/** Sets the eye and the point that it looks at; undefined returns to the view from before. */
 	look(from: Parameters<ToolView["look"]>[0]): void {
 		this.#view.look(from);
 	}
 
+	/** Calls back after every drawn frame; returns a function that ends it. */
 	onDrawn(listener: () => void): () => void {
 		this.#drawListeners.add(listener);
 		return () => this.#drawListeners.delete(listener);
 	}
 
+	/** Shows another plant in place of the document's; undefined shows the document's again. */
 	showSubstitute(plant: SubstitutePlant | undefined): void {
 		if (plant?.grown === this.#instead?.grown) return;
 		this.#instead = plant;
 		this.update(this.#studio.state);
 	}
 
+	/** Sets the mode of display; undefined sets the renderer's first one. */
 	setMode(mode: string | undefined): void {
 		this.#view.setMode(mode ?? this.#view.modes[0]);
 	}
@@ -277,13 +331,16 @@ export class SolidView implements ToolView {
 		this.update(this.#studio.state);
 	}
 
-	/** Reports that a model cannot be drawn. The notice updates the view, so fetching again at each update would never end. */
+	/**
+	 * Reports that a model cannot be drawn. The notice updates the view, so fetching again at each update would never
+	 * end.
+	 */
 	#reportMissing(model: PageModel): void {
 		this.#loadingModel = undefined;
 		this.#failedModel = model;
 		const again = () => void this.#loadRenderer(model);
-		const details = ["Part of the page could not be fetched; sliders and downloads work all the same.", TRY_AGAIN];
-		this.#studio.notify(`The ${model.noun} cannot be drawn`, details, { again });
+		const details = [text("still_usable"), text("fetch_failed_advice")];
+		this.#studio.notify(text("stage_not_drawn"), details, { again });
 	}
 
 	/** Replaces the tools' interactions with the canvas by those of a model. */

@@ -1,11 +1,15 @@
-/** Searches parameters that give a measure a requested value: the page's side of targets/. Loaded when such a measure is first unfolded. */
+/**
+ * Searches parameters that give a measure a requested value: the page's side of targets/. Loaded when such a measure is
+ * first unfolded.
+ */
 import { aimed } from "../batch/aimed";
 import { growsAlike, sameSpecimen } from "../specimen/same";
 import type { Specimen } from "../specimen/specimen";
 import type { Aim } from "../targets/aim";
-import { MOST_GROWTHS, type Solution } from "../targets/solve";
-import { changesInWords, growthsInWords, reachedInWords } from "../targets/words";
+import { MAX_GROWTHS, type Solution } from "../targets/solve";
+import { changesInWords, reachedInWords } from "../targets/words";
 import type { Stateful } from "../ui/editor_context";
+import { text } from "./messages.generated";
 import type { Studio } from "./studio";
 
 export interface TargetSearch {
@@ -21,7 +25,7 @@ export const TARGET_SEARCH: Stateful<TargetSearch> = { name: "asking", initial: 
 /** Topic of the search's notices: the next notice of the topic, or the next change, removes them. */
 const TOPIC = "asked";
 
-/** Targets that the document on the controls meets. */
+/** Returns the targets that the document on the controls meets. */
 export function currentAims(studio: Studio): readonly Aim[] {
 	const { found } = studio.toolState(TARGET_SEARCH);
 	return found && sameSpecimen(found.specimen, studio.state.specimen) ? found.aims : [];
@@ -62,12 +66,16 @@ export async function searchTarget(studio: Studio, aim: Aim): Promise<void> {
 		const { now, ...others } = studio.toolState(TARGET_SEARCH);
 		if (studio.state.model === model && now?.cancel === cancel) studio.setToolState(TARGET_SEARCH, others);
 		if (!ending.signal.aborted) {
-			const text = error instanceof Error ? error.message : String(error);
-			studio.notify("What was asked for could not be looked for", [text], { topic: TOPIC });
+			const reason = error instanceof Error ? error.message : String(error);
+			studio.notify(text("target_search_failed"), [reason], { topic: TOPIC });
 		}
 	}
 }
 
+/**
+ * Sets the found parameters in the current specimen, and notifies of the reached values and the changes.
+ * @param from the specimen before the search
+ */
 function take(studio: Studio, from: Specimen, aims: readonly Aim[], answer: Solution): void {
 	const { model, specimen } = studio.state;
 	const found = { ...specimen, parameters: answer.specimen.parameters };
@@ -75,11 +83,9 @@ function take(studio: Studio, from: Specimen, aims: readonly Aim[], answer: Solu
 	studio.replace(found);
 	const changes = changesInWords(model, from, found);
 	const [title, ...others] = [...answer.reached].reverse().map(reachedInWords);
-	studio.notify(title, [...others, changes ? `${changes}; ${growthsInWords(answer)}.` : "Nothing comes nearer."], {
-		topic: TOPIC,
-		untouched: true,
-	});
+	const last = changes ? text("target_changes", { changes, tries: answer.growths }) : text("target_no_changes");
+	studio.notify(title, [...others, last], { topic: TOPIC, untouched: true });
 }
 
-/** Progress of a search, from 0 to 1. */
-export const shareDone = ({ growths }: { readonly growths: number }): number => growths / MOST_GROWTHS;
+/** Returns the progress of a search, from 0 to 1. */
+export const shareDone = ({ growths }: { readonly growths: number }): number => growths / MAX_GROWTHS;

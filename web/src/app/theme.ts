@@ -1,14 +1,16 @@
 import type { UiState } from "./ui_state";
 
-const darkSystem = () => window.matchMedia("(prefers-color-scheme: dark)");
+/** Returns the query for the system's colour scheme. */
+const darkSchemeQuery = () => window.matchMedia("(prefers-color-scheme: dark)");
 
+/** Returns whether the system's colour scheme is dark. */
 export function isSystemDark(): boolean {
-	return darkSystem().matches;
+	return darkSchemeQuery().matches;
 }
 
 /** Calls back when the system goes from light to dark or back. */
 export function onSystemTheme(callback: (dark: boolean) => void): void {
-	darkSystem().addEventListener("change", ({ matches }) => callback(matches));
+	darkSchemeQuery().addEventListener("change", ({ matches }) => callback(matches));
 }
 
 /** Sets the theme of the page (`data-theme`, used by style/tokens.css) and of the browser's toolbar. */

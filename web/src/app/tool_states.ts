@@ -17,11 +17,13 @@ export function withTools(
 	return { ...states, [model]: { ...Object.fromEntries(own), ...states[model] } };
 }
 
+/** Returns the state of a tool; its initial one where none was set. */
 export function stateOf<T>(states: ToolStates, model: string, tool: Stateful<T>): T {
 	const own = states[model];
 	return own && tool.name in own ? (own[tool.name] as T) : tool.initial;
 }
 
+/** Returns the states with another state of a tool. */
 export function withState<T>(states: ToolStates, model: string, tool: Stateful<T>, state: T): ToolStates {
 	return { ...states, [model]: { ...states[model], [tool.name]: state } };
 }

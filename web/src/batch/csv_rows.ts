@@ -3,7 +3,10 @@
  * end anywhere.
  */
 
-/** Whole rows with their CRLF; a CRLF within quotation marks ends no row. An unfinished last row is left out. */
+/**
+ * Splits a table into whole rows with their CRLF; a CRLF within quotation marks ends no row. An unfinished last row is
+ * left out.
+ */
 export function splitRows(text: string): string[] {
 	const rows: string[] = [];
 	let from = 0;
@@ -19,7 +22,7 @@ export function splitRows(text: string): string[] {
 }
 
 /**
- * The values of a row's cells.
+ * Returns the values of a row's cells.
  * @param row with its CRLF
  */
 export function splitCells(row: string): string[] {
@@ -36,5 +39,5 @@ export function splitCells(row: string): string[] {
 	return cells;
 }
 
-/** A cell without its quotation marks; a doubled one inside is a single one. */
+/** Returns a cell without its quotation marks; a doubled one inside is a single one. */
 const unquote = (cell: string): string => (cell.startsWith('"') ? cell.slice(1, -1).replaceAll('""', '"') : cell);

@@ -20,17 +20,17 @@ export interface Draws {
 }
 
 /**
- * The settings that all plants of a series share, as one text: the query without its seed, and the texts of the
+ * Returns the settings that all plants of a series share, as one text: the query without its seed, and the texts of the
  * fragment, uncompressed.
  */
-export function specificationOf<S extends Specimen>(species: ModelSchema<S>, from: S): string {
+export function specificationOf<S extends Specimen>(schema: ModelSchema<S>, from: S): string {
 	const common = { ...from, seed: DEFAULT_SEED };
-	return JSON.stringify([species.name, from.preset, encodeQuery(species, common), ...textsOf(species, common)]);
+	return JSON.stringify([schema.name, from.preset, encodeQuery(schema, common), ...textsOf(schema, common)]);
 }
 
-/** Draws that are independent between plants, quantities, varieties and settings: a hash of all four. */
-export function independentDraws<S extends Specimen>(species: ModelSchema<S>, from: S): Draws {
-	const draw = hashFunction(specificationOf(species, from));
+/** Returns draws that are independent between plants, quantities, varieties and settings: a hash of all four. */
+export function independentDraws<S extends Specimen>(schema: ModelSchema<S>, from: S): Draws {
+	const draw = hashFunction(specificationOf(schema, from));
 	return {
 		literal: false,
 		seed: (number) => draw("seed", number),
@@ -51,7 +51,7 @@ export function literalDraws(): Draws {
 	};
 }
 
-/** A function from a quantity and a number to 32 bits, one-to-one in the number. */
+/** Returns a function from a quantity and a number to 32 bits, one-to-one in the number. */
 function hashFunction(specification: string): (quantity: string, number: number) => number {
 	const keys = new Map<string, readonly [number, number]>();
 	return (quantity, number) => {
@@ -64,7 +64,7 @@ function hashFunction(specification: string): (quantity: string, number: number)
 	};
 }
 
-/** A hash of 64 bits of a text: FNV-1a (Fowler, Noll, Vo 1991) over its UTF-8, as two words. */
+/** Returns a hash of 64 bits of a text: FNV-1a (Fowler, Noll, Vo 1991) over its UTF-8, as two well-mixed words. */
 function hashText(text: string): readonly [number, number] {
 	let hash = 0xcbf29ce484222325n;
 	for (const byte of new TextEncoder().encode(text)) hash = BigInt.asUintN(64, (hash ^ BigInt(byte)) * 0x100000001b3n);

@@ -13,10 +13,10 @@ export interface Goal {
 	readonly to: number;
 }
 
-/** The text for `--target`: `160`, `120..160`. */
+/** Returns the text for `--target`: `160`, `120..160`. */
 export const formatGoal = ({ from, to }: Goal): string => (from === to ? String(from) : `${from}..${to}`);
 
-/** The targets of a plant, by its number: uniformly drawn from ranges. */
+/** Returns the targets of a plant, by its number: uniformly drawn from ranges. */
 export function aimsOf(
 	{ measures }: Pick<Table, "measures">,
 	goals: readonly Goal[],
@@ -42,6 +42,9 @@ export function aimsOf(
 /** Significant digits of a drawn value. */
 const DIGITS = 6;
 
+/**
+ * Returns the value at a share of a goal's range: a whole number for measures that count, else rounded to `DIGITS`.
+ */
 function drawn({ from, to }: Goal, share: number, info: MeasureInfo | undefined): number {
 	if (info?.kind === "whole") return Math.ceil(from) + Math.floor(share * (Math.floor(to) - Math.ceil(from) + 1));
 	return Number((from + share * (to - from)).toPrecision(DIGITS));

@@ -9,6 +9,7 @@ import { GENERATOR } from "../formats/generator";
 import { DEFAULT_SEED } from "../specimen/from_preset";
 import { encodeQuery, textsOf } from "../specimen/link";
 import { formatGoal } from "./goals";
+import { text } from "./messages.generated";
 import type { Series } from "./series";
 import type { Varied } from "./vary";
 
@@ -38,7 +39,10 @@ export interface Manifest {
 	readonly options: FileOptions;
 }
 
-/** @param numbers numbers of all plants, including those of other parts */
+/**
+ * Builds the manifest of a series, with the values that differ from the preset.
+ * @param numbers numbers of all plants, including those of other parts
+ */
 export function manifestOf(series: Series, numbers: readonly number[], parts = 1): Manifest {
 	const { model, from, varied, goals = [], draws, formats, options = {} } = series;
 	const common = { ...from, seed: DEFAULT_SEED };
@@ -58,20 +62,22 @@ export function manifestOf(series: Series, numbers: readonly number[], parts = 1
 	};
 }
 
+/** Returns the text of the file. */
 export const formatManifest = (manifest: Manifest): string => `${JSON.stringify(manifest, null, "\t")}\n`;
 
 /**
- * The differences between a manifest that was read and another, in the terms of the command line: `--seeds: 1-12 there,
- * 5-8 here`.
+ * Returns the differences between a manifest that was read and another, in the terms of the command line: `--seeds:
+ * 1-12 there, 5-8 here`.
  * @param there any text; a text that is not a manifest is one difference
  */
 export function differencesFrom(there: string, here: Manifest): string[] {
 	const before = labelValues(parseObject(there));
-	if (before.size === 0) return [`${MANIFEST} there cannot be read`];
+	if (before.size === 0) return [text("manifest_unreadable", { file: MANIFEST })];
 	const now = labelValues(here);
 	return [...new Set([...before.keys(), ...now.keys()])].flatMap((label) => {
 		const [one, other] = [before.get(label), now.get(label)];
-		return one === other ? [] : [`${label}: ${quoteValue(one)} there, ${quoteValue(other)} here`];
+		if (one === other) return [];
+		return [text("manifest_difference", { setting: label, there: quoteValue(one), here: quoteValue(other) })];
 	});
 }
 
@@ -89,7 +95,7 @@ const LABELS: Readonly<Record<keyof Manifest, string>> = {
 	options: "option",
 };
 
-/** Every value of a manifest by its label. */
+/** Returns every value of a manifest by its label in messages. */
 function labelValues(manifest: object): Map<string, string> {
 	const values = new Map<string, string>();
 	for (const [key, value] of Object.entries(manifest)) {
@@ -100,9 +106,10 @@ function labelValues(manifest: object): Map<string, string> {
 	return values;
 }
 
-function parseObject(text: string): object {
+/** Parses a JSON object; empty for any other text. */
+function parseObject(written: string): object {
 	try {
-		const value: unknown = JSON.parse(text);
+		const value: unknown = JSON.parse(written);
 		return typeof value === "object" && value !== null ? value : {};
 	} catch {
 		return {};
@@ -112,12 +119,13 @@ function parseObject(text: string): object {
 /** The most characters of a value in a message. */
 const SHOWN = 40;
 
+/** Returns a value as messages quote it: words in place of a long or missing one. */
 function quoteValue(value: string | undefined): string {
-	if (value === undefined) return "not given";
-	return value.length > SHOWN || value.includes("\n") ? "another text" : value;
+	if (value === undefined) return text("manifest_none");
+	return value.length > SHOWN || value.includes("\n") ? text("manifest_other_text") : value;
 }
 
-/** Numbers in the form of `--seeds`, neighbours as ranges: `1-12,20`. */
+/** Returns numbers in the form of `--seeds`, neighbours as ranges: `1-12,20`. */
 function formatRanges(numbers: readonly number[]): string {
 	const ranges: [first: number, last: number][] = [];
 	for (const number of numbers) {
@@ -128,5 +136,6 @@ function formatRanges(numbers: readonly number[]): string {
 	return ranges.map(([first, last]) => (first === last ? `${first}` : `${first}-${last}`)).join(",");
 }
 
+/** Returns the values of a varied parameter in the form of `--vary`. */
 const formatVaried = (varied: Varied): string =>
 	"values" in varied ? varied.values.join("|") : `${varied.from}..${varied.to}`;

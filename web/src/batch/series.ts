@@ -2,6 +2,7 @@
  * A series: many plants of one model that differ in seed and varied parameters; the same on any machine, in any order.
  */
 
+import { crc32Digits } from "../formats/crc32";
 import type { FileOptions } from "../formats/file_options";
 import { PLANT_FILES } from "../formats/plant_files";
 import type { FileRequest } from "../generate/files/messages";
@@ -13,9 +14,9 @@ import type { Specimen } from "../specimen/specimen";
 import type { Aim } from "../targets/aim";
 import { reachedInWords } from "../targets/words";
 import { aimed } from "./aimed";
-import { crc32 } from "./crc32";
 import type { Draws } from "./draws";
 import { aimsOf, type Goal } from "./goals";
+import { text } from "./messages.generated";
 import { Unusable } from "./unusable";
 import { drawn, type Varied, withVaried } from "./vary";
 
@@ -68,20 +69,23 @@ export interface GrownSeriesPlant {
 	readonly files: readonly MadeFile[];
 }
 
-/** The keys of all kinds of files. */
+/** Returns the keys of all kinds of files. */
 export const formatKeysOf = ({ formats = [] }: Pick<Model, "formats">): string[] => [
 	...[...PLANT_FILES.filter(({ life, levelled }) => !life && !levelled).map(({ key }) => key), "obj", "json"],
 	...formats.map(({ key }) => key),
 ];
 
-/** @throws Unusable where there is no such kind of file */
+/**
+ * Checks that a model has a kind of file.
+ * @throws Unusable
+ */
 export function checkFormat(model: Model, format: string): void {
 	const known = formatKeysOf(model);
 	if (!known.includes(format))
-		throw new Unusable(`“${format}” is no kind of file of a ${model.noun}; there are ${known.join(", ")}`);
+		throw new Unusable(text.message("format_unknown", { format, formats: known.join(", ") }));
 }
 
-/** The suffix of a file's name. */
+/** Returns the suffix of a file's name: of `glb-low` it is `-low.glb`. */
 function suffixOf({ formats }: Model, format: string): string {
 	const own = formats?.find(({ key }) => key === format);
 	if (own) return own.suffix;
@@ -90,10 +94,15 @@ function suffixOf({ formats }: Model, format: string): string {
 	return `${["", ...form].join("-")}.${kind}`;
 }
 
-/** The names of a plant's files. */
+/** Returns the names of a plant's files, in the order of the formats. */
 export const fileNamesOf = ({ model, from, formats }: Series, number: number): string[] =>
 	formats.map((format) => `${from.preset}-${number}${suffixOf(model, format)}`);
 
+/**
+ * Draws one plant of a series: its seed, the values of the varied parameters and its targets. The result depends on the
+ * series and the number alone.
+ * @param number the plant's number in the series
+ */
 export async function memberOf(series: Series, number: number): Promise<SeriesPlant> {
 	const { model, from, varied, draws, goals = [] } = series;
 	const seed = draws.seed(number);
@@ -128,9 +137,9 @@ export async function growMember(series: Series, member: SeriesPlant, means: Ser
 		const stem = name.slice(0, -suffixOf(model, format).length);
 		const request = { model: model.name, format, grown: plant, specimen, link, name: stem, options };
 		const bytes = new Uint8Array(await (await means.make(model, request)).arrayBuffer());
-		files.push({ name, bytes, sum: crc32(bytes) });
+		files.push({ name, bytes, sum: crc32Digits(bytes) });
 	}
-	const notes = [...plant.notes, ...missed.map(({ words }) => words)];
+	const notes = [...plant.notes, ...missed.map(({ text }) => text)];
 	return { plant: { ...plant, notes }, specimen, link, missed: missed.map(({ measure }) => measure), files };
 }
 
@@ -138,10 +147,10 @@ interface Found {
 	specimen: Specimen;
 	link: string;
 	/** The missed targets, with the nearest values in words. */
-	missed: { measure: string; words: string }[];
+	missed: { measure: string; text: string }[];
 }
 
-/** The specimen nearest to the targets. */
+/** Returns the specimen nearest to the targets. */
 async function foundFor(
 	{ model }: Series,
 	{ specimen: from, aims }: SeriesPlant,
@@ -152,6 +161,6 @@ async function foundFor(
 	);
 	const missed = reached
 		.filter(({ isReached }) => !isReached)
-		.map((each) => ({ measure: each.measure, words: `${reachedInWords(each)}.` }));
+		.map((each) => ({ measure: each.measure, text: `${reachedInWords(each)}.` }));
 	return { specimen, link: await encodeLink(model, specimen), missed };
 }

@@ -1,12 +1,13 @@
 /** A series as one archive, byte for byte the folder that the command line writes. */
 import { ZipStream } from "../generate/files/zip";
 import { formatManifest, MANIFEST, manifestOf } from "./manifest";
+import { text } from "./messages.generated";
 import { growMember, memberOf, type Series, type SeriesMeans } from "./series";
 import { columnsOf, failedRow, rowOf, written } from "./table";
 import { Unusable } from "./unusable";
 
 /** The most plants of one archive. */
-export const MOST_IN_ARCHIVE = 1000;
+export const MAX_IN_ARCHIVE = 1000;
 /** The most bytes: some readers know no larger archives. */
 const LARGEST = 2 ** 31;
 
@@ -28,10 +29,8 @@ export async function zipOf(
 	watch: Watch,
 ): Promise<Blob> {
 	const { signal, progress } = watch;
-	if (numbers.length > MOST_IN_ARCHIVE) {
-		throw new Unusable(
-			`${numbers.length} plants; an archive holds at most ${MOST_IN_ARCHIVE}; the command line grows more`,
-		);
+	if (numbers.length > MAX_IN_ARCHIVE) {
+		throw new Unusable(text.message("archive_too_many", { max: MAX_IN_ARCHIVE, count: numbers.length }));
 	}
 	const archive = new ZipStream();
 	const lines = [written(columnsOf(series))];
@@ -51,11 +50,11 @@ export async function zipOf(
 			lines.push(written(failedRow(series, member, why)));
 		}
 		if (archive.size > LARGEST) {
-			throw new Unusable(`after ${lines.length - 1} plants the archive is larger than 2 GB; ask for fewer`);
+			throw new Unusable(text.message("archive_too_large", { count: lines.length - 1 }));
 		}
 		progress(lines.length - 1);
 	}
-	if (whole === 0) throw new Unusable(`none of the ${numbers.length} plants could be grown: ${why.replace(/\.$/, "")}`);
+	if (whole === 0) throw new Unusable(text.message("none_grown", { count: numbers.length, reason: why }));
 	const encoder = new TextEncoder();
 	archive.add({ name: "plants.csv", bytes: encoder.encode(lines.join("")) });
 	archive.add({ name: MANIFEST, bytes: encoder.encode(formatManifest(manifestOf(series, numbers))) });

@@ -6,7 +6,8 @@ import { splitCells, splitRows } from "./csv_rows";
 import type { GrownSeriesPlant, Series, SeriesPlant } from "./series";
 
 /**
- * Columns of a plant's files: `file`, `bytes`, `crc32` for the first kind, `file_json` and so on for each further one.
+ * Returns the columns of a plant's files: `file`, `bytes`, `crc32` for the first kind, `file_json` and so on for each
+ * further one.
  */
 function fileColumns({ formats }: Series): (readonly [file: string, bytes: string, sum: string])[] {
 	const keyed = (suffix: string) => [`file${suffix}`, `bytes${suffix}`, `crc32${suffix}`] as const;
@@ -14,8 +15,9 @@ function fileColumns({ formats }: Series): (readonly [file: string, bytes: strin
 }
 
 /**
- * Names of the columns: `set_age` for a varied parameter, since measures may have names of parameters. With targets,
- * `from` is the link before the search, `target_bunch_length` the target value, and `missed` names the missed measures.
+ * Returns the names of the columns: `set_age` for a varied parameter, since measures may have names of parameters. With
+ * targets, `from` is the link before the search, `target_bunch_length` the target value, and `missed` names the missed
+ * measures.
  */
 export function columnsOf(series: Series): string[] {
 	const { model, varied, goals = [] } = series;
@@ -32,7 +34,7 @@ export function columnsOf(series: Series): string[] {
 /** The cells of a row by column; missing ones are empty. */
 type Cells = Record<string, CsvValue>;
 
-/** The cells of a plant that has not grown yet. */
+/** Returns the cells of a plant that has not grown yet. */
 function memberCells({ varied, goals = [] }: Series, { number, seed, values, aims, link }: SeriesPlant): Cells {
 	return {
 		...{ number, seed },
@@ -42,7 +44,7 @@ function memberCells({ varied, goals = [] }: Series, { number, seed, values, aim
 	};
 }
 
-/** The row of a grown plant. */
+/** Returns the row of a grown plant. */
 export function rowOf(
 	series: Series,
 	member: SeriesPlant,
@@ -59,14 +61,16 @@ export function rowOf(
 	return inColumns(series, { ...cells, fingerprint, link, missed: missed.join(" "), notes: notes.join(" ") });
 }
 
-/** The row of a plant that could not be grown: no file, and the reason. */
+/** Returns the row of a plant that could not be grown: no file, and the reason. */
 export function failedRow(series: Series, member: SeriesPlant, why: string): CsvValue[] {
 	return inColumns(series, { ...memberCells(series, member), link: member.link, notes: why.replaceAll(/\s+/g, " ") });
 }
 
+/** Returns cells in the order of the columns; missing ones are null. */
 const inColumns = (series: Series, cells: Cells): CsvValue[] =>
 	columnsOf(series).map((column) => cells[column] ?? null);
 
+/** Returns the text of a row. */
 export const written = (row: readonly CsvValue[]): string => writeCsv([row]);
 
 /** A row of a table that was read. */
@@ -82,8 +86,8 @@ export interface TableRow {
 }
 
 /**
- * The whole rows of a table by the numbers of their plants, without failed plants and an unfinished last row. Undefined
- * where the text is the table of another series: it has other columns.
+ * Returns the whole rows of a table by the numbers of their plants, without failed plants and an unfinished last row.
+ * Undefined where the text is the table of another series: it has other columns.
  */
 export function readLines(series: Series, text: string): Map<number, TableRow> | undefined {
 	const [header, ...rows] = splitRows(text);

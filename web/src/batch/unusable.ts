@@ -1,4 +1,6 @@
-/** A text about a series that cannot be used. The message is one plain sentence with a remedy. */
-export class Unusable extends Error {
+import { MessageError } from "../locale/message_error";
+
+/** A text about a series that cannot be used. */
+export class Unusable extends MessageError {
 	override name = "Unusable";
 }

@@ -2,13 +2,14 @@
 import { parseArgs } from "node:util";
 import {
 	type FileOptions,
-	fileOptionRange,
+	fileOptionProblem,
 	isFileOptionValue,
 	type NumericFileOptionKey,
 } from "../formats/file_options";
 import { MAX_TRACE_ENTRIES, type TraceRequest } from "../plant/derivation_trace";
 import { BATCH_OPTIONS, type BatchCall, readBatch } from "./batch_arguments";
-import { UsageError } from "./usage";
+import { text } from "./messages.generated";
+import { optionError, UsageError } from "./usage";
 
 export interface CommandCall {
 	help: boolean;
@@ -38,19 +39,20 @@ export interface CommandCall {
 	batch: BatchCall | undefined;
 }
 
-/** @throws UsageError */
+/**
+ * Parses the command line, and refuses options that exclude each other.
+ * @throws UsageError
+ */
 export function readArguments(words: readonly string[]): CommandCall {
 	const { values, positionals } = parse(words);
 	if (positionals.length > 1) {
-		throw new UsageError(`one preset or link at a time: “${positionals[1]}” is one too many; put quotes around a link`);
+		throw new UsageError(text.message("one_source", { extra: positionals[1] }));
 	}
 	const batch = readBatch(values);
 	const alone = (["form", "string", "chronicle"] as const).find((key) => values[key]);
-	if (batch && alone)
-		throw new UsageError(`--${alone} is for a single plant; for a series, choose the kinds of files with --as`);
+	if (batch && alone) throw optionError(`--${alone}`, text.message("only_single_plant"));
 	// Each row of a series' table restores its plant by its link alone, and links hold no meshes.
-	if (batch && values.boundary)
-		throw new UsageError("--boundary is for one plant: links do not hold meshes, and a series is known by its links");
+	if (batch && values.boundary) throw optionError("--boundary", text.message("boundary_single_plant"));
 	return {
 		help: values.help ?? false,
 		list: values.list ?? false,
@@ -97,6 +99,7 @@ const OPTIONS = {
 	...BATCH_OPTIONS,
 } as const;
 
+/** Parses options by Node's `parseArgs`, whose errors become UsageErrors. */
 function parse(words: readonly string[]) {
 	try {
 		return parseArgs({ args: [...words], options: OPTIONS, allowPositionals: true });
@@ -104,47 +107,62 @@ function parse(words: readonly string[]) {
 		const { message } = error as Error;
 		const [, option] = /^Option '(\S+)' argument is ambiguous/.exec(message) ?? [];
 		if (option) {
-			throw new UsageError(`${option} needs a value; one that begins with a dash is joined with =, as in --seed=-1`);
+			throw new UsageError(text.message("option_needs_value", { option }));
 		}
 		// Node's own words, without the advice after the first sentence.
 		const [sentence] = message.split(/\.\s|\n/);
-		throw new UsageError(`${sentence.replaceAll("'", "").replace(/\.$/, "")}; see --help`);
+		throw new UsageError(
+			text.message("option_unreadable", { problem: sentence.replaceAll("'", "").replace(/\.$/, "") }),
+		);
 	}
 }
 
+/**
+ * Splits `key=value` of `--set`.
+ * @throws UsageError without a key
+ */
 function readSetting(setting: string): [string, string] {
-	const at = setting.indexOf("=");
-	if (at < 1) throw new UsageError(`--set ${setting}: write KEY=VALUE, as in --set age=50`);
-	return [setting.slice(0, at).trim(), setting.slice(at + 1).trim()];
+	const separator = setting.indexOf("=");
+	if (separator < 1) throw optionError(`--set ${setting}`, text.message("write_setting"));
+	return [setting.slice(0, separator).trim(), setting.slice(separator + 1).trim()];
 }
 
-/** @throws UsageError where it is no step with an optional window */
-function readTrace(text: string): TraceRequest {
-	const [step, first, count] = text.split(",").map((word) => (/^\s*\d+\s*$/.test(word) ? Number(word) : Number.NaN));
+/**
+ * Reads `STEP[,FIRST[,COUNT]]` of `--chronicle`: a step of the derivation, and a range of its modules.
+ * @throws UsageError where it is anything else
+ */
+function readTrace(written: string): TraceRequest {
+	const [step, first, count] = written.split(",").map((word) => (/^\s*\d+\s*$/.test(word) ? Number(word) : Number.NaN));
 	const fits = [step, first ?? 0].every((value) => value <= 0xffffffff) && (count ?? 0) <= MAX_TRACE_ENTRIES;
-	if (!fits || text.split(",").length > 3)
-		throw new UsageError(
-			`--chronicle ${text}: a step, 0 or more; then where you like the first module and how many, at most ${MAX_TRACE_ENTRIES}: 3,100,50`,
-		);
+	if (!fits || written.split(",").length > 3)
+		throw optionError(`--chronicle ${written}`, text.message("write_trace", { most: MAX_TRACE_ENTRIES }));
 	return { step, ...(first === undefined ? {} : { first }), ...(count === undefined ? {} : { count }) };
 }
 
-/** @throws UsageError where it is no number from `least` to `most` */
-function numberOf<Key extends string>(key: Key, text: string | undefined, least: number, most: number) {
-	if (text === undefined) return {};
-	const value = text.trim() === "" ? Number.NaN : Number(text);
-	if (!(value >= least && value <= most)) throw new UsageError(`--${key} ${text}: a number from ${least} to ${most}`);
+/**
+ * Reads the number of an option, as an object with its key; empty without the option.
+ * @throws UsageError where it is no number from `least` to `most`
+ */
+function numberOf<Key extends string>(key: Key, written: string | undefined, least: number, most: number) {
+	if (written === undefined) return {};
+	const value = written.trim() === "" ? Number.NaN : Number(written);
+	if (!(value >= least && value <= most))
+		throw optionError(`--${key} ${written}`, text.message("number_out_of_range", { least, most }));
 	return { [key]: value } as { [key in Key]: number };
 }
 
-/** @throws UsageError where the option does not accept it */
-function fileOption(key: NumericFileOptionKey, text: string | undefined): FileOptions {
-	if (text === undefined) return {};
-	const value = text.trim() === "" ? Number.NaN : Number(text);
-	if (!isFileOptionValue(key, value)) throw new UsageError(`--${key} ${text}: ${fileOptionRange(key)}`);
+/**
+ * Reads the number of an option of files, as an object with its key; empty without the option.
+ * @throws UsageError where the option does not accept it
+ */
+function fileOption(key: NumericFileOptionKey, written: string | undefined): FileOptions {
+	if (written === undefined) return {};
+	const value = written.trim() === "" ? Number.NaN : Number(written);
+	if (!isFileOptionValue(key, value)) throw new UsageError(fileOptionProblem(key, `--${key}`));
 	return { [key]: value };
 }
 
+/** Returns the last value of a repeated option; undefined without the option. */
 function last<Value>(values: readonly Value[] | undefined): Value | undefined {
 	return values?.at(-1);
 }

@@ -1,5 +1,6 @@
 /** The options for a series of plants in place of one. */
-import { UsageError } from "./usage";
+import { text } from "./messages.generated";
+import { optionError, UsageError } from "./usage";
 
 export const BATCH_OPTIONS = {
 	seeds: { type: "string", multiple: true },
@@ -28,18 +29,18 @@ type Values = Readonly<
 >;
 
 /**
- * Undefined for a single plant.
+ * Reads the options of a series; undefined for a single plant.
  * @throws UsageError
  */
 export function readBatch(values: Values): BatchCall | undefined {
 	const { seeds, vary, shard, as = ["glb"], seed, out } = values;
 	if (!seeds) {
 		const alone = (["vary", "shard", "as", "literal-seeds"] as const).find((option) => values[option]);
-		if (alone) throw new UsageError(`--${alone} needs a series; add --seeds, as in --seeds 1-100`);
+		if (alone) throw optionError(`--${alone}`, text.message("only_series"));
 		return undefined;
 	}
-	if (seed) throw new UsageError("--seed and --seeds: write one of them");
-	if (!out) throw new UsageError("--seeds needs a folder for the files: --out DIR");
+	if (seed) throw new UsageError(text.message("seed_and_seeds"));
+	if (!out) throw optionError("--seeds", text.message("seeds_need_folder"));
 	return {
 		seeds: seeds.join(),
 		literal: values["literal-seeds"] ?? false,

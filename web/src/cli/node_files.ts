@@ -27,12 +27,16 @@ const TERMINATED = 143;
 
 export const nodeFiles: Files = {
 	readFile,
-	writeFile: (path, data) => writeFile(path, data).catch((error: unknown) => withoutHalf(path, error)),
+	writeFile: (path, data) => writeFile(path, data).catch((error: unknown) => removeIncomplete(path, error)),
 	replaceFile: async (path, data) => {
 		const unfinished = `${path}.new`;
-		await writeFile(unfinished, data).catch((error: unknown) => withoutHalf(unfinished, error));
+		await writeFile(unfinished, data).catch((error: unknown) => removeIncomplete(unfinished, error));
 		await rename(unfinished, path);
 	},
+	/**
+	 * Creates a file with its whole content at once, unless it exists: the content is written under another name first,
+	 * and then linked. Returns whether the file was created.
+	 */
 	createFile: async (path, data) => {
 		const unfinished = `${path}.${randomUUID()}.new`;
 		try {
@@ -67,6 +71,7 @@ export const nodeFiles: Files = {
 /** Error codes of file systems without hard links. */
 const WITHOUT_LINKS = ["EPERM", "ENOTSUP", "EOPNOTSUPP", "ENOSYS"];
 
+/** Creates a file without a hard link, so that a crash may leave part of it. Returns whether it was created. */
 async function createPlainly(path: string, data: string): Promise<boolean> {
 	try {
 		await writeFile(path, data, { flag: "wx" });
@@ -77,8 +82,8 @@ async function createPlainly(path: string, data: string): Promise<boolean> {
 	}
 }
 
-/** Removes an incomplete file, but not a device (`/dev/full`). */
-async function withoutHalf(path: string, error: unknown): Promise<never> {
+/** Removes the incomplete file of a failed write, but not a device (`/dev/full`), and throws the error again. */
+async function removeIncomplete(path: string, error: unknown): Promise<never> {
 	const isFile = await lstat(path).then(
 		(found) => found.isFile(),
 		() => false,
@@ -91,6 +96,7 @@ async function withoutHalf(path: string, error: unknown): Promise<never> {
 /** Error codes in the middle of writing. */
 const FULL = ["ENOSPC", "EDQUOT", "EFBIG", "EIO"];
 
+/** Returns whether a process of this machine runs; signal 0 only checks that. */
 function isRunning(id: number): boolean {
 	try {
 		process.kill(id, 0);

@@ -16,30 +16,35 @@ type OutputFile = [file: string, data: string | Uint8Array | readonly Uint8Array
 /** Suffixes that every model has. */
 const COMMON = [...new Set(PLANT_FILES.map(({ ending }) => ending)), "obj", "json"];
 
-/** A form of a common kind of file ends in the kind's suffix, which viewers open: `glb-baked` is `.baked.glb`. */
+/**
+ * Returns the suffix of a format's key: `glb-baked` is `.baked.glb`, so that a form of a common kind of file ends in
+ * the kind's suffix, which viewers open.
+ */
 const endingFor = (key: string) => key.split("-").reverse().join(".");
 
+/** Returns all suffixes of files that a model has, without the first dot. */
 const endings = ({ formats = [] }: Pick<Model, "formats">) => [...COMMON, ...formats.map(({ key }) => endingFor(key))];
 
-/** The suffixes that a model has, in words: ".glb, .obj or .json". */
+/** Returns the suffixes that a model has, in words: ".glb, .obj or .json". */
 export function endingsOf(model: Pick<Model, "formats">): string {
 	const all = endings(model).map((ending) => `.${ending}`);
 	return `${all.slice(0, -1).join(", ")} or ${all.at(-1)}`;
 }
 
-/** The longest suffix of a file's name that a model has. */
+/** Returns the longest suffix of a file's name that a model has; undefined if it has none of them. */
 export function endingOf(model: Pick<Model, "formats">, file: string): string | undefined {
 	const found = endings(model).filter((ending) => file.toLowerCase().endsWith(`.${ending}`));
 	return found.sort((one, other) => other.length - one.length)[0];
 }
 
-/** The model's own format with that suffix. */
+/** Returns the model's own format with that suffix; undefined for common ones. */
 export function ownFormat({ formats }: Pick<Model, "formats">, ending: string) {
 	return formats?.find(({ key }) => endingFor(key) === ending);
 }
 
 /**
- * The files of a plant by the suffix of the requested name; an OBJ has its materials and their pictures beside it.
+ * Returns the files of a plant by the suffix of the requested name; an OBJ has its materials and their pictures beside
+ * it.
  * @param further the plant at other ages and levels of detail, if any
  */
 export async function outputFiles(
@@ -67,7 +72,7 @@ export async function outputFiles(
 	];
 }
 
-/** The JSON document, one line, in UTF-8, in pieces. */
+/** Returns the JSON document, one line, in UTF-8, in pieces. */
 export function jsonOf(model: Model, grown: Plant, specimen: Specimen): Uint8Array[] {
 	const document = writeJson(model, grown, specimen);
 	document.word("\n");

@@ -8,7 +8,10 @@ const LONGEST_LINE = 1000;
  */
 const UNPRINTABLE = /(?![\n\t])[\p{Cc}\u2028\u2029\u202a-\u202e\u2066-\u2069]/gu;
 
-/** A message with control characters as `\u{1b}`, and long lines cut: a quoted text cannot control the terminal. */
+/**
+ * Returns a message with its control characters written as `\u{1b}`, and long lines cut: a quoted text cannot control
+ * the terminal.
+ */
 export function printable(message: string): string {
 	return message
 		.split("\n")

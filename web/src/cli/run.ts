@@ -10,6 +10,7 @@ import { agedOf, hasAges } from "../generate/files/aged";
 import { levelledOf } from "../generate/files/levelled";
 import { growPlant } from "../generate/growth";
 import { models, presets } from "../library/catalogue";
+import { messageOf } from "../locale/message_error";
 import { modelNames } from "../models/index";
 import type { GrowthOptions, Model } from "../models/model";
 import type { Plant } from "../plant/plant";
@@ -18,6 +19,7 @@ import type { Aim } from "../targets/aim";
 import { changesInWords, growthsInWords, reachedInWords } from "../targets/words";
 import { type CommandCall, readArguments } from "./arguments";
 import { refuseUnused } from "./file_options";
+import { text } from "./messages.generated";
 import { endingOf, endingsOf, jsonOf, outputFiles, ownFormat } from "./outputs";
 import { printable } from "./printable";
 import { requestedModel, requestedSpecimen } from "./requested_specimen";
@@ -25,10 +27,11 @@ import { growSeries } from "./series";
 import type { CommandEnvironment } from "./surroundings";
 import { readTargets } from "./targets";
 import { TimeLimit, TimeOverError } from "./time_limit";
-import { CUT_SHORT, MISSED, TIME_OVER, UsageError, usage } from "./usage";
+import { CUT_SHORT, MISSED, optionError, TIME_OVER, UsageError, usage } from "./usage";
 import { writing } from "./writing";
 
 /**
+ * Runs the command: prints the help or a list, or grows a plant or a series. Errors are printed.
  * @returns the exit status: 0 grown, 1 the core crashed or is missing, a file could not be written or some plants of a
  * series did not grow, 2 the call cannot be used, 3 grown but a target is missed, 4 the plant is empty and the file
  * cannot be, 5 the time limit was reached, 6 a limit of the core cut the plant short
@@ -38,7 +41,7 @@ export async function run(words: readonly string[], surroundings: CommandEnviron
 	try {
 		const call = readArguments(words);
 		if (call.help) world.print(usage(await requestedModel(call.source), modelNames()));
-		else if (call.list) world.print(await listed());
+		else if (call.list) world.print(await modelList());
 		else {
 			const limit = new TimeLimit(call.seconds, world.elapsed);
 			if (call.batch) return await growSeries(call, call.batch, limit, world);
@@ -46,16 +49,16 @@ export async function run(words: readonly string[], surroundings: CommandEnviron
 		}
 		return 0;
 	} catch (error) {
-		const message = error instanceof Error ? error.message.replaceAll("\n", " ") : error;
-		world.printError(`grow: ${message}${error instanceof UsageError ? error.below : ""}`);
+		const problem = messageOf(error).text.replaceAll("\n", " ");
+		world.printError(`${text("error", { problem })}${error instanceof UsageError ? error.below : ""}`);
 		if (error instanceof EmptyPlantError) return 4;
 		if (error instanceof TimeOverError) return TIME_OVER;
 		return error instanceof UsageError || error instanceof FileTooLargeError ? 2 : 1;
 	}
 }
 
-/** Every model with its title and the names of its presets, as JSON. */
-async function listed(): Promise<string> {
+/** Lists every model with its title and the names of its presets, as JSON. */
+async function modelList(): Promise<string> {
 	const rows = (await models()).map(async ({ name, title, preview }) => ({
 		model: name,
 		title,
@@ -66,6 +69,7 @@ async function listed(): Promise<string> {
 }
 
 /**
+ * Grows one plant, at its targets if there are any, and writes its files or prints its JSON.
  * @returns the exit status: 0 grown, 3 grown but a target is missed, 5 or 6 cut short by the time limit or a limit of
  * the core
  */
@@ -75,9 +79,9 @@ async function growAndWrite(call: CommandCall, limit: TimeLimit, world: CommandE
 	const aims = aimsOf(model.table, goals, literalDraws(), from.seed);
 	const { out } = call;
 	const ending = out === undefined ? "json" : endingOf(model, out);
-	if (out?.toLowerCase().endsWith(".png"))
-		throw new UsageError(`--out ${out}: pictures take a graphics card; take them in the page, from its Download menu`);
-	if (ending === undefined) throw new UsageError(`--out ${out}: the name must end in ${endingsOf(model)}`);
+	if (out?.toLowerCase().endsWith(".png")) throw optionError(`--out ${out}`, text.message("no_pictures"));
+	if (ending === undefined)
+		throw optionError(`--out ${out}`, text.message("ending_unknown", { endings: endingsOf(model) }));
 	await checkForm(call, ending, model, from);
 	refuseUnused(call.files, [plantFile(ending, call.form)?.key ?? ending]);
 	checkTraceable(call, model, ending);
@@ -90,16 +94,16 @@ async function growAndWrite(call: CommandCall, limit: TimeLimit, world: CommandE
 		!(json || life || levelled),
 		json || plantFile(ending)?.form !== undefined || ownFormat(model, ending)?.measured === true,
 	];
-	const own = "grammar" in from && typeof from.grammar === "string" ? from.grammar : undefined;
+	const ownText = "grammar" in from && typeof from.grammar === "string" ? from.grammar : undefined;
 	const grow = (each: Specimen, wanted: GrowthOptions) =>
-		growing(
-			own === undefined ? undefined : { name: textName, text: own },
+		withGrammarErrors(
+			ownText === undefined ? undefined : { name: textName, text: ownText },
 			limit.orNothing(growPlant(model, each, wanted, run, { timeIsOver: limit.isOver })),
 		);
 	// A cut plant would mislead a search, and would be a gap in an animation.
 	const growWhole = (each: Specimen, wanted: GrowthOptions) => limit.whole(() => grow(each, wanted));
 	const { specimen, missed } =
-		aims.length > 0 ? await found(model, from, aims, growWhole, world) : { specimen: from, missed: false };
+		aims.length > 0 ? await searchForTargets(model, from, aims, growWhole, world) : { specimen: from, missed: false };
 	const { string, trace } = call;
 	const grown = await grow(specimen, {
 		meshes,
@@ -108,29 +112,29 @@ async function growAndWrite(call: CommandCall, limit: TimeLimit, world: CommandE
 		...(trace && { trace }),
 	});
 	const status = statusOf(grown, missed);
-	const all: Plant = { ...grown, notes: [...new Set([...grown.notes, ...notes.map((note) => note.text)])] };
+	const annotated: Plant = { ...grown, notes: [...new Set([...grown.notes, ...notes.map((note) => note.text)])] };
 	if (out === undefined) {
-		for (const piece of jsonOf(model, all, specimen)) world.print(piece);
+		for (const piece of jsonOf(model, annotated, specimen)) world.print(piece);
 		reportTime(grown, limit, world);
 		return status;
 	}
-	const again = (other: Specimen, wanted?: GrowthOptions) => growWhole(other, { measures: false, ...wanted });
-	const ofFile: string[] = [];
+	const growOther = (other: Specimen, wanted?: GrowthOptions) => growWhole(other, { measures: false, ...wanted });
+	const fileNotes: string[] = [];
 	const further = {
-		aged: agedOf(model, specimen, again),
-		levels: levelledOf(model, specimen, again),
-		note: (text: string) => void ofFile.push(text),
+		aged: agedOf(model, specimen, growOther),
+		levels: levelledOf(model, specimen, growOther),
+		note: (note: string) => void fileNotes.push(note),
 	};
 	const options = { ...call.files, form: call.form };
-	for (const [file, data] of await outputFiles(out, ending, model, all, specimen, options, further)) {
+	for (const [file, data] of await outputFiles(out, ending, model, annotated, specimen, options, further)) {
 		await writing(file, () => world.writeFile(file, data));
 	}
-	for (const note of new Set([...all.notes, ...ofFile])) world.printError(`note: ${note}`);
+	for (const note of new Set([...annotated.notes, ...fileNotes])) world.printError(text("note", { note }));
 	reportTime(grown, limit, world);
 	return status;
 }
 
-/** The exit status of a plant that is written: a cut plant is reported before a missed target. */
+/** Returns the exit status of a plant that is written: a cut plant is reported before a missed target. */
 function statusOf({ cutShort }: Plant, missed: boolean): number {
 	if (cutShort) return cutShort === "time" ? TIME_OVER : CUT_SHORT;
 	return missed ? MISSED : 0;
@@ -139,28 +143,28 @@ function statusOf({ cutShort }: Plant, missed: boolean): number {
 /** Reports that the time limit cut the plant short. */
 function reportTime({ cutShort }: Plant, { option }: TimeLimit, { printError }: CommandEnvironment): void {
 	if (cutShort !== "time") return;
-	printError(
-		`grow: ${option}: the time limit was reached, and what grew so far is written; give it more seconds, or make the plant smaller`,
-	);
+	printError(text("error", { problem: text("at_option", { option, problem: text("time_cut") }) }));
 }
 
-/** @throws UsageError where the string or a trace is requested for a plant or a file that has none */
+/**
+ * Checks that the requested string or trace can be written.
+ * @throws UsageError where the string or a trace is requested for a plant or a file that has none
+ */
 function checkTraceable(call: CommandCall, model: Model, ending: string): void {
-	const texted = model.details.some(({ packed }) => packed?.key === "grammar");
-	const unavailable = (what: string) =>
-		texted ? `of a ${model.noun}’s text there is no ${what} to tell` : `the ${model.noun} is not grown by a text`;
-	if (call.string && !(model.strings && ending === "json"))
-		throw new UsageError(model.strings ? "--string: the string stands in JSON" : `--string: ${unavailable("string")}`);
-	if (call.trace && !(model.traces && ending === "json"))
-		throw new UsageError(
-			model.traces
-				? "--chronicle: what is told of the derivation stands in JSON"
-				: `--chronicle: ${unavailable("derivation")}`,
-		);
+	const hasText = model.details.some(({ packed }) => packed?.key === "grammar");
+	const modelArguments = { model: model.name };
+	if (call.string && !(model.strings && ending === "json")) {
+		const missing = text.message(hasText ? "no_string" : "no_text", modelArguments);
+		throw optionError("--string", model.strings ? text.message("string_in_json") : missing);
+	}
+	if (call.trace && !(model.traces && ending === "json")) {
+		const missing = text.message(hasText ? "no_trace" : "no_text", modelArguments);
+		throw optionError("--chronicle", model.traces ? text.message("trace_in_json") : missing);
+	}
 }
 
-/** The specimen nearest to its targets, and whether it misses one; reports the results and changes. */
-async function found(
+/** Returns the specimen nearest to its targets, and whether it misses one; reports the results and changes. */
+async function searchForTargets(
 	model: Model,
 	from: Specimen,
 	aims: readonly Aim[],
@@ -168,22 +172,26 @@ async function found(
 	{ printError }: CommandEnvironment,
 ): Promise<{ specimen: Specimen; missed: boolean }> {
 	const answer = await aimed(model, from, aims, (each) => grow(each, { meshes: false, measures: true }));
-	for (const each of answer.reached) printError(`target: ${reachedInWords(each)}`);
+	for (const each of answer.reached) printError(text("target", { result: reachedInWords(each) }));
 	const changes = changesInWords(model, from, answer.specimen);
-	if (changes) printError(`target: ${changes}; ${growthsInWords(answer)}`);
+	if (changes) printError(text("target_changes", { changes, tries: growthsInWords(answer) }));
 	return { specimen: answer.specimen, missed: answer.reached.some(({ isReached }) => !isReached) };
 }
 
-/** @throws UsageError where there is no such form of the file, or the plant has no ages or levels for it */
+/**
+ * Checks that the requested form of the file exists for the plant.
+ * @throws UsageError where there is no such form of the file, or the plant has no ages or levels for it
+ */
 async function checkForm({ form, out }: CommandCall, ending: string, model: Model, specimen: Specimen): Promise<void> {
 	const file = plantFile(ending, form);
 	if (file?.life) await model.prepare?.(specimen);
-	if (file?.life && !hasAges(model, specimen)) throw new UsageError(`--form ${form}: this plant has no ages to show`);
-	if (file?.levelled && !model.levels) throw new UsageError(`--form ${form}: there are no levels of a ${model.noun}`);
+	if (file?.life && !hasAges(model, specimen)) throw optionError(`--form ${form}`, text.message("no_ages"));
+	if (file?.levelled && !model.levels)
+		throw optionError(`--form ${form}`, text.message("no_levels", { model: model.name }));
 	if (form === undefined || file) return;
-	const known = out !== undefined && plantFile(ending)?.form !== undefined;
-	const hint = known ? `the forms are ${FORMS.join(", ")}` : "only a .glb has forms; see --help";
-	throw new UsageError(`--form ${form}: ${hint}`);
+	const endingHasForms = out !== undefined && plantFile(ending)?.form !== undefined;
+	const forms = text.message("forms", { forms: FORMS.join(", ") });
+	throw optionError(`--form ${form}`, endingHasForms ? forms : text.message("forms_of_glb"));
 }
 
 /**
@@ -191,22 +199,28 @@ async function checkForm({ form, out }: CommandCall, ending: string, model: Mode
  * line.
  * @param grammar the text and its name in messages: its file; undefined for the built-in one
  */
-async function growing(grammar: { name: string; text: string } | undefined, grown: Promise<Plant>): Promise<Plant> {
+async function withGrammarErrors(
+	grammar: { name: string; text: string } | undefined,
+	grown: Promise<Plant>,
+): Promise<Plant> {
 	try {
 		return await grown;
 	} catch (error) {
 		if (!(error instanceof CoreError)) throw error;
-		const { reason, line, column, message } = error;
+		const { reason, line, column } = error;
+		const message = messageOf(error);
 		const ofGrammar = grammar !== undefined && reason !== "bad request" && reason !== "bad input";
-		const place = line > 0 ? `:${line}:${column}` : "";
 		if (!ofGrammar) throw new UsageError(message);
-		throw new UsageError(`${grammar.name}${place}: ${message}`, shown(grammar.text, line, column));
+		const place = { file: grammar.name, problem: message.text };
+		const placed =
+			line > 0 ? text("at_place", { ...place, line: String(line), column: String(column) }) : text("at_file", place);
+		throw new UsageError({ ...message, text: placed }, quotedLine(grammar.text, line, column));
 	}
 }
 
-/** The line of a text below the message, and a mark below the position; empty where there is none. */
-function shown(text: string, line: number, column: number): string {
-	const quoted = text.split("\n")[line - 1]?.trimEnd();
+/** Returns the line of a text below the message, and a mark below the position; empty where there is none. */
+function quotedLine(grammar: string, line: number, column: number): string {
+	const quoted = grammar.split("\n")[line - 1]?.trimEnd();
 	if (!quoted) return "";
 	const before = Array.from(quoted).slice(0, column - 1);
 	return `\n  ${quoted}\n  ${before.map((letter) => (letter === "\t" ? "\t" : " ")).join("")}^`;

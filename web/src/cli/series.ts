@@ -4,7 +4,6 @@
  * series, and one process writes a table.
  */
 import { join } from "node:path";
-import { crc32 } from "../batch/crc32";
 import { independentDraws, literalDraws } from "../batch/draws";
 import { differencesFrom, formatManifest, MANIFEST, manifestOf } from "../batch/manifest";
 import { readPlantNumbers } from "../batch/plant_numbers";
@@ -22,23 +21,24 @@ import { columnsOf, failedRow, readLines, rowOf, type TableRow, written } from "
 import { Unusable } from "../batch/unusable";
 import { checkVaried, readVary } from "../batch/vary";
 import { CoreCache } from "../core/cores";
+import { crc32Digits } from "../formats/crc32";
 import { makeFile } from "../generate/files/make";
 import { growPlant } from "../generate/growth";
+import { messageOf } from "../locale/message_error";
 import type { CommandCall } from "./arguments";
 import type { BatchCall } from "./batch_arguments";
 import { refuseUnused } from "./file_options";
+import { text } from "./messages.generated";
 import { requestedSpecimen } from "./requested_specimen";
 import type { CommandEnvironment } from "./surroundings";
 import { TableLock } from "./table_lock";
 import { readTargets } from "./targets";
 import { type TimeLimit, TimeOverError } from "./time_limit";
-import { MISSED, TIME_OVER, UsageError } from "./usage";
+import { MISSED, optionError, TIME_OVER } from "./usage";
 import { writing } from "./writing";
 
 /** Milliseconds between two reports of progress. */
 const REPORT_INTERVAL = 5000;
-/** The advice where the time limit ends a series. */
-const CONTINUE = "the same call continues the series; where no plant is added, give it more seconds";
 /** The most differences between two series in a message. */
 const NAMED = 3;
 
@@ -56,6 +56,7 @@ interface SeriesRequest {
 }
 
 /**
+ * Grows the part of a series that this call has to, while it holds the lock of the table.
  * @returns the exit status: 0 all plants are written, 1 some could not be grown, 3 some miss their targets, 5 the time
  * limit was reached before all were written
  */
@@ -88,26 +89,34 @@ async function claimFolder({ series, all, parts, folder }: SeriesRequest, world:
 	// Read the names before the manifest: a series writes its manifest before its files.
 	const names = new Set(await world.listFolder(folder).catch(() => []));
 	const read = () => world.readFile(path).catch(() => undefined);
-	let there = await read();
-	if (!there) {
-		const own = all.flatMap((number) => fileNamesOf(series, number)).find((file) => names.has(file));
-		const taken = own ?? [...names].find((name) => /^plants(-\d+-of-\d+)?\.csv(\.part)?$/.test(name));
+	let existing = await read();
+	if (!existing) {
+		const plantFile = all.flatMap((number) => fileNamesOf(series, number)).find((file) => names.has(file));
+		const taken = plantFile ?? [...names].find((name) => /^plants(-\d+-of-\d+)?\.csv(\.part)?$/.test(name));
 		if (taken !== undefined) {
-			throw new UsageError(
-				`--out ${folder}: ${taken} exists, but no ${MANIFEST} that describes its series; choose another folder`,
+			throw optionError(
+				`--out ${folder}`,
+				text.message("folder_without_manifest", { file: taken, manifest: MANIFEST }),
 			);
 		}
 		if (await writing(path, () => world.createFile(path, formatManifest(manifest)))) return;
-		there = await read();
+		existing = await read();
 	}
-	const differences = differencesFrom(there ? new TextDecoder().decode(there) : "", manifest);
+	const differences = differencesFrom(existing ? new TextDecoder().decode(existing) : "", manifest);
 	if (differences.length === 0) return;
-	const more = differences.length > NAMED ? ` and ${differences.length - NAMED} more` : "";
-	throw new UsageError(
-		`--out ${folder} holds another series (${differences.slice(0, NAMED).join("; ")}${more}); choose another folder`,
-	);
+	const more = differences.length - NAMED;
+	const named = [...differences.slice(0, NAMED), ...(more > 0 ? [text("more_differences", { count: more })] : [])];
+	throw optionError(`--out ${folder}`, text.message("folder_of_other_series", { differences: named.join("; ") }));
 }
 
+/**
+ * Grows the plants that the table lacks, then writes the table. The row of each grown plant is added to the journal,
+ * from which an interrupted call goes on. Rows of plants that could not be grown are in the table only: another call
+ * tries them again.
+ * @param lock renewed after each plant
+ * @param limit when it is reached, the call ends with TIME_OVER, and another call goes on
+ * @returns the exit status
+ */
 async function growInto(
 	request: SeriesRequest,
 	lock: TableLock,
@@ -115,69 +124,95 @@ async function growInto(
 	world: CommandEnvironment,
 ): Promise<number> {
 	const { series, numbers, folder, table } = request;
-	const rows = await readTable(request, world);
+	const rowsBefore = await readTable(request, world);
 	const journal = `${table}.part`;
-	const lines: string[] = [];
+	const rows: string[] = [];
 	const report = progressReporter(numbers.length, world);
 	const grower = new Grower(series, limit, world);
-	let [there, grown, failed, missed] = [0, 0, 0, 0];
-	const before = [...rows.values()].map(({ text }) => text);
-	await writeTo(journal, [written(columnsOf(series)), ...before].join(""), world);
+	const counts: SeriesCounts = { before: 0, grown: 0, failed: 0, missed: 0 };
+	// The journal starts with the rows that are already complete.
+	const textsBefore = [...rowsBefore.values()].map((row) => row.text);
+	await writeTo(journal, [written(columnsOf(series)), ...textsBefore].join(""), world);
 	for (const number of numbers) {
 		const member = await memberOf(series, number);
-		const known = rows.get(number);
-		if (known?.missed) missed++;
-		let line = known?.text;
-		if (line !== undefined) there++;
-		else {
-			const made = await grower.grow(member);
+		const rowBefore = rowsBefore.get(number);
+		if (rowBefore) {
+			counts.before++;
+			if (rowBefore.missed) counts.missed++;
+			rows.push(rowBefore.text);
+		} else {
+			const plant = await grower.grow(member);
 			await lock.renew();
-			if (!made) {
-				world.printError(
-					`grow: ${limit.option}: the time limit was reached: ${rows.size + grown} of ${numbers.length} plants are written; ${CONTINUE}`,
-				);
+			if (!plant) {
+				reportTimeOver(rowsBefore.size + counts.grown, numbers.length, limit, world);
 				return TIME_OVER;
 			}
-			line = made.line;
-			if (made.missed) missed++;
-			if (!made.files) failed++;
-			else {
-				for (const { name, bytes } of made.files) await writeTo(join(folder, name), bytes, world);
-				await writing(journal, () => world.appendFile(journal, made.line));
-				grown++;
-			}
+			if (plant.missed) counts.missed++;
+			if (plant.files) {
+				// Files come before the row: a row in the journal means that its files are complete.
+				for (const { name, bytes } of plant.files) await writeTo(join(folder, name), bytes, world);
+				await writing(journal, () => world.appendFile(journal, plant.row));
+				counts.grown++;
+			} else counts.failed++;
+			// The table has rows of failed plants, too. The journal has none, so that they are tried again after an
+			// interruption.
+			rows.push(plant.row);
 		}
-		lines.push(line);
-		report(lines.length);
+		report(rows.length);
 	}
 	await lock.renew();
-	await writeTo(table, [written(columnsOf(series)), ...lines].join(""), world);
+	await writeTo(table, [written(columnsOf(series)), ...rows].join(""), world);
 	await world.removeFile(journal);
-	world.printError(
-		`${numbers.length} plants: ${numbers.length - there - failed} grown, ${there} there before; ${table}`,
-	);
-	if (failed > 0)
-		world.printError(`grow: ${failed} could not be grown; the column “notes” of the table has the reasons`);
-	if (missed > 0)
-		world.printError(
-			`target: ${missed} of ${numbers.length} plants miss a target; the column “missed” of the table has the measures`,
-		);
+	return reportDone(counts, request, world);
+}
+
+/** Numbers of plants of a finished series. */
+interface SeriesCounts {
+	/** Those that an earlier call has grown. */
+	before: number;
+	grown: number;
+	/** Those that could not be grown. */
+	failed: number;
+	/** Those, of `before` and `grown`, that miss a target. */
+	missed: number;
+}
+
+/** Prints that the time limit was reached after `done` of `count` plants. */
+function reportTimeOver(done: number, count: number, limit: TimeLimit, world: CommandEnvironment): void {
+	const problem = text("time_series", { done, count });
+	world.printError(text("error", { problem: text("at_option", { option: limit.option, problem }) }));
+}
+
+/** Prints how a series has ended, and returns the exit status. */
+function reportDone(
+	{ before, grown, failed, missed }: SeriesCounts,
+	{ numbers, table }: SeriesRequest,
+	world: CommandEnvironment,
+): number {
+	const count = numbers.length;
+	world.printError(text("series_done", { count, grown, before, table }));
+	if (failed > 0) world.printError(text("error", { problem: text("series_failed", { count: failed }) }));
+	if (missed > 0) world.printError(text("series_missed", { missed, count }));
 	return failed > 0 ? 1 : missed > 0 ? MISSED : 0;
 }
 
+/** Reads the options of a series, and refuses those that do not fit the model. */
 async function readSeries(call: CommandCall, batch: BatchCall, world: CommandEnvironment): Promise<SeriesRequest> {
 	const { model, specimen: from, notes } = await requestedSpecimen(call, world);
-	for (const note of notes) world.printError(`note: ${note.text}`);
+	for (const note of notes) world.printError(text("note", { note: note.text }));
 	const goals = readTargets(model, from, call.targets);
-	const all = typed("--seeds", batch.seeds, readPlantNumbers);
-	const varied = batch.vary === undefined ? [] : typed("--vary", batch.vary, (text) => readVary(model, text, from));
+	const all = readOption("--seeds", batch.seeds, readPlantNumbers);
+	const varied =
+		batch.vary === undefined ? [] : readOption("--vary", batch.vary, (written) => readVary(model, written, from));
 	await checkVaried(model, varied, from).catch((error: unknown) => {
-		throw error instanceof Unusable ? new UsageError(`--vary ${error.message}`) : error;
+		throw error instanceof Unusable ? optionError("--vary", messageOf(error)) : error;
 	});
 	const shard =
-		batch.shard === undefined ? undefined : typed("--shard", batch.shard, (text) => readShard(text, world.environment));
+		batch.shard === undefined
+			? undefined
+			: readOption("--shard", batch.shard, (written) => readShard(written, world.environment));
 	const formats = [...new Set(batch.formats)];
-	for (const each of formats) typed("--as", each, (format) => checkFormat(model, format));
+	for (const each of formats) readOption("--as", each, (format) => checkFormat(model, format));
 	refuseUnused(call.files, formats);
 	const folder = call.out ?? ".";
 	return {
@@ -193,32 +228,34 @@ async function readSeries(call: CommandCall, batch: BatchCall, world: CommandEnv
 	};
 }
 
-/** `plants.csv`, or `plants-03-of-16.csv` for a part: sorted by name, parts are in order. */
+/**
+ * Returns the name of the table: `plants.csv`, or `plants-03-of-16.csv` for a part, so that sorted parts are in order.
+ */
 function tableName(shard: Shard | undefined): string {
 	if (!shard) return "plants.csv";
 	const { index, total } = shard;
 	return `plants-${String(index).padStart(String(total).length, "0")}-of-${total}.csv`;
 }
 
-/** The rows whose files are all there and complete, by the plants' numbers. */
+/** Reads the rows of the table and the journal whose files are all complete, by the plants' numbers. */
 async function readTable(
 	{ series, numbers, folder, table }: SeriesRequest,
 	world: CommandEnvironment,
 ): Promise<Map<number, TableRow>> {
-	const known = new Map<number, TableRow>();
+	const journalled = new Map<number, TableRow>();
 	for (const path of [table, `${table}.part`]) {
 		const bytes = await world.readFile(path).catch(() => undefined);
 		if (!bytes) continue;
 		const lines = readLines(series, new TextDecoder().decode(bytes));
 		if (!lines) {
-			throw new UsageError(`--out ${folder}: ${path} has other columns than this series; choose another folder`);
+			throw optionError(`--out ${folder}`, text.message("other_columns", { file: path }));
 		}
-		for (const [number, line] of lines) known.set(number, line);
+		for (const [number, line] of lines) journalled.set(number, line);
 	}
 	const rows = new Map<number, TableRow>();
-	if (known.size === 0) return rows;
+	if (journalled.size === 0) return rows;
 	for (const number of numbers) {
-		const line = known.get(number);
+		const line = journalled.get(number);
 		if (!line) continue;
 		const { files, link } = await memberOf(series, number);
 		const isOwn = line.link === link && line.files.every(({ name }, at) => name === files[at]);
@@ -227,10 +264,11 @@ async function readTable(
 	return rows;
 }
 
+/** Returns whether all files of a row exist with the size and the checksum that the row lists. */
 async function areWhole(folder: string, { files }: TableRow, world: CommandEnvironment): Promise<boolean> {
 	for (const { name, bytes, sum } of files) {
 		const data = await world.readFile(join(folder, name)).catch(() => undefined);
-		if (data?.length !== bytes || crc32(data) !== sum) return false;
+		if (data?.length !== bytes || crc32Digits(data) !== sum) return false;
 	}
 	return true;
 }
@@ -248,10 +286,11 @@ class Grower {
 	}
 
 	/**
+	 * Grows one plant. A plant that cannot be grown gets a row with the reason.
 	 * @returns a plant's row of the table, its files where it could be grown, and whether it misses a target; undefined
 	 * where the time limit was reached before the plant was whole
 	 */
-	async grow(member: SeriesPlant): Promise<{ line: string; files?: readonly MadeFile[]; missed: boolean } | undefined> {
+	async grow(member: SeriesPlant): Promise<{ row: string; files?: readonly MadeFile[]; missed: boolean } | undefined> {
 		const series = this.#series;
 		const limit = this.#limit;
 		const run = this.#cores.grow.bind(this.#cores);
@@ -261,33 +300,34 @@ class Grower {
 				grow: (model, specimen, options) =>
 					limit.whole(() => growPlant(model, specimen, options, run, { timeIsOver: limit.isOver })),
 			});
-			return { line: written(rowOf(series, member, grown)), files: grown.files, missed: grown.missed.length > 0 };
+			return { row: written(rowOf(series, member, grown)), files: grown.files, missed: grown.missed.length > 0 };
 		} catch (error) {
 			if (error instanceof TimeOverError) return undefined;
 			const why = error instanceof Error ? error.message : String(error);
-			return { line: written(failedRow(series, member, why)), missed: false };
+			return { row: written(failedRow(series, member, why)), missed: false };
 		}
 	}
 }
 
+/** Replaces a file; a failure names its path. */
 const writeTo = (path: string, data: string | Uint8Array, world: CommandEnvironment) =>
 	writing(path, () => world.replaceFile(path, data));
 
-/** Adds the name of the option to errors about its text. */
-function typed<Value>(option: string, text: string, read: (text: string) => Value): Value {
+/** Reads the text of an option, and adds the option's name to errors. */
+function readOption<Value>(option: string, written: string, read: (written: string) => Value): Value {
 	try {
-		return read(text);
+		return read(written);
 	} catch (error) {
-		throw error instanceof Unusable ? new UsageError(`${option} ${text.slice(0, 80)}: ${error.message}`) : error;
+		throw error instanceof Unusable ? optionError(`${option} ${written.slice(0, 80)}`, messageOf(error)) : error;
 	}
 }
 
-/** A function that reports progress from time to time. */
+/** Returns a function that prints progress, at most every `REPORT_INTERVAL`. */
 function progressReporter(total: number, world: CommandEnvironment): (done: number) => void {
-	let last = performance.now();
+	let lastReport = performance.now();
 	return (done) => {
-		if (performance.now() - last < REPORT_INTERVAL) return;
-		last = performance.now();
-		world.printError(`${done} of ${total} plants`);
+		if (performance.now() - lastReport < REPORT_INTERVAL) return;
+		lastReport = performance.now();
+		world.printError(text("series_progress", { done, count: total }));
 	};
 }

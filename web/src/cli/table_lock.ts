@@ -1,10 +1,12 @@
 /**
- * The lock of a series' table, a file beside it: one process at a time writes a table. A lock expires when its process has ended or has not
- * renewed it for five minutes.
+ * The lock of a series' table, a file beside it: one process at a time writes a table. A lock expires when its process
+ * has ended or has not renewed it for five minutes.
  */
 import { randomUUID } from "node:crypto";
+import { MessageError } from "../locale/message_error";
+import { text } from "./messages.generated";
 import type { CommandEnvironment } from "./surroundings";
-import { UsageError } from "./usage";
+import { optionError } from "./usage";
 import { writing } from "./writing";
 
 /** The content of the lock file: the process that holds the lock. */
@@ -41,6 +43,7 @@ export class TableLock {
 	}
 
 	/**
+	 * Takes the lock of a table, also one that has expired.
 	 * @param table the path of the table
 	 * @throws UsageError where another process is writing it
 	 */
@@ -53,13 +56,12 @@ export class TableLock {
 			const other = await readOwner(path, world);
 			if (other && isValid(other, world)) {
 				const seconds = Math.max(0, Math.round((world.now() - other.at) / 1000));
-				throw new UsageError(
-					`--out ${table}: process ${other.process} on ${other.host} is writing it (last sign of life ${seconds} s ago); wait until it has ended`,
-				);
+				const named = { process: String(other.process), host: other.host, seconds };
+				throw optionError(`--out ${table}`, text.message("table_in_use_by", named));
 			}
 			await world.removeFile(path);
 		}
-		throw new UsageError(`--out ${table}: another process is writing it; wait until it has ended`);
+		throw optionError(`--out ${table}`, text.message("table_in_use"));
 	}
 
 	/**
@@ -67,9 +69,8 @@ export class TableLock {
 	 * @throws Error where another process has taken the lock after it expired
 	 */
 	async renew(): Promise<void> {
-		const there = await readOwner(this.#path, this.#world);
-		if (there?.token !== this.#owner.token)
-			throw new Error(`${this.#path} was taken by another process; this one stops`);
+		const owner = await readOwner(this.#path, this.#world);
+		if (owner?.token !== this.#owner.token) throw new MessageError(text.message("lock_taken", { file: this.#path }));
 		if (this.#world.now() - this.#owner.at < RENEWAL_INTERVAL) return;
 		this.#owner = { ...this.#owner, at: this.#world.now() };
 		await writing(this.#path, () => this.#world.replaceFile(this.#path, JSON.stringify(this.#owner)));
@@ -77,12 +78,14 @@ export class TableLock {
 
 	/** Removes the lock, unless another process has taken it. */
 	async release(): Promise<void> {
-		const there = await readOwner(this.#path, this.#world);
-		if (there?.token === this.#owner.token) await this.#world.removeFile(this.#path);
+		const owner = await readOwner(this.#path, this.#world);
+		if (owner?.token === this.#owner.token) await this.#world.removeFile(this.#path);
 	}
 }
 
-/** The owner of the lock; undefined where there is no lock, or only part of one by a process that ended while writing. */
+/**
+ * The owner of the lock; undefined where there is no lock, or only part of one by a process that ended while writing.
+ */
 async function readOwner(path: string, world: World): Promise<Owner | undefined> {
 	const bytes = await world.readFile(path).catch(() => undefined);
 	if (!bytes) return undefined;
@@ -93,7 +96,7 @@ async function readOwner(path: string, world: World): Promise<Owner | undefined>
 	}
 }
 
-/** Whether a lock has not expired. */
+/** Returns whether a lock has not expired. */
 function isValid({ host, process, at }: Owner, world: World): boolean {
 	if (!(Math.abs(world.now() - at) < EXPIRY)) return false;
 	// Every run in a container may have the same process number: one’s own number is another run’s.

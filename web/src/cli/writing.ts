@@ -1,37 +1,44 @@
 /** Writes files that a call names, and distinguishes errors of the call from those of the machine. */
-import { UsageError } from "./usage";
+
+import { MessageError } from "../locale/message_error";
+import type { Message } from "../locale/texts";
+import { text } from "./messages.generated";
+import { optionError } from "./usage";
 
 /** System codes that are errors of the call: another path can be written. */
-const OF_THE_PATH: Readonly<Record<string, string>> = {
-	ENOENT: "no such file or folder",
-	ENOTDIR: "a part of the path is no folder",
-	EISDIR: "is a folder",
-	EACCES: "not allowed",
-	EPERM: "not allowed",
-	EROFS: "not allowed: the disk is read-only",
-	ENAMETOOLONG: "the name is too long",
-	EINVAL: "the name cannot be used",
-};
+const OF_THE_PATH = {
+	ENOENT: "file_missing",
+	ENOTDIR: "file_part_no_folder",
+	EISDIR: "file_is_folder",
+	EACCES: "file_not_allowed",
+	EPERM: "file_not_allowed",
+	EROFS: "file_read_only",
+	ENAMETOOLONG: "file_name_too_long",
+	EINVAL: "file_name_invalid",
+} as const;
 
 /** System codes that are errors of the machine. */
-const OF_THE_MACHINE: Readonly<Record<string, string>> = {
-	ENOSPC: "the disk is full",
-	EDQUOT: "the quota of the disk is used up",
-	EFBIG: "the file is too large for the disk",
-	EIO: "the disk fails",
-	EMFILE: "too many files are open",
-	ENFILE: "too many files are open",
-	EPIPE: "its reader has gone",
-};
+const OF_THE_MACHINE = {
+	ENOSPC: "disk_full",
+	EDQUOT: "disk_quota",
+	EFBIG: "disk_too_small",
+	EIO: "disk_broken",
+	EMFILE: "too_many_open_files",
+	ENFILE: "too_many_open_files",
+	EPIPE: "reader_gone",
+} as const;
 
-/** The system's error about a file in plain words. */
-export function reasonOf(error: unknown): string {
+const REASONS = { ...OF_THE_PATH, ...OF_THE_MACHINE };
+
+/** Returns the system's error about a file as a sentence. */
+export function reasonOf(error: unknown): Message {
 	const { code = "", message } = error as NodeJS.ErrnoException;
-	return OF_THE_PATH[code] ?? OF_THE_MACHINE[code] ?? message.split("\n")[0];
+	if (Object.hasOwn(REASONS, code)) return text.message(REASONS[code as keyof typeof REASONS]);
+	return { code: "", args: {}, text: message.split("\n")[0] };
 }
 
 /** A failure to write that no other call would avoid: a full disk. Ends the command with status 1. */
-export class WriteError extends Error {
+export class WriteError extends MessageError {
 	override name = "WriteError";
 }
 
@@ -44,7 +51,7 @@ export async function writing<Result>(path: string, write: () => Promise<Result>
 		return await write();
 	} catch (error) {
 		const { code = "" } = error as NodeJS.ErrnoException;
-		if (Object.hasOwn(OF_THE_PATH, code)) throw new UsageError(`--out ${path}: ${reasonOf(error)}`);
-		throw new WriteError(`${path} cannot be written: ${reasonOf(error)}`);
+		if (Object.hasOwn(OF_THE_PATH, code)) throw optionError(`--out ${path}`, reasonOf(error));
+		throw new WriteError(text.message("not_written", { file: path, reason: reasonOf(error).text }));
 	}
 }

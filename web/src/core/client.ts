@@ -4,26 +4,19 @@
  */
 import type { Answer } from "./core";
 import { Superseded } from "./errors";
-import { compileCore } from "./loader";
-import { type CoreRequest, Pool } from "./pool";
-import { spawnWorker } from "./spawn";
+import { type PoolUse, pagePool, type SharedPool } from "./page_pool";
+import type { CoreRequest } from "./pool";
 
 export interface ClientOptions {
-	/** The source of workers; without it the client has a pool with one worker of its own. */
-	pool?: Pool;
-	/** Starts a worker that runs core/worker.ts; for a pool of the client's own. */
-	workerFactory?: () => Worker;
-	/** Compiles a module; the default fetches it. For a pool of the client's own. */
-	compile?: (wasm: string) => Promise<WebAssembly.Module>;
+	/** The source of workers; the page's pool where absent. */
+	pool?: SharedPool;
 	/**
 	 * The most growths of this document at once; 1 where absent. With two, a step of a drag begins at once while the
 	 * step before still grows; their answers may arrive in another order.
 	 */
 	concurrency?: number;
-	/** The number of workers in a pool of the client's own; `abreast` where absent. */
-	workers?: number;
-	/** Receives warnings, such as a server that sends a wrong type. */
-	onNote?: (text: string) => void;
+	/** Whether growths leave one worker free for growths of other clients; false where absent. */
+	background?: boolean;
 }
 
 export interface CancelOptions {
@@ -39,36 +32,23 @@ interface Waiting {
 }
 
 export class Client {
-	readonly #pool: Pool;
-	/** Ends running growths when the client is closed; a shared pool stays open. */
+	readonly #use: PoolUse;
+	/** Ends running growths when the client is closed. */
 	readonly #closing = new AbortController();
-	readonly #ownsPool: boolean;
 	readonly #concurrency: number;
+	readonly #background: boolean;
 	#running = 0;
 	#waiting: Waiting | undefined;
 
-	constructor({
-		pool,
-		workerFactory = spawnWorker,
-		compile,
-		concurrency = 1,
-		workers = concurrency,
-		onNote,
-	}: ClientOptions = {}) {
-		this.#ownsPool = pool === undefined;
+	constructor({ pool = pagePool, concurrency = 1, background = false }: ClientOptions = {}) {
+		this.#use = pool.enter();
 		this.#concurrency = concurrency;
-		this.#pool =
-			pool ??
-			new Pool({
-				spawn: workerFactory,
-				compile: compile ?? ((wasm) => compileCore(wasm, onNote)),
-				workers,
-			});
+		this.#background = background;
 	}
 
 	/** Starts fetching a module and the first worker, so that both are ready for the first plant. */
 	warm(wasm: string): void {
-		this.#pool.warm(wasm);
+		this.#use.pool.warm(wasm);
 	}
 
 	/**
@@ -80,11 +60,10 @@ export class Client {
 			signal?.throwIfAborted();
 			const begin = () => {
 				this.#running++;
-				this.#pool
-					.run(order, { shouldRetry: () => this.#waiting === undefined, signal: this.#ending(signal) })
+				this.#run(order, signal, () => this.#waiting === undefined)
 					.finally(() => {
 						this.#running--;
-						this.#next();
+						this.#beginWaiting();
 					})
 					.then(resolve, reject);
 			};
@@ -95,22 +74,29 @@ export class Client {
 
 	/** Grows one of many plants of a document: none replaces another. Rejects as Pool.run does. */
 	growMember(order: CoreRequest, { signal }: CancelOptions = {}): Promise<Answer> {
-		return this.#pool.run(order, { signal: this.#ending(signal) });
+		return this.#run(order, signal);
 	}
 
-	/** Closes the client. Running growths reject with Superseded; the workers of its own pool end. */
+	/** Closes the client, once. Running growths reject with Superseded. */
 	close(): void {
 		this.#takeWaiting()?.reject(new Superseded());
-		if (this.#ownsPool) this.#pool.close();
-		else this.#closing.abort(new Superseded());
+		this.#closing.abort(new Superseded());
+		this.#use.leave();
 	}
 
-	/** A signal that aborts with the caller's signal or when the client closes. */
-	#ending(signal: AbortSignal | undefined): AbortSignal {
-		return signal ? AbortSignal.any([signal, this.#closing.signal]) : this.#closing.signal;
+	/**
+	 * Runs a request until the caller's signal aborts or the client closes.
+	 * @param shouldRetry whether to try again when the worker crashes
+	 */
+	#run(order: CoreRequest, signal: AbortSignal | undefined, shouldRetry = () => true): Promise<Answer> {
+		const ending = signal ? AbortSignal.any([signal, this.#closing.signal]) : this.#closing.signal;
+		return this.#use.pool.run(order, { signal: ending, shouldRetry, background: this.#background });
 	}
 
-	/** Replaces the waiting request. */
+	/**
+	 * Makes a request the waiting one; the one that waited before rejects with Superseded.
+	 * @param begin starts the request
+	 */
 	#wait(begin: () => void, reject: (reason: unknown) => void, signal: AbortSignal | undefined): void {
 		this.#takeWaiting()?.reject(new Superseded());
 		const abort = () => this.#takeWaiting()?.reject(signal?.reason);
@@ -128,7 +114,8 @@ export class Client {
 		return waiting;
 	}
 
-	#next(): void {
+	/** Begins the waiting request, if there is one. */
+	#beginWaiting(): void {
 		this.#takeWaiting()?.begin();
 	}
 }

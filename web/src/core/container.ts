@@ -20,7 +20,11 @@ export interface Block {
 const MAGIC = 0x4c434e50; // "PNCL"
 const LAYOUT = 3;
 const HEADER_WORDS = 4;
+/** Index of the header's word for the bytes of the whole block. */
+const LENGTH_WORD = 3;
 const ENTRY_WORDS = 6;
+/** Index of an entry's word for the position of the data. */
+const DATA_WORD = 5;
 
 const encoder = new TextEncoder();
 const decoder = new TextDecoder();
@@ -54,32 +58,36 @@ export function writeContainer(blocks: readonly Block[]): Uint8Array<ArrayBuffer
 }
 
 /**
- * Copies a container out of a WebAssembly memory. The directory may place arrays anywhere in that memory, counted from
- * `at` modulo 2^32.
+ * Copies a container out of a WebAssembly memory as one block. To save a copy, the core leaves large arrays in place,
+ * outside of its block: their positions in the directory may point anywhere in the memory, counted from `at` modulo
+ * 2^32. The copy has these arrays appended to the block, and their positions are rewritten.
  * @throws RangeError where an array lies outside of the memory
  */
 export function copyContainer(memory: ArrayBuffer, at: number): Uint8Array<ArrayBuffer> {
 	const [, , count, length] = new Uint32Array(memory, at, HEADER_WORDS);
 	const directory = new Uint32Array(memory, at + 4 * HEADER_WORDS, ENTRY_WORDS * count);
-	const outside: { row: number; from: number; bytes: number; to: number }[] = [];
-	let whole = length;
-	for (let row = 0; row < directory.length; row += ENTRY_WORDS) {
-		const [, , element, width, rows, data] = directory.subarray(row, row + ENTRY_WORDS);
-		const bytes = width * rows * (element < 2 ? 1 : 4);
+	const outside: { entry: number; from: number; bytes: number; to: number }[] = [];
+	let copyLength = length;
+	for (let entry = 0; entry < directory.length; entry += ENTRY_WORDS) {
+		const [, , element, width, rows, data] = directory.subarray(entry, entry + ENTRY_WORDS);
+		const bytes = width * rows * bytesPerElement(element);
 		if (data + bytes <= length) continue;
-		outside.push({ row, from: (at + data) >>> 0, bytes, to: whole });
-		whole += padded(bytes);
+		outside.push({ entry, from: (at + data) >>> 0, bytes, to: copyLength });
+		copyLength += padded(bytes);
 	}
-	const copy = new Uint8Array(whole);
+	const copy = new Uint8Array(copyLength);
 	copy.set(new Uint8Array(memory, at, length));
 	const words = new Uint32Array(copy.buffer);
-	words[3] = whole;
-	for (const { row, from, bytes, to } of outside) {
+	words[LENGTH_WORD] = copyLength;
+	for (const { entry, from, bytes, to } of outside) {
 		copy.set(new Uint8Array(memory, from, bytes), to);
-		words[HEADER_WORDS + row + 5] = to;
+		words[HEADER_WORDS + entry + DATA_WORD] = to;
 	}
 	return copy;
 }
+
+/** Returns the bytes of an element by its type, an index of `ELEMENTS`. */
+const bytesPerElement = (element: number): number => (element <= ELEMENTS.indexOf("uint8") ? 1 : 4);
 
 interface Column {
 	readonly element: ElementType;
@@ -103,66 +111,80 @@ export class Columns {
 		for (let row = HEADER_WORDS; row < HEADER_WORDS + ENTRY_WORDS * count; row += ENTRY_WORDS) {
 			const [nameAt, nameLength, element, width, rows, dataAt] = words.subarray(row, row + ENTRY_WORDS);
 			const name = decoder.decode(bytes.subarray(nameAt, nameAt + nameLength));
-			this.#columns.set(name, { element: ELEMENTS[element], width, data: view(bytes, element, width * rows, dataAt) });
+			this.#columns.set(name, {
+				element: ELEMENTS[element],
+				width,
+				data: typedView(bytes, element, width * rows, dataAt),
+			});
 		}
 	}
 
+	/** Returns whether there is a column of that name. */
 	has(name: string): boolean {
 		return this.#columns.has(name);
 	}
 
+	/** The names of all columns. */
 	get names(): string[] {
 		return [...this.#columns.keys()];
 	}
 
-	/** Elements per row of a column. */
+	/** Returns the number of elements per row of a column. */
 	width(name: string): number {
 		return this.#column(name).width;
 	}
 
+	/** Returns a text. Throws a RangeError, as all of these do, where there is no such column of that type. */
 	text(name: string): string {
-		return decoder.decode(this.#of(name, "text"));
+		return decoder.decode(this.#dataOf(name, "text"));
 	}
 
-	/** Non-empty lines of a text; none where there is no such text. */
+	/** Returns the non-empty lines of a text; none where there is no such text. */
 	lines(name: string): string[] {
 		return this.has(name) ? this.text(name).split("\n").filter(Boolean) : [];
 	}
 
+	/** Returns a column of float32 numbers. */
 	floats(name: string): Float32Array<ArrayBuffer> {
-		return this.#of(name, "float32") as Float32Array<ArrayBuffer>;
+		return this.#dataOf(name, "float32") as Float32Array<ArrayBuffer>;
 	}
 
+	/** Returns a column of int32 numbers. */
 	ints(name: string): Int32Array<ArrayBuffer> {
-		return this.#of(name, "int32") as Int32Array<ArrayBuffer>;
+		return this.#dataOf(name, "int32") as Int32Array<ArrayBuffer>;
 	}
 
+	/** Returns a column of uint32 numbers. */
 	uint32(name: string): Uint32Array<ArrayBuffer> {
-		return this.#of(name, "uint32") as Uint32Array<ArrayBuffer>;
+		return this.#dataOf(name, "uint32") as Uint32Array<ArrayBuffer>;
 	}
 
+	/** Returns a column of bytes. */
 	uint8(name: string): Uint8Array<ArrayBuffer> {
-		return this.#of(name, "uint8") as Uint8Array<ArrayBuffer>;
+		return this.#dataOf(name, "uint8") as Uint8Array<ArrayBuffer>;
 	}
 
-	/** A column of any element type. */
+	/** Returns a column of any element type. */
 	any(name: string): ColumnData {
 		return this.#column(name).data;
 	}
 
+	/** Returns a column; throws a RangeError where there is none of that name. */
 	#column(name: string): Column {
 		const column = this.#columns.get(name);
 		if (!column) throw new RangeError(`There is no column “${name}”.`);
 		return column;
 	}
 
-	#of(name: string, element: ElementType): ColumnData {
+	/** Returns the data of a column; throws a RangeError where its elements are of another type. */
+	#dataOf(name: string, element: ElementType): ColumnData {
 		const column = this.#column(name);
 		if (column.element !== element) throw new RangeError(`Column “${name}” is ${column.element}, not ${element}.`);
 		return column.data;
 	}
 }
 
+/** Returns the type of an array's elements as an index of `ELEMENTS`; of a text 0. */
 function elementOf(data: Block["data"]): number {
 	if (typeof data === "string") return 0;
 	if (data instanceof Uint8Array) return 1;
@@ -170,11 +192,17 @@ function elementOf(data: Block["data"]): number {
 	return data instanceof Uint32Array ? 3 : 4;
 }
 
+/** Returns the bytes of a typed array, without copying them. */
 function bytesOf({ buffer, byteOffset, byteLength }: ColumnData): Uint8Array {
 	return new Uint8Array(buffer, byteOffset, byteLength);
 }
 
-function view(
+/**
+ * Returns a typed array of `length` elements over the container's own bytes, from byte `at` on; text is viewed as
+ * bytes.
+ * @param element index of `ELEMENTS`
+ */
+function typedView(
 	{ buffer, byteOffset }: Uint8Array<ArrayBuffer>,
 	element: number,
 	length: number,

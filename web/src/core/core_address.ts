@@ -1,7 +1,7 @@
 import { coreFiles } from "./core_files";
 
 /**
- * The address of a core: of a built file by its name (`bunch.wasm`), or `file` itself if it is an address; else
+ * Returns the address of a core: of a built file by its name (`bunch.wasm`), or `file` itself if it is an address; else
  * undefined.
  */
 export function coreAddress(file: string): string | undefined {

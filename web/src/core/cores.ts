@@ -4,7 +4,7 @@ import type { Answer, Core } from "./core";
 import { CoreError } from "./errors";
 
 /** Bytes of memory beyond which a core is dropped; the next request gets a new one. */
-const MOST_MEMORY = 256 * 1024 * 1024;
+const MAX_MEMORY = 256 * 1024 * 1024;
 
 export class CoreCache {
 	readonly #load: (wasm: string) => Promise<Core>;
@@ -31,7 +31,7 @@ export class CoreCache {
 				return core.grow(blocks);
 			} finally {
 				// The memory of an instance never shrinks, whether its plant was grown or refused.
-				if (core.memoryBytes > MOST_MEMORY) this.#cores.delete(wasm);
+				if (core.memoryBytes > MAX_MEMORY) this.#cores.delete(wasm);
 			}
 		} catch (error) {
 			if (!(error instanceof CoreError)) this.#cores.delete(wasm);

@@ -19,7 +19,7 @@ export const ABI = 5;
 
 const FUNCTIONS = ["abi", "allocate", "release", "grow"];
 
-/** Whether a module's exports are those of a core. */
+/** Returns whether a module's exports are those of a core. */
 export function areCoreExports(exports: object): exports is CoreExports {
 	const has = exports as Record<string, unknown>;
 	return (

@@ -1,6 +1,7 @@
 /** Fetches and compiles the core, with a message for each failure. */
 import { Core, type TimePassed } from "./core";
 import { UnsupportedError } from "./errors";
+import { text } from "./messages.generated";
 
 /** Browsers compile while they fetch only with exactly this type. */
 const MIME = "application/wasm";
@@ -13,23 +14,22 @@ const WASM_MAGIC = [0x00, 0x61, 0x73, 0x6d]; // "\0asm"
  */
 export async function compileCore(
 	url: string | URL,
-	note: (text: string) => void = () => {},
+	note: (warning: string) => void = () => {},
 ): Promise<WebAssembly.Module> {
 	requireWebAssembly();
 	const response = await fetchCore(url);
 	const type = response.headers.get("content-type")?.trim().toLowerCase() ?? "";
 	if (type === MIME && "compileStreaming" in WebAssembly) {
 		return WebAssembly.compileStreaming(response).catch((cause: unknown) =>
-			cause instanceof WebAssembly.CompileError ? notACore(type)(cause) : notFetched(cause),
+			cause instanceof WebAssembly.CompileError ? throwerOfNotACore(type)(cause) : throwNotFetched(cause),
 		);
 	}
-	const module = await compileBytes(new Uint8Array(await response.arrayBuffer().catch(notFetched)), type);
-	if (type !== MIME)
-		note(`The server sends the core as ${type || "nothing in particular"}; as ${MIME} it would start faster.`);
+	const module = await compileBytes(new Uint8Array(await response.arrayBuffer().catch(throwNotFetched)), type);
+	if (type !== MIME) note(type ? text("slow_content_type", { type }) : text("slow_without_content_type"));
 	return module;
 }
 
-/** A core from the bytes of a model's wasm file, for Node; `timePassed` as in `Core.instantiate`. */
+/** Instantiates a core from the bytes of a model's wasm file, for Node; `timePassed` as in `Core.instantiate`. */
 export async function loadCoreFromBytes(bytes: BufferSource, timePassed?: TimePassed): Promise<Core> {
 	requireWebAssembly();
 	const view = ArrayBuffer.isView(bytes)
@@ -38,39 +38,40 @@ export async function loadCoreFromBytes(bytes: BufferSource, timePassed?: TimePa
 	return Core.instantiate(await compileBytes(view, "bytes"), timePassed);
 }
 
+/** Throws an UnsupportedError where there is no WebAssembly. */
 function requireWebAssembly(): void {
 	if (typeof WebAssembly === "object") return;
-	throw new UnsupportedError(
-		"webassembly",
-		"This browser runs no WebAssembly, which growing needs; allow it, or open the page in another browser.",
-	);
+	throw new UnsupportedError("webassembly", text.message("no_webassembly"));
 }
 
+/** Fetches a file; throws an UnsupportedError where the host cannot be reached or refuses. */
 async function fetchCore(url: string | URL): Promise<Response> {
-	const response = await fetch(url).catch(notFetched);
+	const response = await fetch(url).catch(throwNotFetched);
 	if (response.ok) return response;
-	const answer = `the server answered ${response.status}`;
-	throw new UnsupportedError("fetch", `The core could not be fetched (${answer}); try again later.`);
+	throw new UnsupportedError("fetch", text.message("fetch_refused", { status: String(response.status) }));
 }
 
-function notFetched(cause: unknown): never {
-	const message = "The core could not be fetched; check the connection and try again.";
-	throw new UnsupportedError("fetch", message, { cause });
+/** Throws the error of a host that cannot be reached. */
+function throwNotFetched(cause: unknown): never {
+	throw new UnsupportedError("fetch", text.message("fetch_failed"), { cause });
 }
 
+/**
+ * Compiles the bytes of a module.
+ * @param type content type of the response, for the error's message
+ */
 async function compileBytes(bytes: Uint8Array<ArrayBuffer>, type: string): Promise<WebAssembly.Module> {
-	if (WASM_MAGIC.some((byte, index) => bytes[index] !== byte)) notACore(type)();
-	return WebAssembly.compile(bytes).catch(notACore(type));
+	if (WASM_MAGIC.some((byte, index) => bytes[index] !== byte)) throwerOfNotACore(type)();
+	return WebAssembly.compile(bytes).catch(throwerOfNotACore(type));
 }
 
-function notACore(type: string): (cause?: unknown) => never {
+/**
+ * Returns a function that throws the error of bytes that are no WebAssembly.
+ * @param type content type of the response; empty where it has none
+ */
+function throwerOfNotACore(type: string): (cause?: unknown) => never {
 	return (cause) => {
-		throw new UnsupportedError(
-			"core",
-			`What came in place of the core (${type || "of no named type"}) cannot be run; reload the page.`,
-			{
-				cause,
-			},
-		);
+		const message = type ? text.message("invalid_wasm", { type }) : text.message("invalid_wasm_untyped");
+		throw new UnsupportedError("core", message, { cause });
 	};
 }

@@ -1,4 +1,5 @@
 /** Messages between the page and a worker. `wasm` names a module: the address it was fetched from. */
+import type { Message } from "../locale/texts";
 import type { Block } from "./container";
 import type { CoreReason } from "./errors";
 
@@ -11,7 +12,7 @@ export type ToWorker =
 export type FromWorker =
 	| { type: "ready" }
 	/** The core could not be instantiated. */
-	| { type: "broken"; message: string }
+	| { type: "broken"; message: Message }
 	/** A container (core/container.ts), the milliseconds of growing, and the memory of all cores of the worker. */
 	| { type: "grown"; id: number; container: Uint8Array<ArrayBuffer>; milliseconds: number; memoryBytes: number }
 	/** The request cannot be grown; the worker goes on. */
@@ -19,10 +20,10 @@ export type FromWorker =
 			type: "failed";
 			id: number;
 			reason: CoreReason;
-			message: string;
+			message: Message;
 			line: number;
 			column: number;
 			memoryBytes: number;
 	  }
 	/** The core crashed; replace the worker. */
-	| { type: "trapped"; id: number; message: string };
+	| { type: "trapped"; id: number; message: Message };

@@ -2,11 +2,13 @@
  * A pool of workers. A request takes a free worker, or waits for one; a worker that crashes is replaced, and its
  * request tried once more. A warm spare worker is ready, so that cancelling, which ends a worker, costs nothing.
  */
+import { translatedMessage } from "../locale/message_error";
 import type { Block } from "./container";
 import { Columns } from "./container";
 import type { Answer } from "./core";
 import { CoreError, CoreTrap, Superseded, UnsupportedError } from "./errors";
 import type { FromWorker } from "./messages";
+import { text } from "./messages.generated";
 import { type Compiling, PoolWorker } from "./pool_worker";
 
 /** A request to a core. */
@@ -21,6 +23,8 @@ export interface RunOptions {
 	signal?: AbortSignal;
 	/** Whether to retry when the worker crashes; if not, the promise rejects with Superseded. */
 	shouldRetry?: () => boolean;
+	/** Whether the growth waits for all others, and leaves one worker free for them; false where absent. */
+	background?: boolean;
 }
 
 export interface PoolOptions {
@@ -36,12 +40,13 @@ interface Job extends CoreRequest {
 	readonly id: number;
 	attempts: number;
 	readonly shouldRetry: () => boolean;
+	readonly background: boolean;
 	resolve(answer: Answer): void;
 	reject(reason: unknown): void;
 }
 
 /** How often a request is tried before it fails. */
-const MOST_ATTEMPTS = 2;
+const MAX_ATTEMPTS = 2;
 /** Milliseconds from a growth to the start of the spare: not before the first picture. */
 const SPARE_DELAY = 400;
 /**
@@ -50,7 +55,7 @@ const SPARE_DELAY = 400;
  */
 const IDLE_DELAY = 4000;
 /** Bytes of memory above which an idle worker ends, too: an instance of WebAssembly never shrinks. */
-const MOST_MEMORY = 256 * 1024 * 1024;
+const MAX_MEMORY = 256 * 1024 * 1024;
 
 export class Pool {
 	readonly #options: Required<PoolOptions>;
@@ -86,10 +91,10 @@ export class Pool {
 	 * - Superseded when the pool was closed, or the worker crashed and `shouldRetry` is false;
 	 * - the signal's reason when it was cancelled.
 	 */
-	run(order: CoreRequest, { signal, shouldRetry = () => true }: RunOptions = {}): Promise<Answer> {
+	run(order: CoreRequest, { signal, shouldRetry = () => true, background = false }: RunOptions = {}): Promise<Answer> {
 		return new Promise((resolve, reject) => {
 			signal?.throwIfAborted();
-			const job: Job = { ...order, id: ++this.#lastId, attempts: 0, shouldRetry, resolve, reject };
+			const job: Job = { ...order, id: ++this.#lastId, attempts: 0, shouldRetry, background, resolve, reject };
 			if (signal) this.#listen(job, signal);
 			this.#begin(job);
 		});
@@ -108,6 +113,7 @@ export class Pool {
 		for (const job of jobs) job?.reject(new Superseded());
 	}
 
+	/** Cancels the job when the signal aborts, until the job has resolved or rejected. */
 	#listen(job: Job, signal: AbortSignal): void {
 		const abort = () => this.#cancel(job, signal.reason);
 		const { resolve, reject } = job;
@@ -122,6 +128,7 @@ export class Pool {
 		signal.addEventListener("abort", abort);
 	}
 
+	/** Cancels a job: a running one ends with its worker. It rejects with `reason`. */
 	#cancel(job: Job, reason: unknown): void {
 		const at = this.#waiting.indexOf(job);
 		if (at >= 0) this.#waiting.splice(at, 1);
@@ -131,9 +138,12 @@ export class Pool {
 		if (worker) this.#next();
 	}
 
+	/**
+	 * Starts a job on a free worker, or queues it. If no worker can be started, the job rejects and the next one begins.
+	 */
 	#begin(job: Job): void {
 		try {
-			const worker = this.#freeWorker();
+			const worker = this.#mayBegin(job) ? this.#freeWorker() : undefined;
 			if (!worker) {
 				this.#waiting.push(job);
 				return;
@@ -147,7 +157,14 @@ export class Pool {
 		}
 	}
 
-	/** An idle worker, the spare, or a new worker; undefined where the pool is full. */
+	/** Returns whether a job may take a free worker: one in the background only while another worker stays free. */
+	#mayBegin(job: Job): boolean {
+		if (!job.background) return true;
+		const running = [...this.#workers.values()].filter((each) => each?.background).length;
+		return running < Math.max(1, this.#options.workers - 1);
+	}
+
+	/** Returns an idle worker, the spare, or a new worker; undefined where the pool is full. */
 	#freeWorker(): PoolWorker | undefined {
 		for (const [worker, job] of this.#workers) if (!job) return worker;
 		if (this.#workers.size >= this.#options.workers) return undefined;
@@ -157,33 +174,39 @@ export class Pool {
 		return spare ?? this.#newWorker();
 	}
 
+	/** Starts a worker for jobs. */
 	#newWorker(): PoolWorker {
 		const worker = this.#makeWorker();
 		this.#workers.set(worker, undefined);
 		return worker;
 	}
 
+	/** Starts a worker and connects its events to the pool. */
 	#makeWorker(): PoolWorker {
 		const worker: PoolWorker = new PoolWorker(this.#options.spawn, {
 			answered: (message) => this.#answered(worker, message),
-			died: (message, started) =>
-				this.#replace(worker, started ? new CoreTrap(`The worker ended: ${message}.`) : noWorker(message)),
+			died: (reason, started) =>
+				this.#replace(worker, started ? new CoreTrap(text.message("worker_ended", { reason })) : noWorker(reason)),
 		});
 		return worker;
 	}
 
+	/**
+	 * Handles a worker's message about its job. A worker that trapped is replaced, and `#replace` decides whether its job
+	 * is tried again; otherwise the worker is free for the next job. Messages about cancelled jobs are ignored.
+	 */
 	#answered(worker: PoolWorker, message: Exclude<FromWorker, { type: "ready" | "broken" }>): void {
 		const job = this.#workers.get(worker);
 		if (!job || message.id !== job.id) return;
 		if (message.type === "trapped") {
 			worker.end();
-			this.#replace(worker, new CoreTrap(message.message));
+			this.#replace(worker, new CoreTrap(translatedMessage(message.message)));
 			return;
 		}
 		this.#workers.set(worker, undefined);
 		this.#memory.set(worker, message.memoryBytes);
 		if (message.type === "failed") {
-			job.reject(new CoreError(message.reason, message.message, message.line, message.column));
+			job.reject(new CoreError(message.reason, translatedMessage(message.message), message.line, message.column));
 		} else {
 			job.resolve({ columns: new Columns(message.container), milliseconds: message.milliseconds });
 		}
@@ -217,7 +240,7 @@ export class Pool {
 		this.#workers.delete(worker);
 		if (!job) return;
 		if (!job.shouldRetry()) job.reject(new Superseded());
-		else if (job.attempts >= MOST_ATTEMPTS) job.reject(error);
+		else if (job.attempts >= MAX_ATTEMPTS) job.reject(error);
 		else {
 			this.#begin(job);
 			return;
@@ -225,20 +248,27 @@ export class Pool {
 		this.#next();
 	}
 
+	/** Returns the worker that runs a job; undefined where the job waits or is settled. */
 	#workerOf(job: Job): PoolWorker | undefined {
 		for (const [worker, each] of this.#workers) if (each === job) return worker;
 		return undefined;
 	}
 
+	/** Ends a worker and removes it from the pool. */
 	#terminate(worker: PoolWorker): void {
 		worker.end();
 		this.#workers.delete(worker);
 	}
 
-	/** Begins the oldest waiting job; without one, schedules the spare and the release of idle workers. */
+	/**
+	 * Begins the oldest waiting job, those in the background last; without one, schedules the spare and the release of
+	 * idle workers.
+	 */
 	#next(): void {
-		const job = this.#waiting.shift();
+		const job =
+			this.#waiting.find(({ background }) => !background) ?? this.#waiting.find((each) => this.#mayBegin(each));
 		if (job) {
+			this.#waiting.splice(this.#waiting.indexOf(job), 1);
 			this.#begin(job);
 			return;
 		}
@@ -251,10 +281,13 @@ export class Pool {
 	#releaseIdle(): void {
 		if ([...this.#workers.values()].some((job) => job)) return;
 		const workers = [...this.#workers.keys()];
-		const small = workers.find((worker) => (this.#memory.get(worker) ?? 0) <= MOST_MEMORY);
+		const small = workers.find((worker) => (this.#memory.get(worker) ?? 0) <= MAX_MEMORY);
 		for (const worker of workers) if (worker !== small) this.#terminate(worker);
 	}
 
+	/**
+	 * Starts a spare worker after SPARE_DELAY (ms), with all compiled modules loaded, unless one exists or is scheduled.
+	 */
 	#scheduleSpare(): void {
 		if (this.#spare || this.#spareTimer !== undefined) return;
 		this.#spareTimer = setTimeout(() => {
@@ -270,6 +303,7 @@ export class Pool {
 	}
 }
 
-function noWorker(why: string): UnsupportedError {
-	return new UnsupportedError("worker", `The worker that grows could not be started (${why}); reload the page.`);
+/** Returns the error of a worker that could not be started. */
+function noWorker(reason: string): UnsupportedError {
+	return new UnsupportedError("worker", text.message("worker_not_started", { reason }));
 }

@@ -1,12 +1,14 @@
 /** One worker of a pool and its cores. */
+import { translatedMessage } from "../locale/message_error";
 import type { Block } from "./container";
 import type { FromWorker, ToWorker } from "./messages";
+import { text } from "./messages.generated";
 
 export interface PoolWorkerEvents {
 	/** Receives an answer to a request. */
 	answered(message: Exclude<FromWorker, { type: "ready" | "broken" }>): void;
 	/** The worker has crashed. `started` is false where it never ran. */
-	died(message: string, started: boolean): void;
+	died(reason: string, started: boolean): void;
 }
 
 /** A module by its name, and its compilation. */
@@ -30,9 +32,9 @@ export class PoolWorker {
 		this.#worker.onmessage = ({ data }: MessageEvent<FromWorker>) => this.#receive(data);
 		this.#worker.onerror = (event) => {
 			event.preventDefault(); // Handled here; keep it out of the console.
-			this.#die(event.message || "its script could not be run");
+			this.#die(event.message || text("worker_script_failed"));
 		};
-		this.#worker.onmessageerror = () => this.#die("its answer could not be read");
+		this.#worker.onmessageerror = () => this.#die(text("worker_answer_unreadable"));
 	}
 
 	/** Instantiates the module's core in the worker once it is compiled. */
@@ -40,6 +42,7 @@ export class PoolWorker {
 		this.#whenCompiled(module, (compiled) => this.#sendModule(wasm, compiled));
 	}
 
+	/** Sends a request to the worker once the module is compiled. */
 	grow(id: number, blocks: readonly Block[], { wasm, module }: Compiling): void {
 		this.#whenCompiled(module, (compiled) => {
 			this.#sendModule(wasm, compiled);
@@ -53,6 +56,7 @@ export class PoolWorker {
 		this.#worker.terminate();
 	}
 
+	/** Sends a compiled module to the worker, once. */
 	#sendModule(wasm: string, module: WebAssembly.Module): void {
 		if (this.#sent.has(wasm)) return;
 		this.#sent.add(wasm);
@@ -80,20 +84,23 @@ export class PoolWorker {
 		try {
 			this.#worker.postMessage(message);
 		} catch (error) {
-			this.#die(`its request could not be sent: ${error instanceof Error ? error.message : error}`);
+			const reason = error instanceof Error ? error.message : String(error);
+			this.#die(text("worker_request_not_sent", { reason }));
 		}
 	}
 
+	/** Handles a message of the worker. */
 	#receive(message: FromWorker): void {
 		if (this.#hasEnded) return;
-		if (message.type === "broken") this.#die(message.message);
+		if (message.type === "broken") this.#die(translatedMessage(message.message).text);
 		else if (message.type === "ready") this.#started = true;
 		else this.#events.answered(message);
 	}
 
-	#die(message: string): void {
+	/** Ends the worker after a failure and reports it, once. */
+	#die(reason: string): void {
 		if (this.#hasEnded) return;
 		this.end();
-		this.#events.died(message, this.#started);
+		this.#events.died(reason, this.#started);
 	}
 }

@@ -1,9 +1,13 @@
-/** Reads the specimen from an element's attributes: `preset="riesling" seed="7" age="80"`, `model="leaf"`, `link="?v=2&…"`. */
+/**
+ * Reads the specimen from an element's attributes: `preset="riesling" seed="7" age="80"`, `model="leaf"`,
+ * `link="?v=2&…"`.
+ */
 import { isModel, modelNamed } from "../models/index";
 import type { PageModel } from "../models/page_model";
 import { decodeLink, linkParts, modelInQuery } from "../specimen/link";
-import { Notes } from "../specimen/notes";
+import { Notes, quote } from "../specimen/notes";
 import { isKnown, type Restored, restore } from "../specimen/restore";
+import { text } from "./messages.generated";
 
 /** Attributes of the element itself, about display; no parameter has such a name. */
 export const OWN_ATTRIBUTES = [
@@ -13,6 +17,7 @@ export const OWN_ATTRIBUTES = [
 	"wind",
 	"controls",
 	"handles",
+	"capture",
 	"app",
 	"theme",
 	"alt",
@@ -36,8 +41,8 @@ export interface AttributeReading extends Restored {
 export type Attributes = Iterable<{ readonly name: string; readonly value: string }>;
 
 /**
- * Reads attributes as links are read: unusable values are replaced by defaults, with a note. Other attributes override values of the
- * link.
+ * Reads attributes as links are read: unusable values are replaced by defaults, with a note. Other attributes override
+ * values of the link.
  */
 export async function readAttributes(attributes: Attributes): Promise<AttributeReading> {
 	const values = Object.fromEntries([...attributes].map(({ name, value }) => [name, value]));
@@ -45,20 +50,20 @@ export async function readAttributes(attributes: Attributes): Promise<AttributeR
 	const link = values.link === undefined ? undefined : linkParts(values.link);
 	const named = values.model ?? (link && modelInQuery(link.query));
 	if (named !== undefined && !isModel(named))
-		notes.add("model", `there is none called “${named}”`, "the default is used");
+		notes.add("model", text.message("model_unknown", { model: quote(named) }), text("default_model_used"));
 	const model = await modelNamed(named);
 	const record: Record<string, string> = {};
 	for (const [name, value] of Object.entries(values)) {
 		if (!isSpecimenAttribute(name) || START_ATTRIBUTES.includes(name)) continue;
 		if (isKnown(model, name)) record[name] = value;
-		else notes.add(name, `no parameter of the ${model.noun} has that name`, "it is passed over");
+		else notes.add(name, text.message("attribute_unknown", { model: model.name }), text("attribute_ignored"));
 	}
 	const start = link && (await decodeLink(model, link.query, link.fragment));
 	const read = restore(model, { model: model.name, ...record }, start?.specimen);
 	return { model, specimen: read.specimen, notes: [...notes.all(), ...(start?.notes ?? []), ...read.notes] };
 }
 
-/** Whether an attribute of that name describes the specimen. */
+/** Returns whether an attribute of that name describes the specimen. */
 export function isSpecimenAttribute(name: string): boolean {
 	return !(OWN_ATTRIBUTES.some((own) => own === name) || GLOBAL_ATTRIBUTES.has(name) || FRAMEWORK_ATTRIBUTE.test(name));
 }

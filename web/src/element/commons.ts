@@ -1,12 +1,9 @@
 /**
- * The resources that all plants of a page share: workers with cores, and one WebGL context, of which browsers allow about sixteen. They
- * are created on first use, and released some time after the last plant has left the page.
+ * The resources that all elements of a page share besides its workers (core/page_pool.ts): one WebGL context, of which
+ * browsers allow about sixteen. It is created on first use, and released some time after the last element has left the
+ * page.
  */
-import { Client } from "../core/client";
 import { holdScripts } from "../core/hold_scripts";
-import { compileCore } from "../core/loader";
-import { Pool } from "../core/pool";
-import { spawnWorker } from "../core/spawn";
 import { loadScene } from "../models/renderers";
 import type { Renderer } from "../render/renderer";
 
@@ -14,7 +11,6 @@ import type { Renderer } from "../render/renderer";
 const LINGER = 1000;
 
 export interface CommonsOptions {
-	pool?: () => Pool;
 	renderer?: () => Promise<Renderer>;
 	/** Retains the element's scripts after an update of the app. */
 	hold?: () => void;
@@ -24,12 +20,11 @@ export class Commons {
 	readonly #options: Required<CommonsOptions>;
 	#held = false;
 	#users = 0;
-	#pool: Pool | undefined;
 	#renderer: Promise<Renderer> | undefined;
 	#leaving: ReturnType<typeof setTimeout> | undefined;
 
-	constructor({ pool = ownPool, renderer = ownRenderer, hold = holdOwn }: CommonsOptions = {}) {
-		this.#options = { pool, renderer, hold };
+	constructor({ renderer = ownRenderer, hold = holdOwn }: CommonsOptions = {}) {
+		this.#options = { renderer, hold };
 	}
 
 	/** Registers a plant. @returns a function that unregisters it, to be called once */
@@ -44,13 +39,9 @@ export class Commons {
 		};
 	}
 
-	/** A new client for one element; the caller closes it. */
-	client(): Client {
-		this.#pool ??= this.#options.pool();
-		return new Client({ pool: this.#pool });
-	}
-
-	/** The renderer of all plants. Rejects with NoWebGL2Error or errors of loading the script; the next call tries again. */
+	/**
+	 * The renderer of all plants. Rejects with NoWebGL2Error or errors of loading the script; the next call tries again.
+	 */
 	renderer(): Promise<Renderer> {
 		if (this.#renderer) return this.#renderer;
 		const renderer = this.#options.renderer();
@@ -61,9 +52,8 @@ export class Commons {
 		return renderer;
 	}
 
+	/** Releases the renderer's context. */
 	#close(): void {
-		this.#pool?.close();
-		this.#pool = undefined;
 		this.#renderer?.then((renderer) => renderer.dispose()).catch(() => {});
 		this.#renderer = undefined;
 	}
@@ -72,15 +62,15 @@ export class Commons {
 /** The page's shared resources. */
 export const commons = new Commons();
 
-function ownPool(): Pool {
-	return new Pool({ spawn: spawnWorker, compile: compileCore, workers: Math.min(navigator.hardwareConcurrency, 2) });
-}
-
 /** Holds the element's scripts, which the service worker serves to pages in the app's folder and to `embed.html`. */
 function holdOwn(): void {
 	holdScripts(import.meta.url);
 }
 
+/**
+ * Loads the scripts of the scene and makes a renderer.
+ * @throws NoWebGL2Error
+ */
 async function ownRenderer(): Promise<Renderer> {
 	const [, { Renderer }] = await Promise.all([loadScene(), import("../render/renderer")]);
 	return new Renderer();

@@ -25,6 +25,7 @@ export const ELEMENT_STYLE = `
 		height: calc(100% - var(--panicle-bar, 0px));
 	}
 	canvas { touch-action: pan-y; cursor: grab; }
+	:host(:is([capture], :fullscreen)) canvas { touch-action: none; }
 	canvas:active { cursor: grabbing; }
 	canvas:focus-visible { outline: 2px solid var(--panicle-focus); outline-offset: -2px; }
 	img { object-fit: contain; pointer-events: none; }

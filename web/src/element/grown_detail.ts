@@ -10,7 +10,7 @@ import type { Specimen } from "../specimen/specimen";
 export interface GrownDetail {
 	/** Query and fragment of the link to the specimen. */
 	readonly link: string;
-	/** A short description: "118 berries, 14 cm long". */
+	/** A short description: "14 cm long, with 118 berries". */
 	readonly words: string;
 	/** Numbers of parts, by name. */
 	readonly counts: Plant["counts"];
@@ -33,13 +33,17 @@ export interface GrownDocument extends SpecimenDocument {
 	readonly grown: Plant;
 }
 
+/** Returns the document of a restored specimen, with the texts of its notes. */
 export const documentFrom = (model: PageModel, { specimen, notes }: Restored): SpecimenDocument => ({
 	model,
 	specimen,
 	notes: notes.map(({ text }) => text),
 });
 
-/** The document with its specimen changed; unchanged if the change belongs to another model, which the page has since replaced. */
+/**
+ * Returns the document with its specimen changed; unchanged if the change belongs to another model, which the page has
+ * since replaced.
+ */
 export function changedIn(
 	{ specimen, ...rest }: SpecimenDocument,
 	change: (specimen: Specimen) => Specimen,
@@ -48,10 +52,11 @@ export function changedIn(
 	return { ...rest, specimen: next.model === specimen.model ? next : specimen };
 }
 
+/** Collects the details of the `grown` event. */
 export async function detailOf({ model, specimen, grown, notes }: GrownDocument): Promise<GrownDetail> {
 	return {
 		link: await encodeLink(model, specimen),
-		words: model.words(grown, specimen),
+		words: model.summary(grown, specimen),
 		counts: grown.counts,
 		measures: measuresOf(model.table, grown).measures ?? {},
 		notes: [...notes, ...grown.notes],

@@ -1,13 +1,15 @@
 /**
- * `<panicle-specimen preset="long-conical" seed="7" age="80">`: a live plant in any page (docs/element.md). Attributes are the model's
- * parameters by their keys, or a link; unusable ones are reported in `notes`, and a plant grows with defaults.
+ * `<panicle-specimen preset="long-conical" seed="7" age="80">`: a live plant in any page (docs/element.md). Attributes
+ * are the model's parameters by their keys, or a link; unusable ones are reported in `notes`, and a plant grows with
+ * defaults.
  */
-import type { Client } from "../core/client";
+import { Client } from "../core/client";
 import { coreAddress } from "../core/core_address";
 import { Superseded } from "../core/errors";
 import type { FileOptions } from "../formats/file_options";
 import { withLink } from "../formats/png_link";
 import { plantInWords } from "../generate/plant_in_words";
+import { MessageError, messageOf } from "../locale/message_error";
 import type { GrowthOptions } from "../models/model";
 import type { Plant } from "../plant/plant";
 import { encodeLink } from "../specimen/link";
@@ -28,18 +30,21 @@ import {
 	type GrownDocument,
 	type SpecimenDocument,
 } from "./grown_detail";
+import { text } from "./messages.generated";
+import { loadPageLanguage } from "./page_language";
 import { isDark, type Presence, watchPresence } from "./presence";
 import { shadowTree } from "./shadow_tree";
 import { SpecimenView } from "./specimen_view";
-
-const ON_NO_PAGE = "The plant is on no page; append it first.";
 
 /** The custom element: its properties, methods and events for a page's scripts. */
 export class PanicleSpecimen extends HTMLElement {
 	readonly #canvas: HTMLCanvasElement;
 	readonly #poster: HTMLImageElement;
 	readonly #message: HTMLElement;
+	readonly #describe: () => void;
 	readonly #document = new CurrentDocument(async () => {
+		await loadPageLanguage(this);
+		this.#describe();
 		const reading = await readAttributes(this.attributes);
 		return documentFrom(reading.model, reading);
 	});
@@ -58,9 +63,11 @@ export class PanicleSpecimen extends HTMLElement {
 	readonly #attributes = new MutationObserver((changes) => this.#changed(namesOf(changes)));
 	readonly #extras: ElementExtras;
 
+	/** Builds the shadow tree and observes attributes; the plant is grown once the element is in a page. */
 	constructor() {
 		super();
-		const { root, canvas, poster, message } = shadowTree(this);
+		const { root, canvas, poster, message, describe } = shadowTree(this);
+		this.#describe = describe;
 		this.#canvas = canvas;
 		this.#poster = poster;
 		this.#message = message;
@@ -134,7 +141,7 @@ export class PanicleSpecimen extends HTMLElement {
 		const life = new AbortController();
 		this.#life = life;
 		const leave = commons.enter();
-		this.#client = commons.client();
+		this.#client = new Client();
 		const presence: Presence = {
 			resized: () => this.#withView((view) => view.resize()),
 			near: (near) => {
@@ -203,6 +210,9 @@ export class PanicleSpecimen extends HTMLElement {
 		return this.#begin({ preview });
 	}
 
+	/**
+	 * Starts a growth in place of a due one; its promise may also be ignored, because its failure is reported elsewhere.
+	 */
 	#begin(options: GrowthOptions): Promise<GrownDetail> {
 		this.#due = false;
 		this.#growing = this.#grow(options);
@@ -218,10 +228,11 @@ export class PanicleSpecimen extends HTMLElement {
 		if (!lazy || this.#near) queueMicrotask(() => this.#due && this.#life && void this.grow().catch(() => {}));
 	}
 
+	/** Grows the current document and shows it. An older growth that a newer one overtakes rejects with Superseded. */
 	async #grow(options: GrowthOptions): Promise<GrownDetail> {
 		const life = this.#life;
 		const client = this.#client;
-		if (!life || !client) throw new Error(ON_NO_PAGE);
+		if (!life || !client) throw new MessageError(text.message("not_in_page"));
 		const turn = ++this.#turn;
 		this.setAttribute("aria-busy", "true");
 		try {
@@ -240,6 +251,7 @@ export class PanicleSpecimen extends HTMLElement {
 		}
 	}
 
+	/** Draws a plant; the controls follow only if it is still the newest one. */
 	async #show(shown: GrownDocument): Promise<void> {
 		this.#shown = shown;
 		this.#message.hidden = true;
@@ -255,7 +267,7 @@ export class PanicleSpecimen extends HTMLElement {
 	#loadView(): Promise<SpecimenView> {
 		if (this.#view) return this.#view;
 		const life = this.#life;
-		if (!life) return Promise.reject(new Error(ON_NO_PAGE));
+		if (!life) return Promise.reject(new MessageError(text.message("not_in_page")));
 		const view = SpecimenView.create(this.#canvas, commons, { drawn: () => this.#poster.removeAttribute("src") });
 		this.#view = view;
 		view.then(
@@ -282,22 +294,22 @@ export class PanicleSpecimen extends HTMLElement {
 		this.#flush();
 		if (this.#due) this.grow();
 		await this.#growing;
-		if (!this.#shown) throw new Error("No plant has grown yet.");
+		if (!this.#shown) throw new MessageError(text.message("not_grown"));
 		return this.#shown;
 	}
 
 	/** Shows an error and dispatches `error`; the last plant stays in view. */
 	#fail(error: unknown): void {
-		const message = error instanceof Error ? error.message : String(error);
+		const { code, args, text: message } = messageOf(error);
 		this.#message.textContent = message;
 		this.#message.hidden = false;
-		this.dispatchEvent(new CustomEvent("error", { detail: { message } }));
+		this.dispatchEvent(new CustomEvent("error", { detail: { message, code, args } }));
 	}
 
 	/** Updates the view's text alternative. */
 	#updateLabel(): void {
 		const words = this.#shown && plantInWords(this.#shown);
-		this.#canvas.setAttribute("aria-label", this.getAttribute("alt") ?? words ?? "A plant, growing");
+		this.#canvas.setAttribute("aria-label", this.getAttribute("alt") ?? words ?? text("growing"));
 	}
 }
 

@@ -25,9 +25,13 @@ export function watchPresence(element: HTMLElement, callbacks: Presence, signal:
 	matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => callbacks.darkened(), { signal });
 }
 
+/** Returns whether the last entry reports an element in view. */
 const isSeen = (entries: readonly IntersectionObserverEntry[]) => entries.at(-1)?.isIntersecting ?? false;
 
-/** Whether an element is dark. @param theme its attribute: `light`, `dark`, or any other value for the system's scheme */
+/**
+ * Returns whether an element is dark.
+ * @param theme its attribute: `light`, `dark`, or any other value for the system's scheme
+ */
 export function isDark(theme: string | null): boolean {
 	return theme === "dark" || (theme !== "light" && matchMedia("(prefers-color-scheme: dark)").matches);
 }

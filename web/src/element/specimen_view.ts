@@ -1,4 +1,7 @@
-/** The picture of an element's plant: a viewer on the page's shared WebGL context, turned by pointer, by keys or by itself. */
+/**
+ * The picture of an element's plant: a viewer on the page's shared WebGL context, turned by pointer, by keys or by
+ * itself.
+ */
 import type { PageModel } from "../models/page_model";
 import { loadRenderer, loadScene } from "../models/renderers";
 import type { Plant } from "../plant/plant";
@@ -7,12 +10,12 @@ import { turnedBy } from "../render/orbit_keys";
 import type { Viewer } from "../render/viewer";
 import type { Specimen } from "../specimen/specimen";
 import type { Commons } from "./commons";
+import { leaveScrollingToPage } from "./page_scrolling";
 
 /** Default of `autorotate`, degrees per second. */
 const TURNING = 20;
 
 export class SpecimenView {
-	readonly #canvas: HTMLCanvasElement;
 	readonly #viewer: Viewer<Specimen, Plant>;
 	readonly #ended = new AbortController();
 	#rendererModel: PageModel | undefined;
@@ -27,6 +30,11 @@ export class SpecimenView {
 	/** Called after every draw, by layers over the picture. */
 	readonly #drawListeners: Set<() => void>;
 
+	/**
+	 * Listens to the canvas until the view is disposed of.
+	 * @param reduced whether the user prefers reduced motion
+	 * @param drawListeners called after each drawn frame
+	 */
 	private constructor(
 		canvas: HTMLCanvasElement,
 		viewer: Viewer<Specimen, Plant>,
@@ -34,7 +42,6 @@ export class SpecimenView {
 		drawListeners: Set<() => void>,
 	) {
 		this.#drawListeners = drawListeners;
-		this.#canvas = canvas;
 		this.#viewer = viewer;
 		this.#reduced = reduced;
 		const { signal } = this.#ended;
@@ -45,12 +52,14 @@ export class SpecimenView {
 		});
 		listen("pointerdown", () => this.#grasp(true));
 		for (const end of ["pointerup", "pointercancel"]) listen(end, () => this.#grasp(false));
-		// The wheel scrolls the page, unless the canvas has the focus.
-		canvas.addEventListener("wheel", (event) => this.#passWheel(event), { signal, capture: true });
+		leaveScrollingToPage(canvas, signal);
 		reduced.addEventListener("change", () => this.#followMotion(), { signal });
 	}
 
-	/** @throws NoWebGL2Error if the browser has no WebGL 2, and errors of loading scripts */
+	/**
+	 * Loads the scripts and creates the view on a canvas.
+	 * @throws NoWebGL2Error if the browser has no WebGL 2, and errors of loading scripts
+	 */
 	static async create(canvas: HTMLCanvasElement, commons: Commons, events: { drawn(): void }): Promise<SpecimenView> {
 		const [{ Viewer }, renderer] = await Promise.all([loadScene(), commons.renderer()]);
 		const reduced = matchMedia("(prefers-reduced-motion: reduce)");
@@ -63,8 +72,8 @@ export class SpecimenView {
 			reducedMotion: reduced.matches,
 			events: { firstDraw: () => events.drawn(), drawn },
 		});
-		// The camera controller takes all touches; here vertical ones scroll the page.
-		canvas.style.touchAction = "pan-y";
+		// The camera controller would take all touches; the element's style sheet leaves the vertical ones to the page.
+		canvas.style.touchAction = "";
 		return new SpecimenView(canvas, viewer, reduced, drawListeners);
 	}
 
@@ -79,6 +88,7 @@ export class SpecimenView {
 		this.#viewer.show(grown, specimen);
 	}
 
+	/** Sets the light and the background of the dark or the light scheme. */
 	setDark(dark: boolean): void {
 		this.#viewer.setTheme(dark ? "dark" : "light");
 	}
@@ -90,7 +100,10 @@ export class SpecimenView {
 		this.#blow();
 	}
 
-	/** Sets the speed of turning. @param attribute null: no turning; a number: degrees per second; any other text: the default speed */
+	/**
+	 * Sets the speed of turning. @param attribute null: no turning; a number: degrees per second; any other text: the
+	 * default speed
+	 */
 	setTurning(attribute: string | null): void {
 		const speed = Number(attribute || TURNING);
 		this.#turning = attribute === null ? 0 : Number.isFinite(speed) ? speed : TURNING;
@@ -114,12 +127,12 @@ export class SpecimenView {
 		return !this.#reduced.matches;
 	}
 
-	/** Turns the plant by degrees, once. */
+	/** Turns the plant by an angle, once. */
 	turnBy(degrees: number): void {
 		this.#viewer.orbit((degrees * Math.PI) / 180, 0);
 	}
 
-	/** During a drag, the camera follows the plant only if it outgrows the picture. */
+	/** Sets whether a control is dragged: the camera then follows the plant only if it outgrows the picture. */
 	hold(held: boolean): void {
 		this.#viewer.holdView(held);
 	}
@@ -140,10 +153,12 @@ export class SpecimenView {
 		return () => this.#drawListeners.delete(listener);
 	}
 
+	/** Shows the whole plant, from the initial direction. */
 	reset(): void {
 		this.#viewer.resetView();
 	}
 
+	/** Fits the drawing to the canvas's size on the page. */
 	resize(): void {
 		this.#viewer.resize();
 	}
@@ -158,26 +173,24 @@ export class SpecimenView {
 		return this.#viewer.whenIdle();
 	}
 
+	/** Ends animation and frees the view; the shared context stays. */
 	dispose(): void {
 		this.#ended.abort();
 		cancelAnimationFrame(this.#frame);
 		this.#viewer.dispose();
 	}
 
+	/** Follows a change of the user's preference for reduced motion. */
 	#followMotion(): void {
 		this.#viewer.reducedMotion = this.#reduced.matches;
 		this.#turn();
 		this.#blow();
 	}
 
+	/** Stops turning while a pointer turns the plant. */
 	#grasp(grasped: boolean): void {
 		this.#grasped = grasped;
 		this.#turn();
-	}
-
-	#passWheel(event: WheelEvent): void {
-		const { activeElement } = this.#canvas.getRootNode() as ShadowRoot;
-		if (activeElement !== this.#canvas) event.stopPropagation();
 	}
 
 	/** Runs the wind if it is on, in the viewport, not paused, and the user does not prefer reduced motion. */

@@ -15,7 +15,7 @@ export interface DescribedModel<S extends Specimen, G extends Plant> extends Mod
 }
 
 /**
- * The origin of a file: enough to grow the plant again and to check that it is the same.
+ * Returns the origin of a file: enough to grow the plant again and to check that it is the same.
  * @param link the address that restores the specimen; without it the query and fragment alone, `?v=2&…`
  */
 export async function aboutPlant<S extends Specimen, G extends Plant>(

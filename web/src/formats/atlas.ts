@@ -2,8 +2,8 @@
 import type { Picture } from "../plant/material";
 
 /** The most pixels along an edge of a picture, and of a tile. */
-const MOST_PIXELS = 2048;
-const MOST_TILE = 256;
+const MAX_PIXELS = 2048;
+const MAX_TILE = 256;
 /** Pixels around a tile that repeat its edge, for readers that blend neighbouring pixels. */
 const MARGIN = 4;
 /** Tolerance beyond a triangle's edge, in pixels: a pixel between two triangles belongs to one of them. */
@@ -23,10 +23,14 @@ export class Atlas<Kind extends string> {
 	readonly #tile: number;
 	readonly #columns: number;
 
+	/**
+	 * @param kinds the pictures to make, all of the same layout
+	 * @param tiles number of tiles; the tile's edge in pixels shrinks where there are many, to stay within MAX_PIXELS
+	 */
 	constructor(kinds: readonly Kind[], tiles: number) {
 		// Powers of two, which graphics cards prefer.
 		this.#columns = powerFrom(Math.sqrt(tiles));
-		this.#tile = Math.min(MOST_TILE, MOST_PIXELS / this.#columns);
+		this.#tile = Math.min(MAX_TILE, MAX_PIXELS / this.#columns);
 		this.#width = this.#columns * this.#tile;
 		this.#height = powerFrom(tiles / this.#columns) * this.#tile;
 		this.#layers = kinds.map((kind) => [kind, new Uint8Array(3 * this.#width * this.#height)]);
@@ -37,33 +41,46 @@ export class Atlas<Kind extends string> {
 		>;
 	}
 
-	/** Texture coordinates of a mesh, 0 … 1, moved to its tile. */
+	/** Returns texture coordinates of a mesh, 0 … 1 within its tile, as coordinates in the whole atlas. */
 	placed(uvs: Float32Array, tile: number): Float32Array {
 		const { left, top } = this.#corner(tile);
-		const local = this.#local(uvs);
+		const local = this.#pixelsInTile(uvs);
 		return local.map((value, i) => (i % 2 === 0 ? (left + value) / this.#width : (top + value) / this.#height));
 	}
 
 	/** Draws triangles on a tile, by their texture coordinates in a picture of their own. */
 	draw(uvs: Float32Array, indices: Uint32Array, tile: number, paint: Paint<Kind>): void {
-		const local = this.#local(uvs);
+		const local = this.#pixelsInTile(uvs);
 		const drawn = new Uint8Array(this.#tile ** 2);
 		for (let t = 0; t < indices.length; t += 3) this.#fill([...indices.subarray(t, t + 3)], local, tile, paint, drawn);
 		this.#spread(drawn, tile);
 	}
 
+	/** Returns the upper left corner of a tile, in pixels of the atlas. */
 	#corner(tile: number): { left: number; top: number } {
 		return { left: (tile % this.#columns) * this.#tile, top: Math.floor(tile / this.#columns) * this.#tile };
 	}
 
-	#local(uvs: Float32Array): Float32Array {
+	/** Converts texture coordinates, 0 … 1, to pixels within a tile, inside its margin. */
+	#pixelsInTile(uvs: Float32Array): Float32Array {
 		const inner = this.#tile - 2 * MARGIN;
 		return uvs.map((value) => MARGIN + value * inner);
 	}
 
-	/** Draws one triangle, in the tile's pixels. */
-	#fill(corners: readonly number[], at: Float32Array, tile: number, paint: Paint<Kind>, drawn: Uint8Array): void {
-		const [ax, ay, bx, by, cx, cy] = corners.flatMap((corner) => [at[2 * corner], at[2 * corner + 1]]);
+	/**
+	 * Draws one triangle by barycentric coordinates of each pixel's middle; pixels that an earlier triangle covers stay.
+	 * @param corners indices of its vertices
+	 * @param positions 2 × vertices, in the tile, pixels
+	 * @param drawn 1 for each pixel of the tile that is drawn
+	 */
+	#fill(
+		corners: readonly number[],
+		positions: Float32Array,
+		tile: number,
+		paint: Paint<Kind>,
+		drawn: Uint8Array,
+	): void {
+		const [ax, ay, bx, by, cx, cy] = corners.flatMap((corner) => [positions[2 * corner], positions[2 * corner + 1]]);
 		const area = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay);
 		if (area === 0) return;
 		const { left, top } = this.#corner(tile);
@@ -82,7 +99,11 @@ export class Atlas<Kind extends string> {
 		}
 	}
 
-	/** Spreads colours to neighbouring pixels that no triangle covers, until the whole tile is drawn. */
+	/**
+	 * Spreads colours to neighbouring pixels that no triangle covers, until the whole tile is drawn: breadth first, from
+	 * the edge of the drawn area.
+	 * @param drawn 1 for each pixel of the tile that is drawn
+	 */
 	#spread(drawn: Uint8Array, tile: number): void {
 		const side = this.#tile;
 		const { left, top } = this.#corner(tile);
@@ -110,12 +131,12 @@ export class Atlas<Kind extends string> {
 	}
 }
 
-/** The weights of the nearest point in the triangle. */
+/** Returns the weights of the nearest point in a triangle: negative ones become 0, and the sum 1. */
 function within(...weights: number[]): number[] {
 	const inside = weights.map((weight) => Math.max(0, weight));
 	const sum = inside[0] + inside[1] + inside[2];
 	return inside.map((weight) => weight / sum);
 }
 
-/** The least power of two that is at least `value`. */
+/** Returns the least power of two that is at least `value`. */
 const powerFrom = (value: number) => 2 ** Math.ceil(Math.log2(value));

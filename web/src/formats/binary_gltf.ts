@@ -56,7 +56,7 @@ interface View {
 }
 
 /** The place of compressed data, and how to unpack it. */
-interface Packed {
+interface CompressedView {
 	buffer: 0;
 	byteOffset: number;
 	byteLength: number;
@@ -93,8 +93,8 @@ export class BinaryGltf {
 		options: { bounds?: boolean; normalized?: boolean } = {},
 	): number {
 		// Compressed data is unpacked view by view: give each accessor its own view.
-		const own = this.#encoder && this.#layouts[viewName]?.target ? ` ${this.#accessors.length}` : "";
-		const view = this.#view(`${viewName}${own}`, this.#layouts[viewName]);
+		const ownView = this.#encoder && this.#layouts[viewName]?.target ? ` ${this.#accessors.length}` : "";
+		const view = this.#view(`${viewName}${ownView}`, this.#layouts[viewName]);
 		const { stride } = view.layout;
 		const step = stride ? stride / data.BYTES_PER_ELEMENT : COMPONENTS[type];
 		const accessor: Accessor = {
@@ -119,25 +119,25 @@ export class BinaryGltf {
 		return view.index;
 	}
 
-	/** The whole file. `json` is the document without `accessors`, `bufferViews` and `buffers`. */
+	/** Returns the whole file. `json` is the document without `accessors`, `bufferViews` and `buffers`. */
 	finish(json: Record<string, unknown>): Uint8Array<ArrayBuffer> {
 		const bufferViews: Record<string, unknown>[] = [];
 		const stored: AccessorData[] = [];
 		let [bytes, unpacked] = [0, 0];
 		for (const view of this.#views.values()) {
-			const packed = this.#packed(view, bytes);
+			const compressed = this.#compress(view, bytes);
 			const { layout } = view;
-			const byteLength = packed ? packed.place.count * packed.place.byteStride : view.bytes;
-			const described: Record<string, unknown> = packed
+			const byteLength = compressed ? compressed.place.count * compressed.place.byteStride : view.bytes;
+			const bufferView: Record<string, unknown> = compressed
 				? { buffer: 1, byteOffset: unpacked, byteLength }
 				: { buffer: 0, byteOffset: bytes, byteLength };
-			if (layout.stride) described.byteStride = layout.stride;
-			if (layout.target) described.target = TARGETS[layout.target];
-			if (packed) described.extensions = { [COMPRESSION]: packed.place };
-			bufferViews.push(described);
-			stored.push(...(packed ? [packed.data] : view.chunks));
-			bytes += aligned(packed ? packed.data.byteLength : byteLength);
-			if (packed) unpacked += aligned(byteLength);
+			if (layout.stride) bufferView.byteStride = layout.stride;
+			if (layout.target) bufferView.target = TARGETS[layout.target];
+			if (compressed) bufferView.extensions = { [COMPRESSION]: compressed.place };
+			bufferViews.push(bufferView);
+			stored.push(...(compressed ? [compressed.data] : view.chunks));
+			bytes += aligned(compressed ? compressed.data.byteLength : byteLength);
+			if (compressed) unpacked += aligned(byteLength);
 		}
 		// The unpacked buffer has no data: it is a fallback that no reader uses, because the extension is required.
 		const fallback = { byteLength: unpacked, extensions: { [COMPRESSION]: { fallback: true } } };
@@ -147,10 +147,13 @@ export class BinaryGltf {
 	}
 
 	/**
-	 * A compressed view and its place in the document; undefined where it is not compressed. `byteOffset` counts from
-	 * the start of the buffer.
+	 * Returns a compressed view and its place in the document; undefined where it is not compressed. `byteOffset` counts
+	 * from the start of the buffer.
 	 */
-	#packed({ layout, chunks, bytes }: View, byteOffset: number): { data: Uint8Array; place: Packed } | undefined {
+	#compress(
+		{ layout, chunks, bytes }: View,
+		byteOffset: number,
+	): { data: Uint8Array; place: CompressedView } | undefined {
 		if (!this.#encoder || !layout.target) return undefined;
 		const source = new Uint8Array(bytes);
 		copy(chunks, source);
@@ -162,6 +165,7 @@ export class BinaryGltf {
 		return { data, place: { buffer: 0, byteOffset, byteLength: data.byteLength, byteStride, count, mode } };
 	}
 
+	/** Returns the buffer view of a name, which is made on first use. */
 	#view(name: string, layout: ViewLayout = {}): View {
 		const view = this.#views.get(name) ?? { index: this.#views.size, layout, chunks: [], bytes: 0 };
 		this.#views.set(name, view);
@@ -171,13 +175,14 @@ export class BinaryGltf {
 
 /** Copies chunks one after the other, each from a multiple of four bytes on. */
 function copy(chunks: readonly AccessorData[], target: Uint8Array): void {
-	let at = 0;
+	let written = 0;
 	for (const chunk of chunks) {
-		target.set(new Uint8Array(chunk.buffer, chunk.byteOffset, chunk.byteLength), at);
-		at += aligned(chunk.byteLength);
+		target.set(new Uint8Array(chunk.buffer, chunk.byteOffset, chunk.byteLength), written);
+		written += aligned(chunk.byteLength);
 	}
 }
 
+/** Writes the GLB container: header, JSON chunk padded with spaces, binary chunk if any. */
 function pack(json: string, binaryBytes: number, copyBinary: (target: Uint8Array) => void): Uint8Array<ArrayBuffer> {
 	const text = new TextEncoder().encode(json);
 	const textBytes = aligned(text.length);
@@ -198,11 +203,12 @@ function pack(json: string, binaryBytes: number, copyBinary: (target: Uint8Array
 	return file;
 }
 
-/** Rounds up: every accessor and chunk begins at a multiple of four bytes. */
+/** Rounds a number of bytes up to a multiple of four, where every accessor and chunk begins. */
 function aligned(bytes: number): number {
 	return (bytes + 3) & ~3;
 }
 
+/** Returns glTF's code of an array's number type. */
 function componentType(data: AccessorData): number {
 	if (data instanceof Float32Array) return 5126;
 	if (data instanceof Uint32Array) return 5125;
@@ -211,7 +217,7 @@ function componentType(data: AccessorData): number {
 	return data instanceof Int8Array ? 5120 : 5121;
 }
 
-/** Minimum and maximum of the first `components` of every `step` values, as they are stored. */
+/** Returns minimum and maximum of the first `components` of every `step` values, as they are stored. */
 function bounds(data: AccessorData, components: number, step: number): { min: number[]; max: number[] } {
 	const min = new Array<number>(components).fill(Number.POSITIVE_INFINITY);
 	const max = new Array<number>(components).fill(Number.NEGATIVE_INFINITY);

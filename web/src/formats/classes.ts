@@ -33,7 +33,8 @@ export function descriptorsOf<S extends Specimen>({
 }
 
 /**
- * The classes by the keys of their measures, without those that do not apply; empty where measures were not requested.
+ * Returns the classes by the keys of their measures, without those that do not apply; empty where measures were not
+ * requested.
  */
 export function classesOf<S extends Specimen>(
 	{ table, descriptors = [] }: Classing<S>,
@@ -53,4 +54,5 @@ export function classesOf<S extends Specimen>(
 	);
 }
 
+/** Returns a class as files have it. */
 const written = (oiv: number, { note, words }: MeasureClass): WrittenClass => ({ oiv, class: note, words });

@@ -1,30 +1,35 @@
+import { MessageError } from "../locale/message_error";
+import { text } from "./messages.generated";
+
 /** A file without a specimen; the message names the file and a remedy. */
-export class FileError extends Error {
+export class FileError extends MessageError {
 	override name = "FileError";
 }
 
 /** A file that would exceed the limits of files (limits.ts); the message names a remedy. */
-export class FileTooLargeError extends Error {
+export class FileTooLargeError extends MessageError {
 	override name = "FileTooLargeError";
 	/**
 	 * @param bytes size of the file; undefined where writing ended at the limit
 	 * @param instanced whether a file in which parts share meshes is smaller
 	 */
 	constructor(bytes: number | undefined, most: number, instanced = false) {
-		const own = bytes === undefined ? "" : `${megabytes(bytes)} MB, which is `;
-		const other = instanced ? "; or choose a file whose parts share meshes (GLB, instanced)" : "";
-		super(
-			`The file would have ${own}more than the limit of ${megabytes(most)} MB; make the plant smaller or let it have fewer parts${other}.`,
-		);
+		const limit = megabytes(most);
+		if (bytes === undefined) super(text.message("export_too_large", { max: limit }));
+		else {
+			const key = instanced ? "export_too_large_instanced" : "export_too_large_size";
+			super(text.message(key, { size: megabytes(bytes), max: limit }));
+		}
 	}
 }
 
-const megabytes = (bytes: number) => Math.ceil(bytes / 1e6).toLocaleString("en");
+/** Returns bytes as whole megabytes, rounded up. */
+const megabytes = (bytes: number) => Math.ceil(bytes / 1e6);
 
 /** A plant without any mesh, for a file that cannot be empty. */
-export class EmptyPlantError extends Error {
+export class EmptyPlantError extends MessageError {
 	override name = "EmptyPlantError";
 	constructor() {
-		super("The plant is empty, and files for printers hold a body; change its parameters or its age until it has one.");
+		super(text.message("export_empty"));
 	}
 }

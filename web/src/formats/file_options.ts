@@ -1,4 +1,6 @@
 /** Options of files with meshes: one table of their limits, for every place that reads them from outside. */
+import type { Message } from "../locale/texts";
+import { text } from "./messages.generated";
 
 /** Options of a file; a file ignores those that it does not use. */
 export interface FileOptions {
@@ -6,7 +8,10 @@ export interface FileOptions {
 	readonly triangles?: number;
 	/** Whether flesh is translucent in the forms *detailed* and *instanced*; a reader draws it in a second pass. */
 	readonly translucent?: boolean;
-	/** Whether pictures hold colours, shade, roughness and relief in the form *detailed*, in place of vertices and materials. */
+	/**
+	 * Whether pictures hold colours, shade, roughness and relief in the form *detailed*, in place of vertices and
+	 * materials.
+	 */
 	readonly textures?: boolean;
 	/** Least thickness of any part in files for printers, in millimetres. */
 	readonly thickness?: number;
@@ -33,17 +38,27 @@ export type NumericFileOptionKey = keyof typeof NUMERIC_FILE_OPTIONS;
 /** Options that are on or off. */
 export const SWITCH_FILE_OPTIONS = ["translucent", "textures"] as const satisfies readonly (keyof FileOptions)[];
 
-/** Whether a value is a number that the option accepts. */
+/** Returns whether a value is a number that the option accepts. */
 export function isFileOptionValue(key: NumericFileOptionKey, value: unknown): value is number {
 	const { least, most, whole }: NumericFileOption = NUMERIC_FILE_OPTIONS[key];
 	return typeof value === "number" && value >= least && value <= most && (!whole || Number.isInteger(value));
 }
 
-/** The accepted values in words: "a whole number from 100 to 2000000". */
-export function fileOptionRange(key: NumericFileOptionKey): string {
+/**
+ * Returns the message on a value that the option does not accept: "triangles must be a whole number from 100 to
+ * 2,000,000."
+ * @param option the option's name for the user
+ */
+export function fileOptionProblem(key: NumericFileOptionKey, option: string = key): Message {
 	const { least, most, whole }: NumericFileOption = NUMERIC_FILE_OPTIONS[key];
-	return `a ${whole ? "whole " : ""}number from ${least} to ${most}`;
+	return text.message(whole ? "option_whole_number" : "option_number", { option, least, most });
 }
 
 /** Number keys of a set of options, in the order of the table. */
 export const NUMERIC_FILE_OPTION_KEYS = Object.keys(NUMERIC_FILE_OPTIONS) as readonly NumericFileOptionKey[];
+
+/** Returns the accepted values in words: "a whole number from 100 to 2000000". */
+export function fileOptionRange(key: NumericFileOptionKey): string {
+	const { least, most, whole }: NumericFileOption = NUMERIC_FILE_OPTIONS[key];
+	return `a ${whole ? "whole " : ""}number from ${least} to ${most}`;
+}

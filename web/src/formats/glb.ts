@@ -5,8 +5,8 @@ import type { Colour } from "../plant/colour";
 import type { Material, Picture } from "../plant/material";
 import { everyPart, type Instances, type Part, type PartMesh, type Shape, TRANSFORM, type Vector } from "../plant/part";
 import { tinted } from "../plant/picture";
+import { swing } from "../plant/point_sway";
 import type { Sway } from "../plant/sway";
-import { swing } from "../plant/swing";
 import type { About } from "./about";
 import type { Moment } from "./animation";
 import type { Encoder } from "./binary_gltf";
@@ -65,7 +65,9 @@ export function exportGlb(parts: Iterable<Part>, about: About, options: GlbOptio
 
 /** The transform that a node inherits from its parent. */
 interface Frame {
+	/** Position in the plant, metres. */
 	origin: readonly number[];
+	/** Metres per unit of the mesh's written coordinates; 1 except in compact files, which write −1 … 1. */
 	unit: number;
 }
 
@@ -91,6 +93,10 @@ class PartsWriter {
 	/** Written vertex colours, by mesh. */
 	readonly #colours = new Map<PartMesh, Float32Array>();
 
+	/**
+	 * Collects the data that all parts need before any is written: the vertex colours of each mesh, and for each
+	 * material the brightest of them, which becomes its base colour (vertex colours only darken).
+	 */
 	constructor(
 		document: GltfDocument,
 		parts: readonly Part[],
@@ -122,17 +128,22 @@ class PartsWriter {
 		}
 	}
 
+	/** Writes all parts below one root node, and finishes the document. */
 	write(parts: readonly Part[], { name, link, extras }: About): Uint8Array<ArrayBuffer> {
 		const root: Json = { name };
 		const roots = [this.#document.node(root)];
-		const children = parts.map((part) => this.#part(part, WORLD));
+		const children = parts.map((part) => this.#writePart(part, WORLD));
 		if (this.#coverage) this.#document.levels(children.splice(1), children[0], this.#coverage);
 		if (children.length > 0) root.children = children;
 		return this.#document.finish(roots, { link, ...extras });
 	}
 
-	/** Appends the nodes of a part and of its children; returns the index of the part's node. */
-	#part({ name, shape, extras, children = [] }: Part, parent: Frame): number {
+	/**
+	 * Writes the nodes of a part and of its children.
+	 * @param parent the transform that the part's node inherits
+	 * @returns the index of the part's node
+	 */
+	#writePart({ name, shape, extras, children = [] }: Part, parent: Frame): number {
 		const node: Json = extras ? { name, extras: written(extras) } : { name };
 		const index = this.#document.node(node);
 		const held: number[] = [];
@@ -143,14 +154,14 @@ class PartsWriter {
 			frame = this.#draw(node, name, shape, parent);
 			if (this.#sway) this.#document.swing(index);
 		}
-		held.push(...children.map((child) => this.#part(child, frame)));
+		held.push(...children.map((child) => this.#writePart(child, frame)));
 		if (held.length > 0) node.children = held;
 		const moment = this.#moments?.get(name);
 		if (moment) this.#document.show(node, index, moment);
 		return index;
 	}
 
-	/** Gives a node a mesh of its own; returns the frame of its children. */
+	/** Gives a node the mesh of a shape, and its transform; returns the frame of its children. */
 	#draw(node: Json, name: string, shape: Shape, parent: Frame): Frame {
 		const { mesh, ...frame } = this.#mesh(shape, name);
 		Object.assign(node, { mesh, ...placed(frame, parent) });
@@ -158,24 +169,31 @@ class PartsWriter {
 	}
 
 	/**
-	 * Gives a node a mesh with instances, or child nodes with the instances; returns these.
+	 * Gives a node a mesh with instances, or makes child nodes for the instances.
 	 * @param apart whether the node has children, which must not turn with the mesh
+	 * @returns the child nodes made
 	 */
 	#instances(node: Json, name: string, shape: Shape, instances: Instances, parent: Frame, apart: boolean): number[] {
 		const { mesh, unit } = this.#sharedMesh(shape, name);
 		const { transforms, each } = instances;
-		if (each && !this.#instancing) return this.#apart(instances, each, mesh, unit, parent);
+		if (each && !this.#instancing) return this.#instanceNodes(instances, each, mesh, unit, parent);
 		const many = each !== undefined || transforms.length > TRANSFORM;
 		const drawn = many
-			? { mesh, ...this.#together(transforms, unit) }
+			? { mesh, ...this.#gpuInstances(transforms, unit) }
 			: { mesh, ...transformed(transforms, 0, unit, parent) };
 		if (apart) return [this.#document.node({ name: shape.mesh.name ?? name, ...drawn })];
 		Object.assign(node, drawn);
 		return [];
 	}
 
-	/** One node per instance. */
-	#apart(
+	/**
+	 * Writes one node per instance.
+	 * @param each returns name and properties of the instance of an index
+	 * @param mesh index of the instances' mesh
+	 * @param unit metres per unit of the mesh's written coordinates
+	 * @returns the nodes
+	 */
+	#instanceNodes(
 		{ transforms }: Instances,
 		each: NonNullable<Instances["each"]>,
 		mesh: number,
@@ -189,17 +207,22 @@ class PartsWriter {
 		});
 	}
 
-	/** All instances in one node. */
-	#together(transforms: Float32Array, unit: number): Json {
+	/**
+	 * Returns the properties of a node that draws a mesh once per instance (EXT_mesh_gpu_instancing). The transforms are
+	 * written as they are, without a parent's frame: callers that instance pass parts whose instances belong to groups,
+	 * which do not move (alike.ts).
+	 * @param unit metres per unit of the mesh's written coordinates, which multiplies the instances' scales
+	 */
+	#gpuInstances(transforms: Float32Array, unit: number): Json {
 		const count = transforms.length / TRANSFORM;
 		const translations = new Float32Array(3 * count);
 		const rotations = new Float32Array(4 * count);
 		const scales = new Float32Array(3 * count);
 		for (let i = 0; i < count; i++) {
-			const at = TRANSFORM * i;
-			translations.set(transforms.subarray(at, at + 3), 3 * i);
-			rotations.set(transforms.subarray(at + 3, at + 7), 4 * i);
-			scales.fill(transforms[at + 7] * unit, 3 * i, 3 * i + 3);
+			const first = TRANSFORM * i;
+			translations.set(transforms.subarray(first, first + 3), 3 * i);
+			rotations.set(transforms.subarray(first + 3, first + 7), 4 * i);
+			scales.fill(transforms[first + 7] * unit, 3 * i, 3 * i + 3);
 		}
 		this.#document.require(INSTANCING);
 		const attributes = {
@@ -210,17 +233,19 @@ class PartsWriter {
 		return { extensions: { [INSTANCING]: { attributes } } };
 	}
 
+	/** Returns the written mesh of instances; each combination of mesh and material is written once. */
 	#sharedMesh(shape: Shape, name: string): Placed {
-		const worn = this.#shared.get(shape.mesh) ?? new Map<Material, Placed>();
-		this.#shared.set(shape.mesh, worn);
-		const known = worn.get(shape.material);
+		const byMaterial = this.#shared.get(shape.mesh) ?? new Map<Material, Placed>();
+		this.#shared.set(shape.mesh, byMaterial);
+		const known = byMaterial.get(shape.material);
 		if (known) return known;
 		// The mesh needs an origin only where it has a unit of its own.
 		const made = this.#mesh(this.#document.compact ? { ...shape, centre: [0, 0, 0] } : shape, name);
-		worn.set(shape.material, made);
+		byMaterial.set(shape.material, made);
 		return made;
 	}
 
+	/** Writes a mesh with its colours, tangents and motion. */
 	#mesh({ mesh, material, centre }: Shape, name: string): Placed {
 		const written = this.#colours.get(mesh);
 		const base = written && this.#bases.get(material);
@@ -231,6 +256,10 @@ class PartsWriter {
 		return this.#document.mesh(mesh.name ?? name, mesh, this.#material(material, base), options);
 	}
 
+	/**
+	 * Returns the index of a material; written on first use.
+	 * @param base factor of the meshes' vertex colours; undefined for meshes without vertex colours
+	 */
 	#material(material: Material, base: Colour | undefined): number {
 		const indices = base ? this.#materials.coloured : this.#materials.plain;
 		const known = indices.get(material);
@@ -246,6 +275,11 @@ class PartsWriter {
 		return index;
 	}
 
+	/**
+	 * Writes the pictures of a material; returns the indices of their textures by kind.
+	 * @param base factor for the colour picture
+	 * @param plain picture for materials without a colour picture of their own
+	 */
 	#textures({ name, textures = {} }: Material, base: Colour = [1, 1, 1], plain?: Picture): TextureIndices {
 		const { repeats, colour, ...others } = textures;
 		const shown = colour ? tinted(colour, base) : plain;
@@ -257,26 +291,26 @@ class PartsWriter {
 	}
 }
 
-/** The displacement of every vertex by a sine and a cosine of time. */
+/** Returns the displacement of every vertex by a sine and a cosine of time, 3 × vertices each. */
 function swingOf({ positions, feet = positions }: PartMesh, sway: Sway): [sine: Float32Array, cosine: Float32Array] {
 	const [sines, cosines] = [new Float32Array(positions.length), new Float32Array(positions.length)];
 	for (let i = 0; i < positions.length; i += 3) {
-		const at = (all: Float32Array): Vector => [all[i], all[i + 1], all[i + 2]];
-		const { sine, cosine } = swing(sway, at(positions), at(feet));
+		const pointIn = (all: Float32Array): Vector => [all[i], all[i + 1], all[i + 2]];
+		const { sine, cosine } = swing(sway, pointIn(positions), pointIn(feet));
 		sines.set(sine, i);
 		cosines.set(cosine, i);
 	}
 	return [sines, cosines];
 }
 
-/** The material without translucent flesh. */
+/** Returns the material without translucent flesh. */
 function opaque(material: Material): Material {
 	if (!material.flesh) return material;
 	const { flesh: _, textures: { thickness: __, ...textures } = {}, ...others } = material;
 	return Object.keys(textures).length > 0 ? { ...others, textures } : others;
 }
 
-/** The translation and scale of a node; omits defaults. */
+/** Returns the translation and scale of a node below its parent; omits defaults. */
 function placed({ origin, unit }: Frame, parent: Frame): Json {
 	const moved = origin.map((value, k) => (Math.fround(value) - Math.fround(parent.origin[k])) / parent.unit);
 	const scale = short(unit / parent.unit);
@@ -286,7 +320,10 @@ function placed({ origin, unit }: Frame, parent: Frame): Json {
 	};
 }
 
-/** The transform of instance `index`, whose mesh has a unit of its own. */
+/**
+ * Returns translation, rotation and scale of the node of instance `index`.
+ * @param unit metres per unit of the mesh's written coordinates
+ */
 function transformed(transforms: Float32Array, index: number, unit: number, parent: Frame): Json {
 	const [x, y, z, ...rest] = transforms.subarray(TRANSFORM * index, TRANSFORM * (index + 1));
 	const rotation = rest.slice(0, 4).map((value) => rounded(value, TURN_DECIMALS));
@@ -294,6 +331,7 @@ function transformed(transforms: Float32Array, index: number, unit: number, pare
 	return { ...placed({ origin: [x, y, z], unit: size }, parent), rotation };
 }
 
+/** Rounds to float32, as the shortest decimal. */
 function short(value: number): number {
 	return shortFloat(Math.fround(value));
 }

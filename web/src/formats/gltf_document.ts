@@ -102,6 +102,7 @@ export class GltfDocument {
 		return this.#nodes.push(node) - 1;
 	}
 
+	/** Appends a material; returns its index. */
 	material(material: GltfMaterial): number {
 		for (const name of Object.keys(material.extensions ?? {})) this.#used.add(name);
 		return this.#materials.push({ ...material }) - 1;
@@ -114,9 +115,9 @@ export class GltfDocument {
 	texture(name: string, bytes: Uint8Array, repeats = false): number {
 		const bufferView = this.#binary.raw(bytes);
 		const source = this.#images.push({ name, mimeType: "image/png", bufferView }) - 1;
-		const wanted = repeats ? REPEATED : CLAMPED;
-		if (!this.#samplers.includes(wanted)) this.#samplers.push(wanted);
-		return this.#textures.push({ name, source, sampler: this.#samplers.indexOf(wanted) }) - 1;
+		const samplerSettings = repeats ? REPEATED : CLAMPED;
+		if (!this.#samplers.includes(samplerSettings)) this.#samplers.push(samplerSettings);
+		return this.#textures.push({ name, source, sampler: this.#samplers.indexOf(samplerSettings) }) - 1;
 	}
 
 	/** Requires an extension: readers without it must not read the file. */
@@ -140,6 +141,7 @@ export class GltfDocument {
 		this.#animation.run(index, "weights", this.#swing.input, this.#swing.output);
 	}
 
+	/** Writes the keys of a swing, which all swinging nodes share; returns their accessors. */
 	#swingKeys() {
 		const { times, weights } = swingKeys();
 		return {
@@ -185,15 +187,15 @@ export class GltfDocument {
 		return { mesh: index, ...place };
 	}
 
-	/** The whole file; `roots` are the scene's nodes. */
+	/** Writes the whole file; `roots` are the scene's nodes. */
 	finish(roots: number[], extras: Json): Uint8Array<ArrayBuffer> {
 		return this.#binary.finish({
 			asset: { version: "2.0", generator: GENERATOR, extras },
-			...filled({ extensionsUsed: [...this.#used], extensionsRequired: [...this.#required] }),
+			...withoutEmpty({ extensionsUsed: [...this.#used], extensionsRequired: [...this.#required] }),
 			scene: 0,
 			scenes: [{ nodes: roots }],
 			nodes: this.#nodes,
-			...filled({
+			...withoutEmpty({
 				meshes: this.#meshes,
 				materials: this.#materials,
 				textures: this.#textures,
@@ -204,11 +206,13 @@ export class GltfDocument {
 		});
 	}
 
+	/** Writes tangents, in compact meshes as bytes. */
 	#tangents(tangents: Float32Array): number {
 		if (!this.compact) return this.#binary.add("tangents", tangents, "VEC4");
 		return this.#binary.add("byteTangents", quantisedTangents(tangents), "VEC4", { normalized: true });
 	}
 
+	/** Writes a mesh's texture coordinates and triangles, or finds those already in the file. */
 	#pattern({ positions, uvs, indices }: Mesh): Pattern {
 		const pattern: Pattern = { indices: this.#triangles(indices, positions.length / 3) };
 		if (uvs.length > 0) pattern.uvs = this.#charts.get(uvs) ?? this.#textureCoordinates(uvs);
@@ -216,6 +220,10 @@ export class GltfDocument {
 		return pattern;
 	}
 
+	/**
+	 * Returns the accessor of triangles, written once for all meshes that share the array; with 16-bit indices where the
+	 * number of vertices allows them.
+	 */
 	#triangles(indices: Uint32Array, vertices: number): number {
 		const known = this.#lists.get(indices);
 		if (known !== undefined) return known;
@@ -227,7 +235,7 @@ export class GltfDocument {
 		return list;
 	}
 
-	/** In compact meshes, texture coordinates within one picture take half the size. */
+	/** Writes texture coordinates; in compact meshes, those within one picture take half the size. */
 	#textureCoordinates(uvs: Float32Array): number {
 		const within = this.compact && uvs.every((value) => value >= 0 && value <= 1);
 		if (!within) return this.#binary.add("uvs", uvs, "VEC2");
@@ -239,6 +247,7 @@ export class GltfDocument {
 		);
 	}
 
+	/** Writes positions and normals as floats, positions relative to `centre`. */
 	#fullAttributes({ positions, normals }: Mesh, centre?: readonly number[]) {
 		const moved = centre ? relative(positions, centre) : positions;
 		const attributes: Record<string, number> = {
@@ -248,6 +257,11 @@ export class GltfDocument {
 		return { attributes, origin: centre ?? ORIGIN, unit: 1 };
 	}
 
+	/**
+	 * Writes quantised positions and normals. A node must place the mesh: positions are `origin` + `unit` × written
+	 * values (−1 … 1).
+	 * @param centre the origin, metres; without it, the middle of the bounding box
+	 */
 	#compactAttributes({ positions, normals }: Mesh, centre?: readonly number[]) {
 		this.require(QUANTIZATION);
 		const origin = (centre ?? wholeBounds(positions)).map(Math.fround).map(shortFloat);
@@ -261,6 +275,6 @@ export class GltfDocument {
 }
 
 /** Leaves out empty lists, which glTF forbids. */
-function filled(lists: Record<string, unknown[]>): Json {
+function withoutEmpty(lists: Record<string, unknown[]>): Json {
 	return Object.fromEntries(Object.entries(lists).filter(([, list]) => list.length > 0));
 }

@@ -27,6 +27,7 @@ export interface GltfMaterial {
 }
 
 /**
+ * Converts a material to glTF.
  * @param colour the base colour, which multiplies vertex colours and the texture
  * @param thickness of the flesh in the unit of the meshes, if any
  */
@@ -41,10 +42,10 @@ export function gltfMaterial(
 	return {
 		name,
 		pbrMetallicRoughness: {
-			baseColorFactor: [...short(colour), 1],
+			baseColorFactor: [...shortColour(colour), 1],
 			...(textures.colour !== undefined ? { baseColorTexture: { index: textures.colour } } : {}),
 			metallicFactor: 0,
-			roughnessFactor: textures.surface === undefined ? one(roughness) : 1,
+			roughnessFactor: textures.surface === undefined ? shortNumber(roughness) : 1,
 			...(textures.surface === undefined ? {} : { metallicRoughnessTexture: { index: textures.surface } }),
 		},
 		...(textures.normal === undefined ? {} : { normalTexture: { index: textures.normal } }),
@@ -54,28 +55,35 @@ export function gltfMaterial(
 	};
 }
 
+/**
+ * Returns the extensions of a material, by name.
+ * @param thickness of the volume that light crosses, in units of the mesh; only used for flesh
+ */
 function extensionsOf(material: Material, thickness: number, textures: TextureIndices): Record<string, object> {
 	const { sheen, ior, specular, clearcoat, flesh } = material;
 	const extensions: Record<string, object> = {};
 	if (sheen) {
 		extensions.KHR_materials_sheen = {
-			sheenColorFactor: short(sheen.colour),
-			sheenRoughnessFactor: one(sheen.roughness),
+			sheenColorFactor: shortColour(sheen.colour),
+			sheenRoughnessFactor: shortNumber(sheen.roughness),
 		};
 	}
-	if (ior !== undefined) extensions.KHR_materials_ior = { ior: one(ior) };
-	if (specular !== undefined) extensions.KHR_materials_specular = { specularFactor: one(specular) };
+	if (ior !== undefined) extensions.KHR_materials_ior = { ior: shortNumber(ior) };
+	if (specular !== undefined) extensions.KHR_materials_specular = { specularFactor: shortNumber(specular) };
 	if (clearcoat) {
 		const { factor, roughness } = clearcoat;
-		extensions.KHR_materials_clearcoat = { clearcoatFactor: one(factor), clearcoatRoughnessFactor: one(roughness) };
+		extensions.KHR_materials_clearcoat = {
+			clearcoatFactor: shortNumber(factor),
+			clearcoatRoughnessFactor: shortNumber(roughness),
+		};
 	}
 	if (flesh) {
-		extensions.KHR_materials_transmission = { transmissionFactor: one(flesh.factor) };
+		extensions.KHR_materials_transmission = { transmissionFactor: shortNumber(flesh.factor) };
 		extensions.KHR_materials_volume = {
-			thicknessFactor: one(thickness),
+			thicknessFactor: shortNumber(thickness),
 			...(textures.thickness === undefined ? {} : { thicknessTexture: { index: textures.thickness } }),
-			attenuationColor: short(flesh.colour),
-			attenuationDistance: one(flesh.distance),
+			attenuationColor: shortColour(flesh.colour),
+			attenuationDistance: shortNumber(flesh.distance),
 		};
 	}
 	// Flesh already describes its transmitted light.
@@ -85,27 +93,30 @@ function extensionsOf(material: Material, thickness: number, textures: TextureIn
 }
 
 /**
- * Transmission of a sheet. The ratio of transmitted to reflected light is that of the view for each colour. Their sum
- * is at most the incoming light, which glTF requires, so that reflected light decreases by the transmitted light.
+ * Returns the transmission of a sheet; undefined for other materials. The ratio of transmitted to reflected light is
+ * that of the view for each colour. Their sum is at most the incoming light, which glTF requires, so that reflected
+ * light decreases by the transmitted light.
  */
 function diffuseTransmission(material: Material, { colour: picture }: TextureIndices): object | undefined {
 	const shares = lightThrough(material);
 	// The extension ignores base colours: it gets the same picture, or the colour itself.
-	const pictured = material.textures?.colour !== undefined && picture !== undefined;
-	const colour = pictured ? shares : shares.map((share, k) => share * material.colour[k]);
-	const most = Math.max(...colour);
-	if (!(most > 0)) return undefined;
+	const hasPicture = material.textures?.colour !== undefined && picture !== undefined;
+	const colour = hasPicture ? shares : shares.map((share, k) => share * material.colour[k]);
+	const greatest = Math.max(...colour);
+	if (!(greatest > 0)) return undefined;
 	return {
-		diffuseTransmissionFactor: one(most / (1 + most)),
-		diffuseTransmissionColorFactor: colour.map((value) => one(value / most)),
-		...(pictured ? { diffuseTransmissionColorTexture: { index: picture } } : {}),
+		diffuseTransmissionFactor: shortNumber(greatest / (1 + greatest)),
+		diffuseTransmissionColorFactor: colour.map((value) => shortNumber(value / greatest)),
+		...(hasPicture ? { diffuseTransmissionColorTexture: { index: picture } } : {}),
 	};
 }
 
-function one(value: number): number {
+/** Rounds a number for the file. */
+function shortNumber(value: number): number {
 	return rounded(value, DECIMALS);
 }
 
-function short(colour: Colour): number[] {
-	return colour.map(one);
+/** Rounds a colour for the file. */
+function shortColour(colour: Colour): number[] {
+	return colour.map(shortNumber);
 }

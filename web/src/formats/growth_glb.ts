@@ -48,8 +48,8 @@ export async function growthGlb({ ages, at }: Aged, about: About): Promise<Uint8
 }
 
 /**
- * The parts of all ages with unique names and one material per name: that of the oldest age, whose picture has the
- * colours of all ages. A material with a picture of its own has another one at every age: it stays, and its name
+ * Returns the parts of all ages with unique names and one material per name: that of the oldest age, whose picture has
+ * the colours of all ages. A material with a picture of its own has another one at every age: it stays, and its name
  * includes the age.
  */
 function withOneMaterialAKind(grown: readonly Part[][], ages: readonly number[]): Part[][] {
@@ -79,9 +79,10 @@ function withOneMaterialAKind(grown: readonly Part[][], ages: readonly number[])
 	});
 }
 
+/** Returns the name of a part or a material at one age. */
 const atAge = (name: string, age: number) => `${name}, age ${age}`;
 
-/** A shape with vertex colours: its material's colour where it had none. */
+/** Returns a shape with vertex colours: its material's colour where it had none. */
 function coloured(shape: Shape): Shape {
 	const { mesh, material } = shape;
 	if (mesh.colours) return shape;

@@ -9,12 +9,15 @@ import { welded } from "./weld";
 /** Finds points of a plant's surface that its closed pieces hide. */
 export class Cover<Own extends Piece> {
 	readonly #pieces: readonly Own[];
-	readonly #within: number;
+	readonly #gap: number;
 	/** For each piece, the closed ones near it. */
-	readonly #about: readonly (readonly Body[])[];
+	readonly #bodiesNear: readonly (readonly Body[])[];
 
-	/** @param within gap in metres between a surface and a covering body, within which the surface counts as hidden */
-	constructor(pieces: readonly Own[], within: number) {
+	/**
+	 * @param gap metres: a surface is hidden, too, where a body is in front of it at up to this distance. Points are moved
+	 * outwards by the gap before they are tested, so that surfaces that only touch hide each other.
+	 */
+	constructor(pieces: readonly Own[], gap: number) {
 		const boxes = pieces.map(({ mesh }) => boundsOf([mesh.positions]));
 		const closed = new Map<Uint32Array, boolean>();
 		const bodies = pieces.flatMap(({ mesh }, i) => {
@@ -24,40 +27,51 @@ export class Cover<Own extends Piece> {
 			return whole ? [new Body(mesh, boxes[i])] : [];
 		});
 		this.#pieces = pieces;
-		this.#within = within;
-		this.#about = boxes.map((box) => bodies.filter((body) => overlap(body.box, box, within)));
+		this.#gap = gap;
+		this.#bodiesNear = boxes.map((box) => bodies.filter((body) => overlap(body.box, box, gap)));
 	}
 
-	/** The pieces without hidden triangles; wholly hidden pieces are left out. */
+	/** Returns the pieces without hidden triangles; wholly hidden pieces are left out. */
 	visible(): Own[] {
 		return this.#pieces.flatMap((piece, i) => {
-			if (this.#about[i].length === 0) return [piece];
-			const indices = visible(piece.mesh, this.#about[i], this.#within);
+			if (this.#bodiesNear[i].length === 0) return [piece];
+			const indices = visibleTriangles(piece.mesh, this.#bodiesNear[i], this.#gap);
 			return indices.length > 0 ? [{ ...piece, mesh: { ...piece.mesh, indices } }] : [];
 		});
 	}
 
-	/** Whether a point on the surface of the piece of that index is hidden. `normal` has unit length. */
+	/**
+	 * Returns whether a point on the surface of the piece of that index is hidden.
+	 * @param place the point, metres
+	 * @param normal of unit length
+	 */
 	hides(index: number, place: readonly number[], normal: readonly number[]): boolean {
-		const [x, y, z] = place.map((value, k) => value + this.#within * normal[k]);
-		return this.#about[index].some((body) => body.holds(x, y, z));
+		const [x, y, z] = place.map((value, k) => value + this.#gap * normal[k]);
+		return this.#bodiesNear[index].some((body) => body.holds(x, y, z));
 	}
 }
 
-/** The pieces without hidden triangles (`Cover`). */
-export function withoutHidden<Own extends Piece>(pieces: readonly Own[], within: number): Own[] {
-	return new Cover(pieces, within).visible();
+/** Returns the pieces without hidden triangles (`Cover`). */
+export function withoutHidden<Own extends Piece>(pieces: readonly Own[], gap: number): Own[] {
+	return new Cover(pieces, gap).visible();
 }
 
-function visible({ positions, normals, indices }: Mesh, about: readonly Body[], within: number): Uint32Array {
-	const inside = (x: number, y: number, z: number) => about.some((body) => body.holds(x, y, z));
-	const front = positions.map((value, i) => value + within * normals[i]);
+/**
+ * Returns the vertex indices of the triangles that are not hidden, 3 each: at least one corner, or the middle, is
+ * outside of all bodies when moved outwards, along the normals, by the gap.
+ * @param bodies the closed bodies near the mesh
+ * @param gap metres, as in `Cover`
+ */
+function visibleTriangles({ positions, normals, indices }: Mesh, bodies: readonly Body[], gap: number): Uint32Array {
+	const inside = (x: number, y: number, z: number) => bodies.some((body) => body.holds(x, y, z));
+	const shifted = positions.map((value, i) => value + gap * normals[i]);
 	const hidden = new Uint8Array(positions.length / 3);
-	for (let v = 0; v < hidden.length; v++) hidden[v] = Number(inside(front[3 * v], front[3 * v + 1], front[3 * v + 2]));
+	for (let v = 0; v < hidden.length; v++)
+		hidden[v] = Number(inside(shifted[3 * v], shifted[3 * v + 1], shifted[3 * v + 2]));
 	const visible: number[] = [];
 	for (let at = 0; at < indices.length; at += 3) {
 		const [a, b, c] = [indices[at], indices[at + 1], indices[at + 2]];
-		const middle = (k: number) => (front[3 * a + k] + front[3 * b + k] + front[3 * c + k]) / 3;
+		const middle = (k: number) => (shifted[3 * a + k] + shifted[3 * b + k] + shifted[3 * c + k]) / 3;
 		// Test the middle, too: the covering bodies need not be convex.
 		const covered = hidden[a] && hidden[b] && hidden[c] && inside(middle(0), middle(1), middle(2));
 		if (!covered) visible.push(a, b, c);
@@ -70,10 +84,14 @@ interface Box {
 	high: readonly number[];
 }
 
+/** Returns whether two boxes are at most `margin` apart along every axis. */
 const overlap = (one: Box, other: Box, margin: number) =>
 	[0, 1, 2].every((k) => one.low[k] <= other.high[k] + margin && other.low[k] <= one.high[k] + margin);
 
-/** Whether every edge has a triangle on either side, where equal positions are one corner. */
+/**
+ * Returns whether every edge has a triangle on either side, where equal positions are one corner: each edge is then
+ * passed as often in one direction as in the other.
+ */
 export function isClosed(mesh: Mesh): boolean {
 	const { indices, count } = welded({ positions: mesh.positions, indices: mesh.indices });
 	const edges = new Map<number, number>();
@@ -98,6 +116,7 @@ class Body {
 	/** Corners of the triangles that a ray of each column may meet. */
 	readonly #columns: number[][] = Array.from({ length: COLUMNS * COLUMNS }, () => []);
 
+	/** @param box the bounds of the mesh */
 	constructor(
 		{ positions, indices }: Mesh,
 		readonly box: Box,
@@ -113,6 +132,10 @@ class Body {
 		}
 	}
 
+	/**
+	 * Returns whether a point is inside: the ray from it along +x crosses the surface outwards and inwards unequally
+	 * often.
+	 */
 	holds(x: number, y: number, z: number): boolean {
 		const { low, high } = this.box;
 		if (x <= low[0] || x >= high[0] || y <= low[1] || y >= high[1] || z <= low[2] || z >= high[2]) return false;
@@ -125,7 +148,11 @@ class Body {
 		return turns !== 0;
 	}
 
-	/** ±1 where the ray from the point meets the triangle, by the side it comes from. */
+	/**
+	 * Returns ±1 if the ray from the point along +x meets a triangle, by the side that it comes from; else 0. The signs
+	 * of the barycentric coordinates u, v, w in the y–z plane decide whether the ray passes through the triangle.
+	 * @param a @param b @param c offsets of its corners in the positions
+	 */
 	#crossing(a: number, b: number, c: number, x: number, y: number, z: number): number {
 		const p = this.#positions;
 		const ay = p[a + 1] - y;
@@ -143,11 +170,13 @@ class Body {
 		return (u * p[a] + v * p[b] + w * p[c]) / sum > x ? Math.sign(sum) : 0;
 	}
 
+	/** Returns the first and the last column of the grid that a triangle overlaps along an axis. */
 	#range(corners: readonly number[], axis: number): [number, number] {
 		const columns = corners.map((corner) => this.#column(this.#positions[3 * corner + axis], axis));
 		return [Math.min(...columns), Math.max(...columns)];
 	}
 
+	/** Returns the column of a coordinate along an axis, 0 … COLUMNS − 1. */
 	#column(value: number, axis: number): number {
 		const { low, high } = this.box;
 		const share = (value - low[axis]) / (high[axis] - low[axis] || 1);

@@ -108,8 +108,8 @@ export function exportJson<S extends Specimen, G extends Plant, R extends object
 }
 
 /**
- * The document as `JSON.stringify` would write it, in UTF-8, in a third of the time. CsvRows are written one by one, so
- * that the document is in memory once, as text (`TextBuffer.chunks`).
+ * Returns the document as `JSON.stringify` would write it, in UTF-8, in a third of the time. CsvRows are written one by
+ * one, so that the document is in memory once, as text (`TextBuffer.chunks`).
  * @param indent the indentation of each level; all on one line where absent
  * @throws FileTooLargeError where the document exceeds the limit of files (limits.ts)
  */
@@ -131,11 +131,12 @@ export function writeJson<S extends Specimen, G extends Plant, R extends object>
 	return out;
 }
 
-/** The text of a value as `JSON.stringify` writes it, in a line that begins with `line`. */
+/** Returns the text of a value as `JSON.stringify` writes it, with `line` at the beginning of its further lines. */
 function indented(value: unknown, indent: string, line: string): string {
 	return JSON.stringify(value, null, indent).replaceAll("\n", line);
 }
 
+/** Writes records as a JSON list, each on lines of its own. */
 function writeIndented(out: TextBuffer, rows: CsvRows<unknown>, indent: string): void {
 	const line = `\n${indent}${indent}`;
 	out.word("[");
@@ -144,7 +145,7 @@ function writeIndented(out: TextBuffer, rows: CsvRows<unknown>, indent: string):
 	out.text(rows.count > 0 ? `\n${indent}]` : "]");
 }
 
-/** The fields of the document in order, rows as such. */
+/** Returns the fields of the document in order, rows as such. */
 function contents<S extends Specimen, G extends Plant, R extends object>(
 	model: Recorded<S, G, R>,
 	grown: G,
@@ -168,11 +169,12 @@ function contents<S extends Specimen, G extends Plant, R extends object>(
 	};
 }
 
+/** Returns the trace as documents have it. */
 function traceRecord({ counts, step, first, modules }: DerivationTrace): TraceRecord {
 	return { counts: [...counts], step, first, modules };
 }
 
-/** Segments and organs. */
+/** Returns the segments and organs of a document; without those of which there are none. */
 function plantRecord({ segments, organs }: Plant) {
 	return {
 		...(segments.count > 0 ? { segments: segmentRows(segments) } : {}),
@@ -180,6 +182,7 @@ function plantRecord({ segments, organs }: Plant) {
 	};
 }
 
+/** Returns the segments as records for CSV, one per row: `ends` has 6 values per segment (start, end), `radii` 2. */
 function segmentRows({ count, parent, tag, tags, ends, radii }: Segments): CsvRows<SegmentRecord> {
 	return recordRows<SegmentRecord>(count, {
 		parent: integers(parent),
@@ -191,6 +194,7 @@ function segmentRows({ count, parent, tag, tags, ends, radii }: Segments): CsvRo
 	});
 }
 
+/** Returns the organs as records: `transforms` has 8 values per organ (position, quaternion, scale). */
 function organRows({ count, segment, tag, tags, transforms }: Organs): CsvRows<OrganRecord> {
 	return recordRows<OrganRecord>(count, {
 		kind: words(tags, tag),

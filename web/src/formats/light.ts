@@ -13,7 +13,7 @@ import { simplified } from "./simplified";
 import { sparse } from "./sparse";
 
 /** The most draw calls. */
-const MOST_DRAWN = 5;
+const MAX_DRAWN = 5;
 /**
  * An invisible error, as a share of the plant's extent: a quarter of a pixel where the plant fills a view a thousand
  * pixels high.
@@ -34,40 +34,40 @@ export interface Light {
 	pixels: number;
 }
 
-/** One part per draw call; at most 5. */
+/** Simplifies the parts and merges them into one per draw call, at most 5. */
 export async function lightParts(parts: Iterable<Part>, { triangles, pixels, still }: Light): Promise<Part[]> {
 	const all = triangles === undefined ? parts : sparse([...parts], triangles);
 	const pieces = [...piecesOf(all, still)];
 	const light =
 		triangles === undefined
 			? await simplified(drawCallsOf(pieces), { error: UNSEEN })
-			: await within(pieces, triangles);
+			: await simplifiedTo(pieces, triangles);
 	const small = new Map<Picture, Picture>();
 	return light.map(({ material, mesh }) => {
-		const shape = { mesh, material: withPictures(material, (picture) => known(small, picture, pixels)) };
+		const shape = { mesh, material: withPictures(material, (picture) => cachedSmall(small, picture, pixels)) };
 		return { name: material.name, shape };
 	});
 }
 
-/** One piece per draw call, without hidden triangles. */
-const drawCallsOf = (pieces: readonly Piece[]) => drawCalls(visible(pieces), MOST_DRAWN);
+/** Merges pieces into one per draw call, without hidden triangles. */
+const drawCallsOf = (pieces: readonly Piece[]) => drawCalls(visible(pieces), MAX_DRAWN);
 
 /**
  * Simplifies pieces to at most `triangles`. Where separate bodies would lose the outline, solid ones are merged first,
  * if that preserves more of the outline.
  */
-async function within(pieces: readonly Piece[], triangles: number): Promise<Piece[]> {
+async function simplifiedTo(pieces: readonly Piece[], triangles: number): Promise<Piece[]> {
 	let best = await simplified(drawCallsOf(pieces), { triangles });
 	const groups = solidGroups(pieces);
 	if (groups.size === 0) return best;
 	const outline = outlinesBeside(pieces);
-	const whole = outline(pieces);
-	let most = agreement(whole, outline(best));
+	const wholeOutline = outline(pieces);
+	let bestAgreement = agreement(wholeOutline, outline(best));
 	for (const reach of REACHES) {
-		if (most >= SAME_OUTLINE) break;
+		if (bestAgreement >= SAME_OUTLINE) break;
 		const light = await simplified(drawCallsOf(mergedBodies(pieces, groups, reach)), { triangles, moves: true });
-		const share = agreement(whole, outline(light));
-		if (share > most) [best, most] = [light, share];
+		const share = agreement(wholeOutline, outline(light));
+		if (share > bestAgreement) [best, bestAgreement] = [light, share];
 	}
 	return best;
 }
@@ -77,17 +77,19 @@ export function visible<Own extends Piece>(pieces: readonly Own[]): Own[] {
 	return coverOf(pieces).visible();
 }
 
-/** The cover of pieces by each other. */
+/** Returns the cover of pieces by each other. */
 export function coverOf<Own extends Piece>(pieces: readonly Own[]): Cover<Own> {
 	return new Cover(pieces, UNSEEN * extentOf(pieces));
 }
 
-function known(pictures: Map<Picture, Picture>, picture: Picture, pixels: number): Picture {
+/** Returns a picture shrunk to at most `pixels`, once for all materials that share it. */
+function cachedSmall(pictures: Map<Picture, Picture>, picture: Picture, pixels: number): Picture {
 	const small = pictures.get(picture) ?? shrunk(picture, pixels);
 	pictures.set(picture, small);
 	return small;
 }
 
+/** Returns a material with each of its pictures changed. */
 function withPictures(material: Material, change: (picture: Picture) => Picture): Material {
 	if (!material.textures) return material;
 	const { repeats, ...pictures } = material.textures;
@@ -95,7 +97,7 @@ function withPictures(material: Material, change: (picture: Picture) => Picture)
 	return { ...material, textures: { ...(Object.fromEntries(entries) as Textures), ...(repeats ? { repeats } : {}) } };
 }
 
-/** Halves a picture until it fits, each pixel the mean of four. */
+/** Halves a picture until no side is longer than `most` pixels, each pixel the mean of four. */
 export function shrunk(picture: Picture, most: number): Picture {
 	const { width, height, pixels } = picture;
 	if (Math.max(width, height) <= most) return picture;

@@ -6,9 +6,9 @@ import { everyPart, type Part, type PartMesh, TRANSFORM } from "../plant/part";
 import { FileTooLargeError } from "./file_error";
 
 /** The most bytes of meshes in a file, counting every copy. */
-export const MOST_MESH_BYTES = 320_000_000;
+export const MAX_MESH_BYTES = 320_000_000;
 /** The most bytes of a text file (JSON, OBJ, CSV), or of the text in a file (USDZ, 3MF). */
-export const MOST_TEXT_BYTES = 200_000_000;
+export const MAX_TEXT_BYTES = 200_000_000;
 
 /**
  * How a file writes instances: each mesh once (`shared`); named instances as nodes that share a mesh, all others as
@@ -16,13 +16,19 @@ export const MOST_TEXT_BYTES = 200_000_000;
  */
 export type WrittenInstances = "shared" | "nodes" | "meshes";
 
-/** @throws FileTooLargeError where a file would hold more bytes of meshes than `MOST_MESH_BYTES` */
+/**
+ * Checks the size of a file's meshes before it is made.
+ * @throws FileTooLargeError where a file would hold more bytes of meshes than `MAX_MESH_BYTES`
+ */
 export function checkMeshBytes(parts: Iterable<Part>, instances: WrittenInstances): void {
 	const bytes = meshBytes(parts, instances);
-	if (bytes > MOST_MESH_BYTES) throw new FileTooLargeError(bytes, MOST_MESH_BYTES, instances !== "shared");
+	if (bytes > MAX_MESH_BYTES) throw new FileTooLargeError(bytes, MAX_MESH_BYTES, instances !== "shared");
 }
 
-/** Bytes of the meshes in a file. Meshes that parts share count once where instances are not written as meshes. */
+/**
+ * Returns the bytes of the meshes in a file. Meshes that parts share count once where instances are not written as
+ * meshes.
+ */
 export function meshBytes(parts: Iterable<Part>, instances: WrittenInstances): number {
 	const counted = new Set<PartMesh>();
 	let bytes = 0;
@@ -32,12 +38,13 @@ export function meshBytes(parts: Iterable<Part>, instances: WrittenInstances): n
 		const isShared = instances === "shared" || (instances === "nodes" && shape.instances?.each !== undefined);
 		if (isShared && counted.has(mesh)) continue;
 		if (isShared) counted.add(mesh);
-		const times = isShared || !shape.instances ? 1 : shape.instances.transforms.length / TRANSFORM;
-		bytes += times * bytesOf(mesh);
+		const copies = isShared || !shape.instances ? 1 : shape.instances.transforms.length / TRANSFORM;
+		bytes += copies * bytesOf(mesh);
 	}
 	return bytes;
 }
 
+/** Returns the bytes of a mesh's arrays. */
 function bytesOf({ positions, normals, uvs, indices }: PartMesh): number {
 	return positions.byteLength + normals.byteLength + uvs.byteLength + indices.byteLength;
 }

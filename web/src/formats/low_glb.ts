@@ -11,6 +11,10 @@ import { LOW_TRIANGLES } from "./plant_files";
 
 const PIXELS = 256;
 
+/**
+ * Writes the file.
+ * @param triangles the most triangles
+ */
 export async function lowGlb(
 	parts: Iterable<Part>,
 	about: About,

@@ -7,7 +7,7 @@ import { shortFloat } from "./numbers";
 /** A measure's description and its value: null where it does not apply to this plant. */
 export type MeasureValue = readonly [info: MeasureInfo, value: number | null];
 
-/** Every measure in the order of the table; empty where none were requested. */
+/** Returns every measure with its value, in the order of the table; empty where none were requested. */
 export function measureValues(table: Pick<Table, "measures">, { measures }: Pick<Plant, "measures">): MeasureValue[] {
 	if (!measures) return [];
 	return table.measures.map((info, index) => {
@@ -19,7 +19,7 @@ export function measureValues(table: Pick<Table, "measures">, { measures }: Pick
 /** Measures in a file, by key. */
 export type WrittenMeasures = Record<string, number | null>;
 
-/** `{ measures }` for a file; empty where none were requested. */
+/** Returns `{ measures }` for a file; an empty object where none were requested. */
 export function measuresOf(
 	table: Pick<Table, "measures">,
 	grown: Pick<Plant, "measures">,

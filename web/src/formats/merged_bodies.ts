@@ -40,8 +40,8 @@ export function solidGroups(pieces: readonly Piece[]): SolidGroups {
 }
 
 /**
- * The pieces, with each group of solid ones merged into one closed piece, with new normals and the colours of the
- * nearest original vertices.
+ * Returns the pieces, with each group of solid ones merged into one closed piece, with new normals and the colours of
+ * the nearest original vertices.
  * @param groups of these pieces
  * @param reach half the width of gaps between bodies that are filled, in 192nds of the longest edge of the plant
  */
@@ -52,14 +52,16 @@ export function mergedBodies(pieces: readonly Piece[], groups: SolidGroups, reac
 	return [...bodies, ...pieces.filter((piece) => !merged.has(piece))];
 }
 
+/** Returns the edge of a cell: the plant's longest edge divided by `CELLS`. */
 const pitchFor = (pieces: readonly Piece[]) => extentOf(pieces) / CELLS;
 
+/** Returns whether a piece may be merged: closed, not thinner than `leastRadius`, and a plain solid material. */
 function isSolid({ material, mesh }: Piece, leastRadius: number): boolean {
 	if (material.textures || material.doubleSided || material.sheet || mesh.feet) return false;
 	return radiusOf(mesh) >= leastRadius && isClosed(mesh);
 }
 
-/** Three times the volume divided by the surface; 0 for a mesh without triangles. */
+/** Returns three times the volume divided by the surface: the radius of a ball; 0 for a mesh without triangles. */
 function radiusOf({ positions, indices }: PartMesh): number {
 	let [volume, area] = [0, 0];
 	for (let at = 0; at < indices.length; at += 3) {
@@ -71,6 +73,11 @@ function radiusOf({ positions, indices }: PartMesh): number {
 	return area > 0 ? volume / area : 0;
 }
 
+/**
+ * Merges pieces of one material into one closed mesh, by voxels: gaps up to twice `reach` cells wide are closed,
+ * hollows filled, and the surface extracted by surface nets.
+ * @param pitch edge of a cell, metres
+ */
 function bodyOf(pieces: readonly Piece[], pitch: number, reach: number): PartMesh {
 	const meshes = pieces.map(({ mesh }) => mesh);
 	const { low, high } = boundsOf(meshes.map(({ positions }) => positions));
@@ -85,7 +92,7 @@ function bodyOf(pieces: readonly Piece[], pitch: number, reach: number): PartMes
 	return colours ? { ...mesh, colours } : mesh;
 }
 
-/** Vertex normals: means over the adjacent triangles, weighted by area. */
+/** Computes vertex normals: means over the adjacent triangles, weighted by area. */
 function normalsOf(positions: Float32Array, indices: Uint32Array): Float32Array {
 	const normals = new Float32Array(positions.length);
 	for (let at = 0; at < indices.length; at += 3) {
@@ -102,7 +109,8 @@ function normalsOf(positions: Float32Array, indices: Uint32Array): Float32Array 
 }
 
 /**
- * Twice the area of a triangle, along its normal.
+ * Returns the cross product of two edges of a triangle: a vector along its normal, as long as twice its area.
+ * @param p positions, 3 × vertices
  * @param a @param b @param c offsets of its corners' positions
  */
 function crossOf(p: Float32Array, a: number, b: number, c: number): [x: number, y: number, z: number] {
@@ -111,7 +119,7 @@ function crossOf(p: Float32Array, a: number, b: number, c: number): [x: number, 
 	return [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
 }
 
-/** The colours of the nearest vertices; undefined where no piece has vertex colours. */
+/** Returns the colours of the nearest vertices; undefined where no piece has vertex colours. */
 function coloursAt(positions: Float32Array, pieces: readonly Piece[]): Float32Array | undefined {
 	if (!pieces.some(({ mesh }) => mesh.colours)) return undefined;
 	const length = pieces.reduce((sum, { mesh }) => sum + mesh.positions.length, 0);

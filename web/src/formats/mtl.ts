@@ -26,6 +26,7 @@ export function writeMtl(materials: readonly NamedMaterial[]): string {
 	return [`# ${GENERATOR}\n`, ...materials.map(block)].join("\n");
 }
 
+/** Writes one material (`newmtl`); `pictures` are file names. */
 function block({ name, material, pictures = {} }: NamedMaterial): string {
 	const { colour, roughness, sheen, clearcoat, ior } = material;
 	const specular = roughness < SMOOTH ? SPECULAR.smooth : SPECULAR.matt;
@@ -49,6 +50,7 @@ function block({ name, material, pictures = {} }: NamedMaterial): string {
 	return `${lines.join("\n")}\n`;
 }
 
+/** Rounds a number for the file. */
 function short(value: number): number {
 	return rounded(value, DECIMALS);
 }

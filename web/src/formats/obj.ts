@@ -24,7 +24,7 @@ export interface ObjPicture {
 }
 
 /**
- * The two texts and their pictures.
+ * Writes the two texts and their pictures.
  * @param name the name of the files without suffix: the OBJ refers to `name.mtl`
  * @param pictured whether the MTL may refer to pictures; else it has colours only
  * @throws FileTooLargeError where the OBJ exceeds the limit of files (limits.ts)
@@ -39,7 +39,10 @@ export function exportObj(
 	return { obj: obj.toString(), ...others };
 }
 
-/** As `exportObj`, with the OBJ in pieces (`TextBuffer.chunks`): as one string it would be in memory twice. */
+/**
+ * Writes a plant as an OBJ with its materials and pictures, as `exportObj`, but the OBJ in pieces
+ * (`TextBuffer.chunks`): as one string it would be in memory twice.
+ */
 export function writeObj(
 	parts: Iterable<Part>,
 	about: About,
@@ -67,8 +70,8 @@ export function writeObj(
 }
 
 /**
- * The names of a material's pictures, each of which is written once. A plain colour becomes a picture, too: some
- * readers take `Kd` for sRGB, Blender for linear light, and all of them take pictures for sRGB.
+ * Returns the names of a material's pictures, each of which is written once. A plain colour becomes a picture, too:
+ * some readers take `Kd` for sRGB, Blender for linear light, and all of them take pictures for sRGB.
  */
 function picturesOf({ name, material }: NamedMaterial, file: string, written: Map<Picture, ObjPicture>) {
 	const kinds = (["colour", "normal"] as const).flatMap((kind) => {
@@ -84,6 +87,9 @@ function picturesOf({ name, material }: NamedMaterial, file: string, written: Ma
 	return Object.fromEntries(kinds);
 }
 
+/**
+ * Writes a mesh, or each of its instances, as an object. Instances that are parts by themselves have their own names.
+ */
 function writeShape(writer: ObjWriter, name: string, { mesh, instances }: Shape, material: string): void {
 	if (!instances) {
 		writer.object(name, mesh, material);

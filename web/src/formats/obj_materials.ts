@@ -7,7 +7,7 @@ import type { Material } from "../plant/material";
 import type { Shape } from "../plant/part";
 import type { NamedMaterial } from "./mtl";
 
-interface Used {
+interface UsedMaterial {
 	name: string;
 	material: Material;
 	/** Sum of the parts' mean colours, and the number of parts with colours. */
@@ -17,12 +17,12 @@ interface Used {
 
 export class ObjMaterials {
 	/** By material, then by variant. */
-	readonly #used = new Map<Material, Map<string, Used>>();
+	readonly #used = new Map<Material, Map<string, UsedMaterial>>();
 	readonly #names = new Set<string>();
 
 	/** Returns the name of a shape's material, and includes the shape's colours in the mean. */
 	nameOf({ material, variant, mesh }: Shape): string {
-		const variants = this.#used.get(material) ?? new Map<string, Used>();
+		const variants = this.#used.get(material) ?? new Map<string, UsedMaterial>();
 		this.#used.set(material, variants);
 		const used = variants.get(variant ?? "") ?? this.#add(material, variant);
 		variants.set(variant ?? "", used);
@@ -35,7 +35,7 @@ export class ObjMaterials {
 		return used.name;
 	}
 
-	/** All named materials, in the order of naming, with their mean colours. */
+	/** Returns all named materials, in the order of naming, with their mean colours. */
 	all(): NamedMaterial[] {
 		const used = [...this.#used.values()].flatMap((variants) => [...variants.values()]);
 		return used.map(({ name, material, sum, count }) => {
@@ -44,7 +44,8 @@ export class ObjMaterials {
 		});
 	}
 
-	#add(material: Material, variant?: string): Used {
+	/** Names a material: by its own name and variant, numbered where that name is taken. */
+	#add(material: Material, variant?: string): UsedMaterial {
 		const wanted = `${material.name}${variant ? `_${variant}` : ""}`.replaceAll(/\s+/g, "_");
 		let name = wanted;
 		for (let number = 2; this.#names.has(name); number++) name = `${wanted}_${number}`;

@@ -26,6 +26,7 @@ export class ObjWriter {
 	/** The number of the first coordinate of each shared array. */
 	readonly #known = new Map<Float32Array, number>();
 
+	/** Writes a line; line breaks in the text become blanks. */
 	line(text: string): void {
 		this.#out.text(`${text.replace(/[\r\n]+/g, " ")}\n`);
 	}
@@ -46,8 +47,9 @@ export class ObjWriter {
 	}
 
 	/**
-	 * Returns the number of the first coordinate. OBJ measures v from the picture's lower edge, Panicle and glTF from
-	 * the upper one: v is flipped, so that the same picture fits both files.
+	 * Writes texture coordinates, unless the same array has been written; returns the number of the first coordinate. OBJ
+	 * measures v from the picture's lower edge, Panicle and glTF from the upper one: v is flipped, so that the same
+	 * picture fits both files.
 	 */
 	#textureCoordinates(uvs: Float32Array): number {
 		const known = this.#known.get(uvs);
@@ -64,7 +66,7 @@ export class ObjWriter {
 		return first;
 	}
 
-	/** Index i is vertex and normal `first + i`, texture coordinate `firstUv + i` of the file. */
+	/** Writes the triangles: index i is vertex and normal `first + i`, texture coordinate `firstUv + i` of the file. */
 	#faces(indices: Uint32Array, material: string, first: number, firstUv: number): void {
 		const out = this.#out;
 		this.line(`usemtl ${material}`);
@@ -78,6 +80,7 @@ export class ObjWriter {
 		}
 	}
 
+	/** Writes one line per vector of three numbers. */
 	#vectors(keyword: string, values: Float32Array | Float64Array, decimals: number): void {
 		const out = this.#out;
 		for (let i = 0; i < values.length; i += 3) {

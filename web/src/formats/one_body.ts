@@ -29,6 +29,10 @@ export function joinPieces({ size, cells }: Voxels, thick: number, farthest: num
 		flood(size, piece, joined, isFilled, (cell) => {
 			if (steps.some((step) => cells[cell + step] === 0)) wave.push(cell);
 		});
+	/**
+	 * Fills a cube of `thick` cells, from `cell` in the direction of the axes; the outermost layer of the grid stays
+	 * empty.
+	 */
 	const fillRod = (cell: number) => {
 		for (let z = 0; z < thick; z++) {
 			for (let y = 0; y < thick; y++) {
@@ -73,7 +77,7 @@ export function joinPieces({ size, cells }: Voxels, thick: number, farthest: num
 	return removed;
 }
 
-/** A cell of the piece with the most cells; undefined where no cell is filled. */
+/** Returns a cell of the piece with the most cells; undefined where no cell is filled. */
 function largestPiece(size: Size, cells: Uint8Array): number | undefined {
 	const seen = new Uint8Array(cells.length);
 	let largest: number | undefined;
@@ -86,14 +90,18 @@ function largestPiece(size: Size, cells: Uint8Array): number | undefined {
 	return largest;
 }
 
+/** Returns whether a cell is in the outermost layer of the grid. */
 function isOutermost([nx, ny, nz]: Size, cell: number): boolean {
 	const [x, y, z] = [cell % nx, Math.floor(cell / nx) % ny, Math.floor(cell / (nx * ny))];
 	return x === 0 || y === 0 || z === 0 || x === nx - 1 || y === ny - 1 || z === nz - 1;
 }
 
 /**
- * Marks all cells of a kind that are connected through faces of cells with one of them; works in runs along x, so that
- * the stack stays short.
+ * Marks all cells of a kind that are connected, through faces of cells, with one of them; works in runs along x, so
+ * that the stack stays short.
+ * @param from the first cell
+ * @param marked 1 for marked cells, changed in place
+ * @param visit called with each newly marked cell
  * @returns the number of these cells
  */
 function flood(
@@ -109,6 +117,7 @@ function flood(
 	let count = 0;
 	for (let seed = seeds.pop(); seed !== undefined; seed = seeds.pop()) {
 		if (!isOpen(seed)) continue;
+		// Fill the run of open cells around the seed, then seed each run that begins in the four neighbouring rows.
 		const row = seed - (seed % nx);
 		let [left, right] = [seed, seed];
 		while (left > row && isOpen(left - 1)) left--;

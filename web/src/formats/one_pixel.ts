@@ -4,7 +4,7 @@
 import { type Colour, clamp, encoded, linear } from "../plant/colour";
 import type { Picture } from "../plant/material";
 
-/** The picture, and its colour: never darker than the given one. */
+/** Returns a picture of one pixel, and its colour in linear light: never darker than the given one. */
 export function onePixel(colour: Colour): { picture: Picture; colour: Colour } {
 	const pixels = Uint8Array.from(encoded(colour), (value) => Math.ceil(255 * clamp(value) - 1e-6));
 	const digits = Array.from(pixels, (value) => value.toString(16).padStart(2, "0")).join("");

@@ -13,7 +13,10 @@ const VIEWS = [
 /** One picture per view, 1 where the plant covers the middle of a pixel. */
 export type OutlineViews = readonly Uint8Array[];
 
-/** @returns a function that draws outlines at the scale and position of these pieces, so that they can be compared */
+/**
+ * Fixes the scale and position of outlines.
+ * @returns a function that draws outlines at the scale and position of these pieces, so that they can be compared
+ */
 export function outlinesBeside(pieces: readonly Piece[]): (pieces: readonly Piece[]) => OutlineViews {
 	const { low, high } = boundsOf(pieces.map(({ mesh }) => mesh.positions));
 	const pixel = Math.max(...high.map((value, axis) => value - low[axis])) / PIXELS || 1;
@@ -25,7 +28,7 @@ export function outlinesBeside(pieces: readonly Piece[]): (pieces: readonly Piec
 		});
 }
 
-/** The least intersection over union of the covered pixels among the views: 1 where outlines are equal. */
+/** Returns the least intersection over union of the covered pixels among the views: 1 where outlines are equal. */
 export function agreement(one: OutlineViews, other: OutlineViews): number {
 	const shares = one.map((covered, view) => {
 		let [both, either] = [0, 0];
@@ -38,6 +41,13 @@ export function agreement(one: OutlineViews, other: OutlineViews): number {
 	return Math.min(...shares);
 }
 
+/**
+ * Marks the pixels whose middles a mesh covers in an orthographic view, row by row of each triangle.
+ * @param covered PIXELS × PIXELS, 1 where covered
+ * @param view indices of the axes that run along rows and columns
+ * @param low the corner of the picture, by axis
+ * @param pixel edge of a pixel, in units of the mesh
+ */
 function cover(
 	covered: Uint8Array,
 	{ positions, indices }: Piece["mesh"],
@@ -53,15 +63,15 @@ function cover(
 		const last = Math.min(PIXELS - 1, Math.floor(Math.max(av, bv, cv)));
 		for (let row = Math.max(0, Math.ceil(Math.min(av, bv, cv))); row <= last; row++) {
 			let [from, to] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
-			const meet = (pu: number, pv: number, qu: number, qv: number) => {
+			const addEdge = (pu: number, pv: number, qu: number, qv: number) => {
 				if (row < Math.min(pv, qv) || row > Math.max(pv, qv)) return;
-				const place = pv === qv ? pu : pu + ((row - pv) / (qv - pv)) * (qu - pu);
-				from = Math.min(from, place);
-				to = Math.max(to, place);
+				const crossing = pv === qv ? pu : pu + ((row - pv) / (qv - pv)) * (qu - pu);
+				from = Math.min(from, crossing);
+				to = Math.max(to, crossing);
 			};
-			meet(au, av, bu, bv);
-			meet(bu, bv, cu, cv);
-			meet(cu, cv, au, av);
+			addEdge(au, av, bu, bv);
+			addEdge(bu, bv, cu, cv);
+			addEdge(cu, cv, au, av);
 			const [first, end] = [Math.max(0, Math.ceil(from)), Math.min(PIXELS - 1, Math.floor(to))];
 			if (end >= first) covered.fill(1, row * PIXELS + first, row * PIXELS + end + 1);
 		}

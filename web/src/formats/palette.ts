@@ -26,7 +26,7 @@ export interface Palette {
 export function paletted(parts: readonly Part[]): Part[] {
 	return parts.map(({ shape, children, ...part }) => ({
 		...part,
-		...(shape ? { shape: painted(shape) } : {}),
+		...(shape ? { shape: withPalette(shape) } : {}),
 		...(children ? { children: paletted(children) } : {}),
 	}));
 }
@@ -44,29 +44,31 @@ export function palettedByMaterial(shapes: readonly Shape[]): Map<Shape, Shape> 
 		if (group) group.push(shape);
 		else groups.set(material, [shape]);
 	}
-	const found = new Map<Shape, Shape>();
+	const result = new Map<Shape, Shape>();
 	for (const [material, group] of groups) {
 		const coloursOf = ({ mesh }: Shape) => mesh.colours as Float32Array;
-		const all = new Float32Array(group.reduce((sum, shape) => sum + coloursOf(shape).length, 0));
+		// One palette for the vertex colours of all shapes, in their order.
+		const allColours = new Float32Array(group.reduce((sum, shape) => sum + coloursOf(shape).length, 0));
 		let at = 0;
 		for (const shape of group) {
-			all.set(coloursOf(shape), at);
+			allColours.set(coloursOf(shape), at);
 			at += coloursOf(shape).length;
 		}
-		const { picture, uvs } = paletteOf(all);
-		const shown = { ...material, textures: { ...material.textures, colour: picture } };
+		const { picture, uvs } = paletteOf(allColours);
+		const palettedMaterial = { ...material, textures: { ...material.textures, colour: picture } };
 		at = 0;
 		for (const shape of group) {
 			const { colours: _, ...bare } = shape.mesh;
 			const end = at + (2 * coloursOf(shape).length) / 3;
-			found.set(shape, { ...shape, mesh: { ...bare, uvs: uvs.slice(at, end) }, material: shown });
+			result.set(shape, { ...shape, mesh: { ...bare, uvs: uvs.slice(at, end) }, material: palettedMaterial });
 			at = end;
 		}
 	}
-	return found;
+	return result;
 }
 
-function painted(shape: Shape): Shape {
+/** Returns a shape with its vertex colours in a picture of its own. */
+function withPalette(shape: Shape): Shape {
 	const { mesh, material, instances } = shape;
 	if (!mesh.colours || instances || material.textures?.colour) return shape;
 	const { colours, ...bare } = mesh;
@@ -74,46 +76,50 @@ function painted(shape: Shape): Shape {
 	return { ...shape, mesh: { ...bare, uvs }, material: { ...material, textures: { colour: picture } } };
 }
 
-/** @param colours 3 × vertices, linear light */
+/**
+ * Computes the picture of the plane that is nearest to the colours, and each vertex's place in it.
+ * @param colours 3 × vertices, linear light
+ */
 export function paletteOf(colours: Float32Array): Palette {
-	const shown = new Float32Array(colours.length);
-	for (let i = 0; i < colours.length; i += 3) shown.set(encoded([colours[i], colours[i + 1], colours[i + 2]]), i);
+	const srgb = new Float32Array(colours.length);
+	for (let i = 0; i < colours.length; i += 3) srgb.set(encoded([colours[i], colours[i + 1], colours[i + 2]]), i);
 	const count = Math.max(1, colours.length / 3);
-	const mean = [0, 1, 2].map((k) => shown.reduce((sum, value, i) => (i % 3 === k ? sum + value : sum), 0) / count);
-	const spread = covariance(shown, mean);
-	const all = traceOf(spread);
-	const first = principal(spread);
-	const left = without(spread, first);
+	const mean = [0, 1, 2].map((k) => srgb.reduce((sum, value, i) => (i % 3 === k ? sum + value : sum), 0) / count);
+	const spread = covariance(srgb, mean);
+	const totalSpread = traceOf(spread);
+	const first = principalAxis(spread);
+	const remaining = withoutAxis(spread, first);
 	// Colours on a line have no second axis: rounding errors would choose one.
-	const second: Colour = traceOf(left) > LEAST_SPREAD * all ? principal(left) : [0, 0, 0];
+	const second: Colour = traceOf(remaining) > LEAST_SPREAD * totalSpread ? principalAxis(remaining) : [0, 0, 0];
 	const axes = [first, second];
-	const places = new Float32Array(2 * count);
+	const coordinates = new Float32Array(2 * count);
 	const [low, high] = [
 		[0, 0],
 		[0, 0],
 	];
 	for (let vertex = 0; vertex < colours.length / 3; vertex++) {
 		for (const [j, axis] of axes.entries()) {
-			const value = [0, 1, 2].reduce((sum, k) => sum + axis[k] * (shown[3 * vertex + k] - mean[k]), 0);
-			places[2 * vertex + j] = value;
+			const value = [0, 1, 2].reduce((sum, k) => sum + axis[k] * (srgb[3 * vertex + k] - mean[k]), 0);
+			coordinates[2 * vertex + j] = value;
 			low[j] = Math.min(low[j], value);
 			high[j] = Math.max(high[j], value);
 		}
 	}
-	const reach = low.map((value, j) => high[j] - value || 1);
+	const ranges = low.map((value, j) => high[j] - value || 1);
 	const pixels = new Uint8Array(3 * EDGE * EDGE);
 	for (let i = 0; i < pixels.length; i++) {
 		const [x, y, k] = [Math.floor(i / 3) % EDGE, Math.floor(i / 3 / EDGE), i % 3];
-		const at = [x, y].map((step, j) => low[j] + (step / (EDGE - 1)) * reach[j]);
-		pixels[i] = Math.round(255 * clamp(mean[k] + at[0] * first[k] + at[1] * second[k]));
+		const planePoint = [x, y].map((step, j) => low[j] + (step / (EDGE - 1)) * ranges[j]);
+		pixels[i] = Math.round(255 * clamp(mean[k] + planePoint[0] * first[k] + planePoint[1] * second[k]));
 	}
 	// From the middle of the first pixel to the middle of the last.
-	const uvs = places.map((value, i) => (0.5 + ((value - low[i % 2]) / reach[i % 2]) * (EDGE - 1)) / EDGE);
+	const uvs = coordinates.map((value, i) => (0.5 + ((value - low[i % 2]) / ranges[i % 2]) * (EDGE - 1)) / EDGE);
 	return { picture: { width: EDGE, height: EDGE, pixels }, uvs };
 }
 
 type Matrix = number[][];
 
+/** Returns the covariance matrix of colours, not divided by their number. */
 function covariance(values: Float32Array, mean: readonly number[]): Matrix {
 	const sums = [0, 1, 2].map(() => [0, 0, 0]);
 	for (let at = 0; at < values.length; at += 3) {
@@ -124,10 +130,14 @@ function covariance(values: Float32Array, mean: readonly number[]): Matrix {
 	return sums;
 }
 
+/** Returns the trace of a matrix: the sum of its diagonal, here the whole spread of colours. */
 const traceOf = (matrix: Matrix) => matrix[0][0] + matrix[1][1] + matrix[2][2];
 
-/** The axis of the largest spread, of unit length, by powers of the matrix. */
-function principal(matrix: Matrix): Colour {
+/**
+ * Returns the axis of the largest spread, of unit length: the eigenvector of the largest eigenvalue, by power
+ * iteration.
+ */
+function principalAxis(matrix: Matrix): Colour {
 	let axis: Colour = [0.6, 0.64, 0.48];
 	for (let round = 0; round < ROUNDS; round++) {
 		const [x, y, z] = matrix.map((row) => row[0] * axis[0] + row[1] * axis[1] + row[2] * axis[2]);
@@ -138,9 +148,9 @@ function principal(matrix: Matrix): Colour {
 	return axis;
 }
 
-/** The matrix without an axis. */
-function without(matrix: Matrix, axis: Colour): Matrix {
-	const along = matrix.map((row) => row[0] * axis[0] + row[1] * axis[1] + row[2] * axis[2]);
-	const strength = along[0] * axis[0] + along[1] * axis[1] + along[2] * axis[2];
+/** Returns the covariance matrix without the spread along an axis (deflation). */
+function withoutAxis(matrix: Matrix, axis: Colour): Matrix {
+	const product = matrix.map((row) => row[0] * axis[0] + row[1] * axis[1] + row[2] * axis[2]);
+	const strength = product[0] * axis[0] + product[1] * axis[1] + product[2] * axis[2];
 	return matrix.map((row, i) => row.map((value, j) => value - strength * axis[i] * axis[j]));
 }

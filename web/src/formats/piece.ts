@@ -28,7 +28,7 @@ export interface NamedPiece extends Piece {
 }
 
 /**
- * Every mesh, and every instance by itself.
+ * Yields every mesh, and every instance by itself, in the plant's frame.
  * @param still the fixed point of still parts: then instances, too, have fixed points (`feet`)
  */
 export function* piecesOf(parts: Iterable<Part>, still?: Vector): Generator<NamedPiece> {
@@ -40,6 +40,10 @@ export function* piecesOf(parts: Iterable<Part>, still?: Vector): Generator<Name
 	}
 }
 
+/**
+ * Yields every instance of a part as a piece in the plant's frame, in its own share of the sky.
+ * @param still where given, each instance is fixed at its own origin (`feet`)
+ */
 function* instancesOf(
 	part: Part,
 	{ mesh, material }: Shape,
@@ -56,11 +60,12 @@ function* instancesOf(
 	}
 }
 
-/** The mesh with one fixed point. */
+/** Returns the mesh with one fixed point for all vertices (`feet`). */
 function heldAt(place: Vector, mesh: PartMesh): PartMesh {
 	return { ...mesh, feet: mesh.positions.map((_, at) => place[at % 3]) };
 }
 
+/** Makes a piece of a mesh, with vertex colours that include the shade. */
 function piece(
 	{ name, extras }: Pick<Part, "name" | "extras">,
 	{ mesh, material }: Pick<Shape, "mesh" | "material">,
@@ -70,7 +75,7 @@ function piece(
 	return { name, ...(extras && { extras }), material, mesh: colours ? { ...bare, colours } : bare };
 }
 
-/** The bounding box of all vertices: its lowest and its highest corner. */
+/** Returns the bounding box of all vertices: its lowest and its highest corner. */
 export function boundsOf(positions: Iterable<Float32Array>): { low: number[]; high: number[] } {
 	const low = [Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY];
 	const high = low.map((value) => -value);
@@ -86,7 +91,7 @@ export function boundsOf(positions: Iterable<Float32Array>): { low: number[]; hi
 	return { low, high };
 }
 
-/** The longest edge of the pieces' bounding box; 0 where there are none. */
+/** Returns the longest edge of the pieces' bounding box; 0 where there are none. */
 export function extentOf(pieces: readonly Piece[]): number {
 	const { low, high } = boundsOf(pieces.map(({ mesh }) => mesh.positions));
 	return Math.max(0, ...high.map((value, axis) => value - low[axis]));

@@ -6,6 +6,7 @@ import type { FileOptions } from "./file_options";
 import type { Aged } from "./growth_glb";
 import { checkMeshBytes, type WrittenInstances } from "./limits";
 import type { Levels } from "./lod_glb";
+import { text } from "./messages.generated";
 
 /** Further data of a plant, for files that move or have levels of detail. */
 export interface Further {
@@ -26,9 +27,9 @@ export interface PlantFile {
 	readonly ending: string;
 	/** The form among files with the same suffix; the first one is the default. */
 	readonly form?: string;
-	readonly title: string;
+	title(): string;
 	/** One line of description. */
-	readonly about: string;
+	about(): string;
 	/** The end of the file's name, after the plant's name. */
 	readonly suffix: string;
 	/** The media type of the file. */
@@ -71,8 +72,8 @@ const FILES: readonly PlantFile[] = [
 		...GLB,
 		key: "glb",
 		form: "detailed",
-		title: "GLB",
-		about: "glTF, one node per part; opens everywhere",
+		title: () => text("glb_title"),
+		about: () => text("glb_about"),
 		instances: "nodes",
 		suffix: ".glb",
 		uses: ["translucent", "textures"],
@@ -85,8 +86,8 @@ const FILES: readonly PlantFile[] = [
 		...GLB,
 		key: "glb-web",
 		form: "web",
-		title: "GLB for the web",
-		about: "At most 5 draw calls, compressed; for readers of EXT_meshopt_compression",
+		title: () => text("glb_web_title"),
+		about: () => text("glb_web_about"),
 		instances: "meshes",
 		suffix: "-web.glb",
 		make: async (parts, about) => (await import("./web_glb")).webGlb(parts, about),
@@ -95,8 +96,8 @@ const FILES: readonly PlantFile[] = [
 		...GLB,
 		key: "glb-low",
 		form: "low",
-		title: "GLB, low",
-		about: "As few triangles as you say; opens everywhere",
+		title: () => text("glb_low_title"),
+		about: () => text("glb_low_about", { triangles: LOW_TRIANGLES }),
 		instances: "meshes",
 		suffix: "-low.glb",
 		uses: ["triangles"],
@@ -106,8 +107,8 @@ const FILES: readonly PlantFile[] = [
 		...GLB,
 		key: "glb-instanced",
 		form: "instanced",
-		title: "GLB, instanced",
-		about: "Parts that are alike in one node; for readers of EXT_mesh_gpu_instancing",
+		title: () => text("glb_instanced_title"),
+		about: () => text("glb_instanced_about"),
 		instances: "shared",
 		suffix: "-instanced.glb",
 		uses: ["translucent"],
@@ -121,13 +122,13 @@ const FILES: readonly PlantFile[] = [
 		...GLB,
 		key: "glb-growth",
 		form: "growth",
-		title: "GLB, growth",
-		about: "Its life as an animation; opens everywhere",
+		title: () => text("glb_growth_title"),
+		about: () => text("glb_growth_about"),
 		suffix: "-growth.glb",
 		life: true,
 		slow: true,
 		make: async (_, about, __, { aged } = {}) => {
-			if (!aged) throw new Error("This plant has no ages to show.");
+			if (!aged) throw new Error(text("no_ages"));
 			return (await import("./growth_glb")).growthGlb(aged, about);
 		},
 	},
@@ -135,8 +136,8 @@ const FILES: readonly PlantFile[] = [
 		...GLB,
 		key: "glb-wind",
 		form: "wind",
-		title: "GLB, in the wind",
-		about: "Swaying as an animation without end; opens everywhere",
+		title: () => text("glb_wind_title"),
+		about: () => text("glb_wind_about"),
 		instances: "meshes",
 		suffix: "-wind.glb",
 		uses: ["triangles"],
@@ -149,12 +150,12 @@ const FILES: readonly PlantFile[] = [
 		...GLB,
 		key: "glb-lod",
 		form: "lod",
-		title: "GLB, levels",
-		about: "For four distances in one (MSFT_lod); readers that know no levels show the finest",
+		title: () => text("glb_lod_title"),
+		about: () => text("glb_lod_about"),
 		suffix: "-lod.glb",
 		levelled: true,
 		make: async (_, about, __, { levels } = {}) => {
-			if (!levels) throw new Error("This plant has no levels.");
+			if (!levels) throw new Error(text("no_levels"));
 			return (await import("./lod_glb")).lodGlb(levels, about);
 		},
 	},
@@ -162,8 +163,8 @@ const FILES: readonly PlantFile[] = [
 		key: "usdz",
 		ending: "usdz",
 		type: "model/vnd.usdz+zip",
-		title: "USDZ for phones",
-		about: "Universal Scene Description; stands in the room on an iPhone",
+		title: () => text("usdz_title"),
+		about: () => text("usdz_about"),
 		instances: "meshes",
 		suffix: ".usdz",
 		make: async (parts, about) => (await import("./usdz")).usdz(parts, about),
@@ -172,8 +173,8 @@ const FILES: readonly PlantFile[] = [
 		key: "ply",
 		ending: "ply",
 		type: "application/octet-stream",
-		title: "PLY points",
-		about: "Places, normals and colours, evenly over the surface",
+		title: () => text("ply_title"),
+		about: () => text("ply_about"),
 		instances: "meshes",
 		suffix: ".ply",
 		uses: ["points"],
@@ -183,8 +184,8 @@ const FILES: readonly PlantFile[] = [
 		key: "3mf",
 		ending: "3mf",
 		type: "model/3mf",
-		title: "3MF for printers",
-		about: "One closed body in millimetres, thick enough to print",
+		title: () => text("three_mf_title"),
+		about: () => text("three_mf_about"),
 		instances: "meshes",
 		suffix: ".3mf",
 		uses: ["thickness"],
@@ -196,8 +197,8 @@ const FILES: readonly PlantFile[] = [
 		key: "stl",
 		ending: "stl",
 		type: "model/stl",
-		title: "STL for printers",
-		about: "The same body for older programs",
+		title: () => text("stl_title"),
+		about: () => text("stl_about"),
 		instances: "meshes",
 		suffix: ".stl",
 		uses: ["thickness"],
@@ -219,7 +220,7 @@ export const PLANT_FILES: readonly PlantFile[] = FILES.map((file) => {
 	return { ...file, make: checked };
 });
 
-/** The file for a suffix and perhaps a form. */
+/** Returns the file for a suffix and perhaps a form; undefined if there is none. */
 export function plantFile(ending: string, form?: string): PlantFile | undefined {
 	return PLANT_FILES.find((file) => file.ending === ending && (form === undefined || file.form === form));
 }

@@ -29,7 +29,10 @@ interface Label {
 	readonly id: number | undefined;
 }
 
-/** @param points their number, spread evenly over all visible surface */
+/**
+ * Writes points of a plant's surface.
+ * @param points their number, spread evenly over all visible surface
+ */
 export function ply(parts: Iterable<Part>, about: About, points: number): Uint8Array<ArrayBuffer> {
 	// Counted as nodes of a GLB: instances in one node there are one here.
 	const all = [...piecesOf([...parts].map(together))];
@@ -56,7 +59,7 @@ export function ply(parts: Iterable<Part>, about: About, points: number): Uint8A
 	const file = new Uint8Array(header.length + size * cloud.count);
 	file.set(header);
 	const view = new DataView(file.buffer, header.length);
-	for (let index = 0; index < cloud.count; index++) write(view, size * index, cloud.at(index));
+	for (let index = 0; index < cloud.count; index++) writePoint(view, size * index, cloud.at(index));
 	return file;
 }
 
@@ -72,7 +75,7 @@ interface Point {
 type Labelled = Piece & { readonly label: Label };
 
 /** The least share of visible points on candidate triangles: below it all candidates count as visible. */
-const LEAST_SEEN = 0.05;
+const LEAST_VISIBLE = 0.05;
 /** Factor of additional points, so that a second pass is enough. */
 const SPARE = 1.02;
 
@@ -83,7 +86,7 @@ class Candidates {
 	/** 0 where there is no area. */
 	readonly count: number;
 
-	/** One point in the middle of each equal share of the area. */
+	/** Places one point in the middle of each equal share of the area. */
 	constructor(
 		readonly pieces: readonly Labelled[],
 		areas: readonly Float64Array[],
@@ -102,6 +105,10 @@ class Candidates {
 		this.count = point;
 	}
 
+	/**
+	 * Returns a point within its triangle. Multiples of STEPS modulo 1 spread the points evenly; points beyond the
+	 * triangle's diagonal are mirrored into it.
+	 */
 	at(index: number): Point {
 		let [s, t] = STEPS.map((step) => (step * (index + 1)) % 1);
 		if (s + t > 1) [s, t] = [1 - s, 1 - t];
@@ -117,57 +124,63 @@ interface Cloud {
 	at(index: number): Point;
 }
 
-/** A cloud of points, spread evenly over all visible surface: large triangles may be partly hidden. */
+/** Returns a cloud of points, spread evenly over all visible surface: large triangles may be partly hidden. */
 function cloudOf(cover: Cover<Labelled>, points: number): Cloud {
 	const pieces = cover.visible();
 	const areas = pieces.map(areasOf);
-	const all = new Candidates(pieces, areas, points);
-	let candidates = all;
+	const allCandidates = new Candidates(pieces, areas, points);
+	let candidates = allCandidates;
 	while (candidates.count > 0) {
-		const seen = new Uint32Array(candidates.count);
-		let found = 0;
-		for (let i = 0; i < seen.length; i++) if (!isHidden(cover, candidates.at(i))) seen[found++] = i;
-		const [from, first] = [candidates, found];
-		if (found >= points)
-			return { count: points, at: (index) => from.at(seen[Math.floor(((index + 0.5) * first) / points)]) };
-		if (found < LEAST_SEEN * seen.length) break;
-		candidates = new Candidates(pieces, areas, Math.ceil((SPARE * seen.length * points) / found) + 1);
+		const visible = new Uint32Array(candidates.count);
+		let visibleCount = 0;
+		for (let i = 0; i < visible.length; i++) if (!isHidden(cover, candidates.at(i))) visible[visibleCount++] = i;
+		const [from, first] = [candidates, visibleCount];
+		if (visibleCount >= points)
+			return { count: points, at: (index) => from.at(visible[Math.floor(((index + 0.5) * first) / points)]) };
+		if (visibleCount < LEAST_VISIBLE * visible.length) break;
+		candidates = new Candidates(pieces, areas, Math.ceil((SPARE * visible.length * points) / visibleCount) + 1);
 	}
-	return all;
+	return allCandidates;
 }
 
+/** Returns whether a point is inside another piece, or where another piece touches its own. */
 function isHidden(cover: Cover<Labelled>, point: Point): boolean {
 	const { positions } = point.piece.mesh;
 	return cover.hides(point.piece.label.instance, meanOf(positions, point), normalAt(point));
 }
 
-/** Interpolates values with three numbers per vertex. */
+/** Interpolates values with three numbers per vertex at a point. */
 function meanOf(values: Float32Array, { corners, weights }: Point): number[] {
 	return [0, 1, 2].map((k) =>
 		weights.reduce((sum, weight, corner) => sum + weight * values[3 * corners[corner] + k], 0),
 	);
 }
 
+/** Returns the unit normal at a point. */
 function normalAt(point: Point): number[] {
 	const normal = meanOf(point.piece.mesh.normals, point);
 	const length = Math.hypot(...normal) || 1;
 	return normal.map((value) => value / length);
 }
 
-/** The kind of a part: its name without the trailing number. */
+/** Returns the kind of a part: its name without the trailing number. */
 const kindOf = ({ name }: Pick<NamedPiece, "name">) => name.replace(/ [\d.]+$/, "");
 
-/** Kinds of parts by class number: the known ones, then the others in order of appearance. */
+/** Returns the kinds of parts by class number: the known ones, then the others in order of appearance. */
 function kindsOf(pieces: readonly NamedPiece[], known: readonly string[] = []): string[] {
 	return [...new Set([...known, ...pieces.map(kindOf)])];
 }
 
+/**
+ * Returns the label of the points on a piece.
+ * @param instance index of the piece
+ */
 function labelOf(piece: NamedPiece, instance: number, kinds: readonly string[], labels?: PointLabels): Label {
 	const id = labels ? (labels.id.of(piece) ?? -1) : undefined;
 	return { instance, kind: kinds.indexOf(kindOf(piece)), id };
 }
 
-/** Areas of the triangles. */
+/** Returns the areas of the triangles. */
 function areasOf({ mesh: { positions: p, indices } }: Piece): Float64Array {
 	return Float64Array.from({ length: indices.length / 3 }, (_, triangle) => {
 		const [a, b, c] = [3 * indices[3 * triangle], 3 * indices[3 * triangle + 1], 3 * indices[3 * triangle + 2]];
@@ -183,16 +196,20 @@ function areasOf({ mesh: { positions: p, indices } }: Piece): Float64Array {
  */
 const STEPS = [0.7548776662466927, 0.5698402909980532] as const;
 
-function write(view: DataView, at: number, point: Point): void {
+/**
+ * Writes one point: position, normal, colour, labels.
+ * @param at offset of the point's bytes
+ */
+function writePoint(view: DataView, at: number, point: Point): void {
 	const { mesh, material, label } = point.piece;
 	// The mean of a picture replaces it; vertex colours multiply it.
-	const under = material.textures?.colour && mesh.colours ? material.colour : [1, 1, 1];
+	const factor = material.textures?.colour && mesh.colours ? material.colour : [1, 1, 1];
 	const base = mesh.colours || !material.textures?.colour ? plainBase(material) : material.colour;
-	const [red, green, blue] = mesh.colours ? meanOf(mesh.colours, point).map((value, k) => value * under[k]) : base;
+	const [red, green, blue] = mesh.colours ? meanOf(mesh.colours, point).map((value, k) => value * factor[k]) : base;
 	const shown = encoded([red, green, blue]);
-	const [place, normal] = [meanOf(mesh.positions, point), normalAt(point)];
+	const [position, normal] = [meanOf(mesh.positions, point), normalAt(point)];
 	for (let k = 0; k < 3; k++) {
-		view.setFloat32(at + 4 * k, place[k], true);
+		view.setFloat32(at + 4 * k, position[k], true);
 		view.setFloat32(at + 12 + 4 * k, normal[k], true);
 		view.setUint8(at + 24 + k, Math.round(255 * Math.max(0, Math.min(1, shown[k]))));
 	}

@@ -10,6 +10,7 @@ const UP = 2;
 /** Compression level: the highest, 9, takes twice as long and saves a fiftieth. */
 const LEVEL = 6;
 
+/** Encodes a picture; `pixels` are rows of red, green and blue, from the top. */
 export function png({ width, height, pixels }: Picture): Uint8Array<ArrayBuffer> {
 	const header = new Uint8Array(13);
 	const view = new DataView(header.buffer);

@@ -3,8 +3,11 @@
  * keyword `Panicle` and the whole address as text. Programs that show or rename pictures preserve it; most of those
  * that save them again do not.
  */
+
+import { crc32 } from "./crc32";
 import { FileError } from "./file_error";
-import { CHUNK_FRAME, checksum, PNG_SIGNATURE, pngChunk } from "./png_chunks";
+import { text } from "./messages.generated";
+import { CHUNK_FRAME, PNG_SIGNATURE, pngChunk } from "./png_chunks";
 
 export const LINK_KEYWORD = "Panicle";
 
@@ -13,7 +16,7 @@ const END = "IEND";
 const latin1 = new TextDecoder("latin1");
 
 /**
- * The picture with its plant's link, before the first pixels.
+ * Returns the picture with its plant's link, before the first pixels.
  * @param picture a PNG; any other file is returned unchanged
  * @param link an ASCII address
  */
@@ -25,28 +28,26 @@ export async function withLink(picture: Blob, link: string): Promise<Blob> {
 	return new Blob([picture.slice(0, start), text, picture.slice(start)], { type: "image/png" });
 }
 
-/** Whether a file begins with the signature of PNG. */
+/** Returns whether a file begins with the signature of PNG. */
 export async function isPng(file: Blob): Promise<boolean> {
 	const start = new Uint8Array(await file.slice(0, PNG_SIGNATURE.length).arrayBuffer());
 	return start.length === PNG_SIGNATURE.length && start.every((byte, i) => byte === PNG_SIGNATURE[i]);
 }
 
 /**
- * The link in a PNG, unchecked: never trust it.
+ * Returns the link in a PNG, unchecked: never trust it.
  * @param name the file's name, for messages
  * @throws FileError where there is none
  */
 export function linkInPng(name: string, bytes: Uint8Array): string {
 	for (const { type, data, whole } of chunksOf(name, bytes)) {
-		const text = type === "tEXt" ? plainText(data) : type === "iTXt" ? internationalText(data) : undefined;
-		if (text === undefined) continue;
+		const link = type === "tEXt" ? plainText(data) : type === "iTXt" ? internationalText(data) : undefined;
+		if (link === undefined) continue;
 		if (!whole) throw broken(name);
-		if (!/[?#]/.test(text)) throw new FileError(`${name} has other text where its link ought to be.`);
-		return text;
+		if (!/[?#]/.test(link)) throw new FileError(text.message("picture_bad_link", { file: name }));
+		return link;
 	}
-	throw new FileError(
-		`${name} is a picture without a link: only those made by Panicle and not saved again elsewhere have one.`,
-	);
+	throw new FileError(text.message("picture_no_link", { file: name }));
 }
 
 interface Chunk {
@@ -56,12 +57,16 @@ interface Chunk {
 	readonly whole: boolean;
 }
 
+/**
+ * Yields the chunks of a PNG file; `whole` compares a chunk with its checksum. Throws if the file is no PNG or ends
+ * early.
+ */
 function* chunksOf(name: string, bytes: Uint8Array): Generator<Chunk> {
 	const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
 	for (let at = PNG_SIGNATURE.length, first = true; ; first = false) {
-		const left = bytes.length - at - CHUNK_FRAME;
-		const length = left < 0 ? 0 : view.getUint32(at);
-		if (left < length) throw broken(name);
+		const remaining = bytes.length - at - CHUNK_FRAME;
+		const length = remaining < 0 ? 0 : view.getUint32(at);
+		if (remaining < length) throw broken(name);
 		const [from, to] = [at + 8, at + 8 + length];
 		const type = latin1.decode(bytes.subarray(at + 4, from));
 		if (first && type !== HEADER) throw broken(name);
@@ -69,7 +74,7 @@ function* chunksOf(name: string, bytes: Uint8Array): Generator<Chunk> {
 			type,
 			data: bytes.subarray(from, to),
 			get whole() {
-				return checksum(bytes.subarray(from - 4, to)) === view.getUint32(to);
+				return crc32(bytes.subarray(from - 4, to)) === view.getUint32(to);
 			},
 		};
 		if (type === END) return;
@@ -77,14 +82,15 @@ function* chunksOf(name: string, bytes: Uint8Array): Generator<Chunk> {
 	}
 }
 
-/** The text after our keyword in a `tEXt` chunk. */
+/** Returns the text after our keyword in a `tEXt` chunk; undefined after another keyword. */
 function plainText(data: Uint8Array): string | undefined {
 	const [keyword, text] = cut(data);
 	return keyword === LINK_KEYWORD ? latin1.decode(text) : undefined;
 }
 
 /**
- * The text after our keyword in an `iTXt` chunk, into which some programs turn the former; compressed ones are ignored.
+ * Returns the text after our keyword in an `iTXt` chunk, into which some programs turn the former; undefined after
+ * another keyword, or where the text is compressed.
  */
 function internationalText(data: Uint8Array): string | undefined {
 	const [keyword, rest] = cut(data);
@@ -95,11 +101,11 @@ function internationalText(data: Uint8Array): string | undefined {
 	return new TextDecoder().decode(text);
 }
 
-/** Text up to the first zero, and the bytes after it. */
+/** Splits bytes at the first zero: the text before it, and the bytes after it; both are empty without a zero. */
 function cut(data: Uint8Array): [string, Uint8Array] {
 	const end = data.indexOf(0);
 	return end < 0 ? ["", data.subarray(0, 0)] : [latin1.decode(data.subarray(0, end)), data.subarray(end + 1)];
 }
 
-const broken = (name: string) =>
-	new FileError(`${name} is a damaged or unfinished PNG: save the picture or download it again.`);
+/** Returns the error of a damaged file. */
+const broken = (name: string) => new FileError(text.message("file_broken", { file: name }));

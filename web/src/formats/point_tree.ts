@@ -1,4 +1,6 @@
-/** A k-d tree of points in space (Bentley 1975, "Multidimensional binary search trees used for associative searching"). */
+/**
+ * A k-d tree of points in space (Bentley 1975, "Multidimensional binary search trees used for associative searching").
+ */
 export class PointTree {
 	readonly #points: Float32Array;
 	/** Point indices: the middle of each range splits it along x, y or z in turn. */
@@ -15,7 +17,7 @@ export class PointTree {
 		this.#split(0, this.#order.length, 0);
 	}
 
-	/** The index of the nearest point. */
+	/** Returns the index of the nearest point. */
 	nearest(x: number, y: number, z: number): number {
 		this.#place = [x, y, z];
 		this.#least = Number.POSITIVE_INFINITY;
@@ -23,6 +25,7 @@ export class PointTree {
 		return this.#found;
 	}
 
+	/** Sorts the points `from` … `to` − 1 of the order into a tree whose root, in the middle, splits along `axis`. */
 	#split(from: number, to: number, axis: number): void {
 		if (to - from < 2) return;
 		const middle = (from + to) >> 1;
@@ -31,7 +34,11 @@ export class PointTree {
 		this.#split(middle + 1, to, (axis + 1) % 3);
 	}
 
-	/** Moves the point that belongs at `middle` by its coordinate there, lower ones before it (Hoare's selection). */
+	/**
+	 * Partially sorts the points `from` … `to` − 1 of the order by their coordinate along `axis`: afterwards, `middle` has
+	 * the point that full sorting would place there, with no greater one before it and no lower one after it (Hoare's
+	 * selection: partitions by a pivot, and repeats in the part that contains `middle`).
+	 */
 	#select(middle: number, from: number, to: number, axis: number): void {
 		const [points, order] = [this.#points, this.#order];
 		let [first, last] = [from, to - 1];
@@ -52,6 +59,10 @@ export class PointTree {
 		}
 	}
 
+	/**
+	 * Searches the points `from` … `to` − 1 of the order, which are split along `axis`, for one nearer than `#least`: first
+	 * on the side of the place, then on the other side if the splitting plane is near enough.
+	 */
 	#search(from: number, to: number, axis: number): void {
 		if (from >= to) return;
 		const middle = (from + to) >> 1;

@@ -9,19 +9,19 @@ const BYTE_MAX = 127;
 /** Components of a vertex, padded so that each begins at a multiple of four bytes. */
 const PADDED = 4;
 
-/** 3 × vertices, relative to `centre`. */
+/** Returns positions (3 × vertices) relative to `centre`. */
 export function relative(positions: Float32Array, centre: readonly number[]): Float32Array {
 	const [x, y, z] = centre;
-	const moved = new Float32Array(positions.length);
+	const result = new Float32Array(positions.length);
 	for (let i = 0; i < positions.length; i += 3) {
-		moved[i] = positions[i] - x;
-		moved[i + 1] = positions[i + 1] - y;
-		moved[i + 2] = positions[i + 2] - z;
+		result[i] = positions[i] - x;
+		result[i + 1] = positions[i + 1] - y;
+		result[i + 2] = positions[i + 2] - z;
 	}
-	return moved;
+	return result;
 }
 
-/** The middle of the positions' bounding box. */
+/** Returns the middle of the positions' bounding box. */
 export function wholeBounds(positions: Float32Array): [number, number, number] {
 	const low = [Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY];
 	const high = low.map((value) => -value);
@@ -34,14 +34,14 @@ export function wholeBounds(positions: Float32Array): [number, number, number] {
 }
 
 /**
- * 4 × vertices (the fourth is padding): each coordinate relative to `centre`, in steps of `scale` / 32767. One scale
- * for all three, so that normals stay right.
+ * Quantises positions to 4 × vertices (the fourth is padding): each coordinate relative to `centre`, in steps of
+ * `scale` / 32767. One scale for all three, so that normals stay right.
  */
 export function quantised(positions: Float32Array, centre: readonly number[]): { values: Int16Array; scale: number } {
-	let reach = 0;
-	for (let i = 0; i < positions.length; i++) reach = Math.max(reach, Math.abs(positions[i] - centre[i % 3]));
+	let greatest = 0;
+	for (let i = 0; i < positions.length; i++) greatest = Math.max(greatest, Math.abs(positions[i] - centre[i % 3]));
 	// Rounded up to a float32, so that all coordinates fit.
-	const scale = reach > 0 ? shortFloat(Math.fround(reach * (1 + 1e-7))) : 1;
+	const scale = greatest > 0 ? shortFloat(Math.fround(greatest * (1 + 1e-7))) : 1;
 	const steps = SHORT_MAX / scale;
 	const values = new Int16Array((positions.length / 3) * PADDED);
 	for (let i = 0, at = 0; i < positions.length; i += 3, at += PADDED) {
@@ -53,12 +53,12 @@ export function quantised(positions: Float32Array, centre: readonly number[]): {
 	return { values, scale };
 }
 
-/** 4 × vertices, without padding: in steps of 1 / 127. */
+/** Returns tangents in steps of 1 / 127: 4 × vertices, without padding. */
 export function quantisedTangents(tangents: Float32Array): Int8Array {
 	return Int8Array.from(tangents, (value) => Math.round(BYTE_MAX * value));
 }
 
-/** 4 × vertices (the fourth is padding): each component in steps of 1 / 127. */
+/** Returns normals in steps of 1 / 127: 4 × vertices, the fourth number is padding. */
 export function quantisedNormals(normals: Float32Array): Int8Array {
 	const values = new Int8Array((normals.length / 3) * PADDED);
 	for (let i = 0, at = 0; i < normals.length; i += 3, at += PADDED) {

@@ -4,8 +4,10 @@
  * before anything is read, only the JSON of a GLB is read, and results must pass through specimen/restore.ts or
  * specimen/link.ts like all data from outside.
  */
+import { fieldOf, isRecord } from "../specimen/read_values";
 import { CHUNK_HEADER_BYTES, CHUNK_JSON, GLB_MAGIC, GLB_VERSION, HEADER_BYTES } from "./binary_gltf";
 import { FileError } from "./file_error";
+import { text } from "./messages.generated";
 import { isPng, linkInPng } from "./png_link";
 
 export { FileError };
@@ -15,8 +17,6 @@ export type Found = { readonly record: object } | { readonly link: string } | { 
 
 /** The field `format` of a file of saved specimens (docs/saved.md). */
 export const LIBRARY_FORMAT = "panicle-library";
-
-const WANTED = "drop a GLB, JSON or PNG exported by Panicle.";
 
 /**
  * The most bytes of JSON or of a picture that are read. A plant has at most 100 000 segments
@@ -33,30 +33,31 @@ export const JSON_BYTES = 128 * 1024 * 1024;
  * @throws FileError when there is none
  */
 export async function foundInFile(name: string, file: Blob): Promise<Found> {
-	if (file.size === 0) throw new FileError(`${name} is empty.`);
+	if (file.size === 0) throw new FileError(text.message("file_empty", { file: name }));
 	const picture = await isPng(file);
 	const read = picture ? file : await jsonIn(name, file);
-	if (read.size > JSON_BYTES) throw new FileError(`${name} is too large: ${WANTED}`);
+	if (read.size > JSON_BYTES) throw new FileError(text.message("file_too_large", { file: name }));
 	const bytes = await read.arrayBuffer();
 	if (picture) return { link: linkInPng(name, new Uint8Array(bytes)) };
 	const document = parse(name, bytes);
-	if (field(document, "format") === LIBRARY_FORMAT) return { library: document as object };
+	if (fieldOf(document, "format") === LIBRARY_FORMAT) return { library: document as object };
 	const record = specimenIn(document);
 	if (record === undefined) {
-		throw new FileError(`${name} holds no specimen: only files exported by Panicle and not saved again elsewhere do.`);
+		throw new FileError(text.message("file_no_plant", { file: name }));
 	}
 	return { record };
 }
 
-/** The JSON chunk of a GLB; any other file whole. */
+/** Returns the JSON chunk of a GLB; any other file whole. */
 async function jsonIn(name: string, file: Blob): Promise<Blob> {
 	const start = HEADER_BYTES + CHUNK_HEADER_BYTES;
 	const header = new DataView(await file.slice(0, start).arrayBuffer());
 	if (header.byteLength < 4 || header.getUint32(0, true) !== GLB_MAGIC) return file;
-	const broken = new FileError(`${name} is a damaged or unfinished GLB: export or download it again.`);
+	const broken = new FileError(text.message("file_broken", { file: name }));
 	if (header.byteLength < start) throw broken;
 	if (header.getUint32(4, true) !== GLB_VERSION) {
-		throw new FileError(`${name} is glTF of version ${header.getUint32(4, true)}; only version 2 can be read.`);
+		const version = `${header.getUint32(4, true)}`;
+		throw new FileError(text.message("file_gltf_version", { file: name, version }));
 	}
 	const length = header.getUint32(HEADER_BYTES, true);
 	const type = header.getUint32(HEADER_BYTES + 4, true);
@@ -64,27 +65,28 @@ async function jsonIn(name: string, file: Blob): Promise<Blob> {
 	return file.slice(start, start + length);
 }
 
+/**
+ * Parses a JSON file.
+ * @throws FileError if the file is not JSON, with the parser's report if it begins like JSON
+ */
 function parse(name: string, bytes: ArrayBuffer): unknown {
 	try {
 		return JSON.parse(new TextDecoder("utf-8", { fatal: true }).decode(bytes));
 	} catch (error) {
-		if (!startsAsJson(bytes)) throw new FileError(`${name} is neither a GLB nor readable JSON: ${WANTED}`);
+		if (!startsAsJson(bytes)) throw new FileError(text.message("file_unknown", { file: name }));
 		// JavaScript engines report the position.
-		const where = error instanceof Error ? error.message : error;
-		throw new FileError(`${name} is damaged or unfinished JSON: export or download it again. (${where})`);
+		const problem = error instanceof Error ? error.message : String(error);
+		throw new FileError(text.message("file_broken_json", { file: name, problem }));
 	}
 }
 
+/** Returns whether a file begins like a JSON object or list. */
 const startsAsJson = (bytes: ArrayBuffer) => /^\s*[{[]/.test(new TextDecoder().decode(bytes.slice(0, 64)));
 
-/** The record at the place of either format; glTF stored as text counts as well. */
+/**
+ * Returns the record of the specimen in a document, where either format has it; glTF stored as text counts as well.
+ */
 function specimenIn(document: unknown): object | undefined {
-	const specimen = field(document, "specimen") ?? field(field(field(document, "asset"), "extras"), "specimen");
-	return typeof specimen === "object" && specimen !== null && !Array.isArray(specimen) ? specimen : undefined;
-}
-
-function field(value: unknown, key: string): unknown {
-	return typeof value === "object" && value !== null && Object.hasOwn(value, key)
-		? (value as Record<string, unknown>)[key]
-		: undefined;
+	const specimen = fieldOf(document, "specimen") ?? fieldOf(fieldOf(fieldOf(document, "asset"), "extras"), "specimen");
+	return isRecord(specimen) ? specimen : undefined;
 }

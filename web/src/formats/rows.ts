@@ -23,12 +23,12 @@ export class CsvRows<Row> {
 		readonly row: RowField<Row>,
 	) {}
 
-	/** The value of row `index`. */
+	/** Returns the value of row `index`. */
 	record(index: number): Row {
 		return this.row.at(index);
 	}
 
-	/** The values of all rows. */
+	/** Returns the values of all rows. */
 	records(): Row[] {
 		return Array.from({ length: this.count }, (_, index) => this.row.at(index));
 	}
@@ -44,11 +44,12 @@ export class CsvRows<Row> {
 	}
 }
 
-/** CsvRows of records: objects with a field under each key, in the order of `all`. */
+/** Returns rows of records: objects with a field under each key, in the order of `all`. */
 export function recordRows<Row extends object>(count: number, all: Fields<Row>): CsvRows<Row> {
 	return new CsvRows(count, records(all));
 }
 
+/** Returns a field whose value is an object of several fields, read or written as JSON. */
 function records<Row extends object>(all: Fields<Row>): RowField<Row> {
 	const entries = Object.entries<RowField<unknown>>(all);
 	const openings = entries.map(([key], place) => `${place === 0 ? "{" : ","}${JSON.stringify(key)}:`);
@@ -68,7 +69,7 @@ function records<Row extends object>(all: Fields<Row>): RowField<Row> {
 	};
 }
 
-/** Lists of whole numbers, one of `lists` per row. */
+/** Returns the field of lists of whole numbers, one of `all` per row. */
 export function lists(all: readonly ArrayLike<number>[]): RowField<number[]> {
 	return {
 		at: (index) => Array.from(all[index]),
@@ -83,12 +84,12 @@ export function lists(all: readonly ArrayLike<number>[]): RowField<number[]> {
 	};
 }
 
-/** The values of another field at the indices of a list. */
+/** Returns the field with the values of another field at the indices of a list. */
 export function gathered<Value>(field: RowField<Value>, places: ArrayLike<number>): RowField<Value> {
 	return { at: (index) => field.at(places[index]), write: (out, index) => field.write(out, places[index]) };
 }
 
-/** Whole numbers. */
+/** Returns the field of whole numbers, one per row. */
 export function integers(values: ArrayLike<number>): RowField<number> {
 	return {
 		at: (index) => values[index],
@@ -96,7 +97,7 @@ export function integers(values: ArrayLike<number>): RowField<number> {
 	};
 }
 
-/** Every `stride`th float, from the one at `offset` on. */
+/** Returns the field of floats: every `stride`th, from the one at `offset` on. */
 export function floats(values: Float32Array, stride = 1, offset = 0): RowField<number> {
 	return {
 		at: (index) => shortFloat(values[stride * index + offset]),
@@ -104,7 +105,7 @@ export function floats(values: Float32Array, stride = 1, offset = 0): RowField<n
 	};
 }
 
-/** Vectors of floats, one of every `stride` floats, from the one at `offset` on. */
+/** Returns the field of vectors of floats: `width` of every `stride` floats, from the one at `offset` on. */
 export function vectors<Vector extends number[]>(
 	values: Float32Array,
 	stride: number,
@@ -126,7 +127,7 @@ export function vectors<Vector extends number[]>(
 	};
 }
 
-/** Words, by their indices in a list. */
+/** Returns the field of words, by their indices in a list. */
 export function words<Word extends string>(list: readonly Word[], places: ArrayLike<number>): RowField<Word> {
 	const texts = list.map((word) => JSON.stringify(word));
 	return {

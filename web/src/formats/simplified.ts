@@ -36,38 +36,39 @@ export interface SimplifyOptions {
 	moves?: boolean;
 }
 
-/** The pieces with fewer vertices and triangles, simplified together; empty ones are left out. */
+/** Returns the pieces with fewer vertices and triangles, simplified together; empty ones are left out. */
 export async function simplified(
 	pieces: readonly Piece[],
 	{ triangles = 0, error = 1, moves = false }: SimplifyOptions,
 ): Promise<Piece[]> {
 	await MeshoptSimplifier.ready;
-	const one = concatenated(pieces.map(({ mesh }) => lean(mesh)));
+	const joined = concatenate(pieces.map(({ mesh }) => mergeVertices(mesh)));
 	const target = 3 * triangles;
-	let indices = one.indices;
+	let indices = joined.indices;
 	if (indices.length > target && indices.length > 0) {
-		const { positions, attributes } = one;
+		const { positions, attributes } = joined;
 		const flags: Flags[] = ["Prune"];
 		const request = [indices, positions, 3, attributes, ATTRIBUTES, WEIGHTS, null, target, error, flags] as const;
+		// Moved vertices give better shapes, but texture coordinates and fixed points would stay behind.
 		if (moves && pieces.every(({ mesh }) => mesh.uvs.length === 0 && !mesh.feet)) {
 			const [corners] = MeshoptSimplifier.simplifyWithUpdate(...request);
 			indices = indices.slice(0, corners);
-			one.meshes = one.meshes.map((mesh, i) => moved(mesh, one, one.firsts[i]));
+			joined.meshes = joined.meshes.map((mesh, i) => withMovedVertices(mesh, joined, joined.firsts[i]));
 		} else {
 			[indices] = MeshoptSimplifier.simplifyWithAttributes(...request);
 		}
 		// Meshes with too many connections are simplified on a grid.
 		if (triangles > 0 && indices.length > target)
-			[indices] = MeshoptSimplifier.simplifySloppy(indices, one.positions, 3, null, target, 1);
+			[indices] = MeshoptSimplifier.simplifySloppy(indices, joined.positions, 3, null, target, 1);
 	}
-	const parts = divided(indices, one.firsts);
+	const parts = divide(indices, joined.firsts);
 	return pieces.flatMap(({ material }, i) =>
-		parts[i].length > 0 ? [{ material, mesh: compacted(one.meshes[i], parts[i]) }] : [],
+		parts[i].length > 0 ? [{ material, mesh: compact(joined.meshes[i], parts[i]) }] : [],
 	);
 }
 
 /** Merges equal vertices. */
-function lean(mesh: PartMesh): PartMesh {
+function mergeVertices(mesh: PartMesh): PartMesh {
 	const { normals, uvs, colours } = mesh;
 	const steps = (values: Float32Array, step: number) =>
 		Int32Array.from(values.map((value) => Math.round(value * step)));
@@ -86,7 +87,8 @@ interface Whole {
 	indices: Uint32Array;
 }
 
-function concatenated(meshes: PartMesh[]): Whole {
+/** Joins meshes into one, with the attributes that simplification weighs: normals and colours. */
+function concatenate(meshes: PartMesh[]): Whole {
 	const firsts = [0];
 	for (const { positions } of meshes) firsts.push(firsts[firsts.length - 1] + positions.length / 3);
 	const vertices = firsts[meshes.length];
@@ -106,8 +108,8 @@ function concatenated(meshes: PartMesh[]): Whole {
 	return { meshes, firsts, positions, attributes, indices };
 }
 
-/** A mesh with the positions, normals and colours of its vertices in the whole, from the vertex `first` on. */
-function moved(mesh: PartMesh, { positions, attributes }: Whole, first: number): PartMesh {
+/** Returns a mesh with the positions, normals and colours of its vertices in the whole, from the vertex `first` on. */
+function withMovedVertices(mesh: PartMesh, { positions, attributes }: Whole, first: number): PartMesh {
 	const [normals, colours] = [new Float32Array(mesh.positions.length), new Float32Array(mesh.positions.length)];
 	for (let to = 0, at = ATTRIBUTES * first; to < normals.length; to += 3, at += ATTRIBUTES) {
 		const length = Math.hypot(attributes[at], attributes[at + 1], attributes[at + 2]);
@@ -116,23 +118,26 @@ function moved(mesh: PartMesh, { positions, attributes }: Whole, first: number):
 			colours[to + k] = clamp(attributes[at + 3 + k]);
 		}
 	}
-	const own = { ...mesh, positions: positions.slice(3 * first, 3 * first + normals.length), normals };
-	return mesh.colours ? { ...own, colours } : own;
+	const movedMesh = { ...mesh, positions: positions.slice(3 * first, 3 * first + normals.length), normals };
+	return mesh.colours ? { ...movedMesh, colours } : movedMesh;
 }
 
-/** The triangles of each mesh, by its own vertices. */
-function divided(indices: Uint32Array, firsts: readonly number[]): number[][] {
-	const parts: number[][] = firsts.slice(1).map(() => []);
+/**
+ * Splits triangles of the joined mesh into those of each mesh, by its own vertices.
+ * @param firsts the first vertex of each mesh
+ */
+function divide(indices: Uint32Array, firsts: readonly number[]): number[][] {
+	const triangles: number[][] = firsts.slice(1).map(() => []);
 	for (let at = 0; at < indices.length; at += 3) {
 		let mesh = 0;
 		while (indices[at] >= firsts[mesh + 1]) mesh++;
-		parts[mesh].push(indices[at] - firsts[mesh], indices[at + 1] - firsts[mesh], indices[at + 2] - firsts[mesh]);
+		triangles[mesh].push(indices[at] - firsts[mesh], indices[at + 1] - firsts[mesh], indices[at + 2] - firsts[mesh]);
 	}
-	return parts;
+	return triangles;
 }
 
-/** The mesh without unused vertices. */
-function compacted(mesh: PartMesh, triangles: readonly number[]): PartMesh {
+/** Returns the mesh with these triangles, without unused vertices. */
+function compact(mesh: PartMesh, triangles: readonly number[]): PartMesh {
 	const from: number[] = [];
 	const to = new Int32Array(mesh.positions.length / 3).fill(-1);
 	const indices = Uint32Array.from(triangles, (vertex) => {
@@ -142,23 +147,23 @@ function compacted(mesh: PartMesh, triangles: readonly number[]): PartMesh {
 	return { ...taken(mesh, Uint32Array.from(from)), indices };
 }
 
-/** The vertices `from` of a mesh, in that order. */
+/** Returns the vertices `from` of a mesh, in that order. */
 export function taken(mesh: PartMesh, from: Uint32Array): PartMesh {
-	const each = (values: Float32Array, width: number) => {
+	const valuesOf = (values: Float32Array, width: number) => {
 		if (values.length === 0) return values;
-		const own = new Float32Array(width * from.length);
+		const selected = new Float32Array(width * from.length);
 		for (const [to, vertex] of from.entries())
-			for (let k = 0; k < width; k++) own[width * to + k] = values[width * vertex + k];
-		return own;
+			for (let k = 0; k < width; k++) selected[width * to + k] = values[width * vertex + k];
+		return selected;
 	};
 	const { positions, normals, uvs, indices, colours, feet, name } = mesh;
 	return {
-		positions: each(positions, 3),
-		normals: each(normals, 3),
-		uvs: each(uvs, 2),
+		positions: valuesOf(positions, 3),
+		normals: valuesOf(normals, 3),
+		uvs: valuesOf(uvs, 2),
 		indices,
-		...(colours ? { colours: each(colours, 3) } : {}),
-		...(feet ? { feet: each(feet, 3) } : {}),
+		...(colours ? { colours: valuesOf(colours, 3) } : {}),
+		...(feet ? { feet: valuesOf(feet, 3) } : {}),
 		...(name === undefined ? {} : { name }),
 	};
 }

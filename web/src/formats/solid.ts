@@ -3,6 +3,7 @@ import { MeshoptSimplifier } from "meshoptimizer/simplifier";
 import type { Part } from "../plant/part";
 import { EmptyPlantError } from "./file_error";
 import { isClosed } from "./hidden";
+import { text } from "./messages.generated";
 import { fillHollows, joinPieces } from "./one_body";
 import { boundsOf, piecesOf } from "./piece";
 import { type Surface, surfaceOf } from "./surface_nets";
@@ -12,7 +13,7 @@ import { emptyVoxels, fillInside, fillThin, thicken, withoutPinches } from "./vo
 const THICK = 2;
 const SMOOTHED_THICKNESS = THICK - 0.5;
 /** The most cells, which fit the memory of phones; beyond it cells become coarser, and the least thickness larger. */
-const MOST_CELLS = 16_000_000;
+const MAX_CELLS = 16_000_000;
 /** The size of printers' beds, metres: larger plants are written at the first of these scales that fits. */
 const LONGEST = 0.25;
 const SCALES = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000];
@@ -36,7 +37,7 @@ export interface Solid extends Surface {
 }
 
 /**
- * The plant as one body without hollows.
+ * Returns the plant as one body without hollows.
  * @param least metres of the print
  * @throws EmptyPlantError where the plant has no mesh
  */
@@ -73,27 +74,23 @@ export function solidNotes({ thickness, loose }: Pick<Solid, "thickness" | "loos
 	const notes: string[] = [];
 	const millimetres = (metres: number) => Number((1000 * metres).toPrecision(2));
 	if (thickness > 1.01 * least) {
-		notes.push(
-			`Nothing is thinner than ${millimetres(thickness)} mm, not ${millimetres(least)} mm: a plant of this size needs too many cells for that.`,
-		);
+		notes.push(text("solid_thicker", { used: millimetres(thickness), wanted: millimetres(least) }));
 	}
 	if (loose > 0) {
-		notes.push(
-			`Pieces left out: ${loose}. They are more than ${millimetres(FARTHEST)} mm from the body, and nothing holds them.`,
-		);
+		notes.push(text("solid_loose", { count: loose, distance: millimetres(FARTHEST) }));
 	}
 	return notes;
 }
 
-/** The edge of a cell: `wanted`, or the least that keeps the grid within its limit. */
+/** Returns the edge of a cell: `wanted`, or the least that keeps the grid within its limit. */
 function pitchFor([x, y, z]: readonly number[], wanted: number): number {
 	let pitch = wanted;
 	const cells = () => [x, y, z].reduce((product, extent) => product * (extent / pitch + 8), 1);
-	while (cells() > MOST_CELLS) pitch *= 1.05;
+	while (cells() > MAX_CELLS) pitch *= 1.05;
 	return pitch;
 }
 
-/** Whether a mesh is closed, cached by triangles. */
+/** Returns a function that checks whether a mesh is closed, with a cache by its triangles. */
 function closedOnce(): (mesh: Parameters<typeof isClosed>[0]) => boolean {
 	const known = new Map<Uint32Array, boolean>();
 	return (mesh) => {
@@ -103,7 +100,11 @@ function closedOnce(): (mesh: Parameters<typeof isClosed>[0]) => boolean {
 	};
 }
 
-/** Fewer triangles. The surface stays as it is around edges that would get more than two triangles. */
+/**
+ * Simplifies a mesh. The surface stays as it is around edges that would get more than two triangles; the whole surface
+ * stays if all attempts tear it.
+ * @param error the largest movement of the surface, in its units
+ */
 function fewer(surface: Surface, error: number): Surface {
 	const { positions, indices } = surface;
 	const vertices = positions.length / 3;
@@ -131,6 +132,7 @@ function fewer(surface: Surface, error: number): Surface {
 	return surface;
 }
 
+/** Returns the mesh of some triangles, without unused vertices. */
 function compacted(positions: Float32Array, indices: Uint32Array): Surface {
 	const [remap, count] = MeshoptSimplifier.compactMesh(indices);
 	const own = new Float32Array(3 * count);
@@ -140,7 +142,10 @@ function compacted(positions: Float32Array, indices: Uint32Array): Surface {
 	return { positions: own, indices };
 }
 
-/** The ends of edges without exactly two triangles in opposite directions. */
+/**
+ * Returns the vertices at edges without exactly two triangles in opposite directions. The edges are first sorted by
+ * their first vertex (counting sort).
+ */
 export function tornAt(indices: Uint32Array): Set<number> {
 	const next = (at: number) => indices[at % 3 === 2 ? at - 2 : at + 1];
 	// Ends of the edges from each vertex, one vertex after the other.

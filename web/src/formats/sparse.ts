@@ -10,8 +10,8 @@ const LEAST_TRIANGLES = 4;
 const SHARE = 0.6;
 
 /**
- * The parts with fewer instances of those that are no parts by themselves, so that they fit a budget of triangles;
- * always the same ones.
+ * Returns the parts with fewer instances of those that are no parts by themselves, so that they fit a budget of
+ * triangles; always the same ones.
  */
 export function sparse(parts: readonly Part[], triangles: number): Part[] {
 	const count = [...everyPart(parts)].reduce((sum, { shape }) => sum + countOf(shape?.instances), 0);
@@ -19,8 +19,13 @@ export function sparse(parts: readonly Part[], triangles: number): Part[] {
 	return keep < 1 ? parts.map((part) => thinned(part, keep)) : [...parts];
 }
 
+/** Returns the number of instances that are no parts by themselves. */
 const countOf = (instances?: Instances) => (instances && !instances.each ? instances.transforms.length / TRANSFORM : 0);
 
+/**
+ * Returns a part, and its children, with a share of the instances.
+ * @param keep the share, 0 … 1
+ */
 function thinned(part: Part, keep: number): Part {
 	const { shape, children } = part;
 	const held = children ? { ...part, children: children.map((child) => thinned(child, keep)) } : part;
@@ -28,7 +33,11 @@ function thinned(part: Part, keep: number): Part {
 	return { ...held, shape: { ...shape, instances: fewer(shape.instances, keep) } };
 }
 
-/** Evenly chosen instances: they are in order of growth, neighbours beside each other. */
+/**
+ * Returns evenly selected instances, enlarged so that they cover the same area. They are in the order of growth, so
+ * that neighbours follow each other.
+ * @param keep the share of them, 0 … 1
+ */
 function fewer({ transforms, sky, ...rest }: Instances, keep: number): Instances {
 	const count = transforms.length / TRANSFORM;
 	const evenly = Array.from({ length: Math.max(1, Math.round(keep * count)) }, (_, i) => Math.floor((i + 0.5) / keep));

@@ -9,6 +9,7 @@ const HEADER = 80;
 const TRIANGLE = 50;
 
 /**
+ * Makes the plant one solid body, enlarged or reduced for printing, and writes it.
  * @param thickness the least thickness, millimetres
  * @param note receives a sentence for each way in which the body differs from the request
  * @throws EmptyPlantError where the plant has no mesh
@@ -37,7 +38,7 @@ export async function stl(
 	return file;
 }
 
-/** Positions in millimetres and +Z up, as printers expect, from metres and +Y up. */
+/** Converts positions from metres and +Y up to millimetres and +Z up, as printers expect. */
 export function printed({ positions }: Solid): Float32Array {
 	const turned = new Float32Array(positions.length);
 	for (let i = 0; i < positions.length; i += 3) {
@@ -48,6 +49,7 @@ export function printed({ positions }: Solid): Float32Array {
 	return turned;
 }
 
+/** Returns the unit normal of a triangle whose corners are counter-clockwise; zero for a triangle without area. */
 function normalOf(a: Float32Array, b: Float32Array, c: Float32Array): number[] {
 	const [u, v] = [0, 1, 2]
 		.map((k) => [b[k] - a[k], c[k] - a[k]])

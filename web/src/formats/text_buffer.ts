@@ -1,5 +1,5 @@
 import { FileTooLargeError } from "./file_error";
-import { MOST_TEXT_BYTES } from "./limits";
+import { MAX_TEXT_BYTES } from "./limits";
 import { decimalsOf, EXACT_POWERS, shortFloat } from "./numbers";
 
 /**
@@ -36,7 +36,7 @@ export class TextBuffer {
 	 */
 	constructor(
 		readonly chunk = CHUNK,
-		readonly most = MOST_TEXT_BYTES,
+		readonly most = MAX_TEXT_BYTES,
 	) {
 		this.#bytes = new Uint8Array(Math.min(chunk, FIRST_CHUNK));
 	}
@@ -104,29 +104,33 @@ export class TextBuffer {
 		this.#fraction(scaled - whole * power, places);
 	}
 
-	/** The text in pieces, for files. Append nothing afterwards. */
+	/** Returns the text in pieces, for files. Append nothing afterwards. */
 	chunks(): Uint8Array<ArrayBuffer>[] {
 		return [...this.#chunks, this.#bytes.subarray(0, this.#length)];
 	}
 
-	/** The text in one piece. */
+	/** Returns the text in one piece. */
 	bytes(): Uint8Array<ArrayBuffer> {
 		const whole = new Uint8Array(this.#complete + this.#length);
-		let at = 0;
+		let written = 0;
 		for (const chunk of this.chunks()) {
-			whole.set(chunk, at);
-			at += chunk.length;
+			whole.set(chunk, written);
+			written += chunk.length;
 		}
 		return whole;
 	}
 
-	/** The text as a string. */
+	/** Returns the text as a string. */
 	toString(): string {
 		const decoder = new TextDecoder();
 		const texts = this.chunks().map((chunk) => decoder.decode(chunk, { stream: true }));
 		return texts.join("") + decoder.decode();
 	}
 
+	/**
+	 * Writes a point and the digits of a fraction, without trailing zeros; nothing for 0.
+	 * @param scaled the fraction times 10 to the power of `decimals`
+	 */
 	#fraction(scaled: number, decimals: number): void {
 		if (scaled === 0) return;
 		let fraction = scaled | 0; // the remainder of a number that is not a small integer takes many times as long
@@ -136,7 +140,7 @@ export class TextBuffer {
 		this.#digits(fraction, places);
 	}
 
-	/** Writes at least `least` digits, the last one first. */
+	/** Writes a whole number in at least `least` digits, the last one first. */
 	#digits(value: number, least: number): void {
 		let count = least;
 		while (count < POWERS.length && value >= POWERS[count]) count++;
@@ -151,6 +155,10 @@ export class TextBuffer {
 		this.#length = from + count;
 	}
 
+	/**
+	 * Makes room for bytes, in a new chunk if necessary.
+	 * @throws FileTooLargeError if the text becomes too large
+	 */
 	#reserve(bytes: number): void {
 		if (this.#length + bytes <= this.#bytes.length) return;
 		if (this.#complete + this.#length + bytes > this.most) throw new FileTooLargeError(undefined, this.most);

@@ -20,6 +20,7 @@ const RELATIONS = `<?xml version="1.0" encoding="UTF-8"?>
 <Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Target="/3D/3dmodel.model" Id="rel0" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>`;
 
 /**
+ * Makes the plant one solid body, enlarged or reduced for printing, and writes it.
  * @param thickness the least thickness, millimetres
  * @param note receives a sentence for each way in which the body differs from the request
  * @throws EmptyPlantError where the plant has no mesh
@@ -65,6 +66,7 @@ export async function threeMf(
 	return zipSync(files, { level: LEVEL, mtime: ZIP_DATE });
 }
 
+/** Escapes the characters that XML reserves. */
 function escaped(text: string): string {
 	return text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;");
 }

@@ -6,10 +6,10 @@ import { placeVectors, rotationMatrix } from "../plant/orientation";
 import { type Instances, type Part, type PartMesh, type Shape, TRANSFORM } from "../plant/part";
 
 /** The most vertices of a mesh, for 16-bit indices. */
-const MOST_VERTICES = 65_535;
+const MAX_VERTICES = 65_535;
 const ORIGIN = [0, 0, 0] as const;
 
-/** The part and its children, with a mesh in place of such instances, or a child for each of several meshes. */
+/** Returns the part and its children, with a mesh in place of such instances, or a child for each of several meshes. */
 export function together(part: Part): Part {
 	const children = part.children?.map(together);
 	const held = children ? { ...part, children } : part;
@@ -22,18 +22,20 @@ export function together(part: Part): Part {
 	return { ...rest, children: [...own, ...(children ?? [])] };
 }
 
+/** Merges the instances into as few meshes as MAX_VERTICES allows. */
 function* shapesOf({ instances: _, ...shape }: Shape, instances: Instances): Generator<Shape> {
 	const { mesh } = shape;
-	const atOnce = Math.max(1, Math.floor((MOST_VERTICES * 3) / mesh.positions.length));
+	const atOnce = Math.max(1, Math.floor((MAX_VERTICES * 3) / mesh.positions.length));
 	const count = countOf(instances);
 	// Meshes of equal size, rather than full ones and a rest.
 	const each = Math.ceil(count / Math.ceil(count / atOnce));
 	for (let from = 0; from < count; from += each) {
-		yield { ...shape, mesh: meshOf(mesh, instances, from, Math.min(count, from + each)) };
+		yield { ...shape, mesh: mergedInstances(mesh, instances, from, Math.min(count, from + each)) };
 	}
 }
 
-function meshOf(mesh: PartMesh, { transforms, sky }: Instances, from: number, to: number): PartMesh {
+/** Merges the instances from index `from` to before `to` into one mesh. */
+function mergedInstances(mesh: PartMesh, { transforms, sky }: Instances, from: number, to: number): PartMesh {
 	const vertices = mesh.positions.length / 3;
 	const merged = {
 		positions: new Float32Array(3 * vertices * (to - from)),
@@ -55,7 +57,7 @@ function meshOf(mesh: PartMesh, { transforms, sky }: Instances, from: number, to
 	return merged;
 }
 
-/** A mesh's vertices after the transform of one of its instances. */
+/** Returns the positions and normals of a mesh after the transform of one of its instances. */
 export function placed(mesh: PartMesh, [x, y, z, qx, qy, qz, qw, scale]: Float32Array) {
 	const turn = rotationMatrix({ x: qx, y: qy, z: qz, w: qw });
 	const positions = new Float64Array(mesh.positions.length);
@@ -65,10 +67,12 @@ export function placed(mesh: PartMesh, [x, y, z, qx, qy, qz, qw, scale]: Float32
 	return { positions, normals };
 }
 
+/** Returns the values several times, one copy after the other. */
 function repeated(values: Float32Array, times: number): Float32Array {
 	const all = new Float32Array(values.length * times);
 	for (let i = 0; i < times; i++) all.set(values, values.length * i);
 	return all;
 }
 
+/** Returns the number of instances. */
 const countOf = ({ transforms }: Instances) => transforms.length / TRANSFORM;

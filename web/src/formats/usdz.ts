@@ -25,6 +25,10 @@ const UV_DECIMALS = 5;
 const COMMA = 0x2c;
 const CLOSE = 0x29;
 
+/**
+ * Writes parts as a USDZ file: simplified to TRIANGLES triangles, with pictures of PIXELS pixels, so that phones open
+ * it.
+ */
 export async function usdz(parts: Iterable<Part>, about: About): Promise<Uint8Array<ArrayBuffer>> {
 	const light = paletted(await lightParts(parts, { triangles: TRIANGLES, pixels: PIXELS }));
 	const out = new TextBuffer();
@@ -60,6 +64,10 @@ def Xform "Plant" (
 	return zipped([["plant.usda", out.bytes()], ...pictures]);
 }
 
+/**
+ * Writes a mesh, bound to the material of the same index.
+ * @param uvs texture coordinates, v from the picture's upper edge; undefined without a picture
+ */
 function writeMesh(
 	out: TextBuffer,
 	index: number,
@@ -103,6 +111,12 @@ function writeMesh(
 	out.text("    }\n");
 }
 
+/**
+ * Writes a UsdPreviewSurface.
+ * @param mesh the mesh that uses it: its mean vertex colour multiplies the picture, because the preview surface ignores
+ * vertex colours
+ * @param picture path of the colour picture within the archive
+ */
 function writeMaterial(out: TextBuffer, index: number, material: Material, mesh: PartMesh, picture?: string): void {
 	const path = `/Plant/Material_${index}`;
 	const colour = picture ? `.connect = <${path}/Colour.outputs:rgb>` : ` = (${material.colour.map(short).join(", ")})`;
@@ -151,7 +165,7 @@ function writeMaterial(out: TextBuffer, index: number, material: Material, mesh:
 	out.text("    }\n");
 }
 
-/** `[(x,y,z),…]` */
+/** Writes vectors of `width` numbers as `[(x,y,z),…]`. */
 function vectors(out: TextBuffer, values: Float32Array, width: number, decimals: number): void {
 	out.word("[");
 	for (let i = 0; i < values.length; i++) {
@@ -161,6 +175,7 @@ function vectors(out: TextBuffer, values: Float32Array, width: number, decimals:
 	out.word("]");
 }
 
+/** Returns the corners of the bounding box as text. */
 function extentOf(positions: Float32Array): { low: string; high: string } {
 	const corner = (pick: (...values: number[]) => number) => {
 		const best = [positions[0], positions[1], positions[2]];
@@ -170,19 +185,24 @@ function extentOf(positions: Float32Array): { low: string; high: string } {
 	return { low: corner(Math.min), high: corner(Math.max) };
 }
 
-/** Files follow each other uncompressed, each from a multiple of 64 bytes on, so that readers can map them. */
+/**
+ * Makes the archive: files follow each other uncompressed, each from a multiple of 64 bytes on, so that readers can map
+ * them.
+ */
 function zipped(files: readonly [string, Uint8Array][]): Uint8Array<ArrayBuffer> {
 	const all: Zippable = {};
-	let at = 0;
+	let offset = 0;
 	for (const [name, bytes] of files) {
 		// A header of 30 bytes, the name, and an extra field of 4 bytes and padding.
-		const start = at + 30 + name.length + 4;
+		const start = offset + 30 + name.length + 4;
 		const padding = (64 - (start % 64)) % 64;
 		all[name] = [bytes, { extra: { 6534: new Uint8Array(padding) } }];
-		at = start + padding + bytes.length;
+		offset = start + padding + bytes.length;
 	}
 	return zipSync(all, { level: 0, mtime: ZIP_DATE });
 }
 
+/** Rounds a number for the file. */
 const short = (value: number) => rounded(value, 5);
+/** Returns a text in quotes, on one line. */
 const quoted = (text: string) => JSON.stringify(text.replace(/[\r\n]+/g, " "));

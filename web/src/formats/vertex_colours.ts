@@ -8,7 +8,7 @@ import type { Material } from "../plant/material";
 import type { PartMesh } from "../plant/part";
 import { repeatedColour, shaded } from "../plant/shade";
 
-/** The brightest of 3 × vertices and of `soFar`, channel by channel; linear. */
+/** Returns the brightest of vertex colours and of `soFar`, channel by channel; linear light. */
 export function brightest(colours: Float32Array, soFar: Colour = [0, 0, 0]): Colour {
 	const base: Colour = [...soFar];
 	for (let i = 0; i < colours.length; i += 3) {
@@ -19,7 +19,7 @@ export function brightest(colours: Float32Array, soFar: Colour = [0, 0, 0]): Col
 	return base;
 }
 
-/** The factor on `base` at each vertex: 4 × vertices, red, green, blue, 255. */
+/** Returns the factor on `base` at each vertex: 4 × vertices, red, green, blue, 255. */
 export function sharesOf(colours: Float32Array, base: Colour): Uint8Array {
 	const scale = base.map((value) => (value > 0 ? 255 / value : 0));
 	const bytes = new Uint8Array((colours.length / 3) * 4);
@@ -32,12 +32,18 @@ export function sharesOf(colours: Float32Array, base: Colour): Uint8Array {
 	return bytes;
 }
 
-/** The base colour without vertex colours: a texture replaces the material's. */
+/**
+ * Returns the base colour of a mesh without vertex colours: white for a material with a picture, which replaces the
+ * colour.
+ */
 export function plainBase({ colour, textures }: Material): Colour {
 	return textures?.colour ? [1, 1, 1] : colour;
 }
 
-/** Vertex colours in the shade: most programs have no other way to show it. */
+/**
+ * Returns vertex colours in the shade: most programs have no other way to show it. Undefined for a mesh without colours
+ * and without computed sky.
+ */
 export function writtenColours(mesh: PartMesh, material: Material): Float32Array | undefined {
 	const { colours, sky, positions } = mesh;
 	if (!sky) return colours;

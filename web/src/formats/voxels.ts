@@ -13,7 +13,12 @@ export interface Voxels {
 /** Empty layers around the box: the growth of bodies, and one. */
 const MARGIN = 4;
 
-/** @param margin empty layers on every side of the box from `low` to `high` */
+/**
+ * Returns a grid of empty cells around a box.
+ * @param low @param high corners of the box
+ * @param pitch edge of a cell
+ * @param margin empty layers on every side of the box
+ */
 export function emptyVoxels(low: readonly number[], high: readonly number[], pitch: number, margin = MARGIN): Voxels {
 	const count = (axis: number) => Math.ceil((high[axis] - low[axis]) / pitch) + 2 * margin;
 	const size = [count(0), count(1), count(2)] as const;
@@ -25,28 +30,29 @@ export function emptyVoxels(low: readonly number[], high: readonly number[], pit
 export function fillInside({ size: [nx, ny, nz], origin, pitch, cells }: Voxels, closed: readonly Mesh[]): void {
 	// Crossings of each row along x: the position, and whether it enters or leaves a body.
 	const rows = new Map<number, number[]>();
-	const at = (mesh: Mesh, vertex: number, axis: number) =>
+	const cellsAlong = (mesh: Mesh, vertex: number, axis: number) =>
 		(mesh.positions[3 * vertex + axis] - origin[axis]) / pitch - 0.5;
 	for (const mesh of closed) {
 		for (let i = 0; i < mesh.indices.length; i += 3) {
 			const [a, b, c] = [mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]];
 			const [ay, by, cy] = [
-				at(mesh, a, 1) + RAY_SHIFT[0],
-				at(mesh, b, 1) + RAY_SHIFT[0],
-				at(mesh, c, 1) + RAY_SHIFT[0],
+				cellsAlong(mesh, a, 1) + RAY_SHIFT[0],
+				cellsAlong(mesh, b, 1) + RAY_SHIFT[0],
+				cellsAlong(mesh, c, 1) + RAY_SHIFT[0],
 			];
 			const [az, bz, cz] = [
-				at(mesh, a, 2) + RAY_SHIFT[1],
-				at(mesh, b, 2) + RAY_SHIFT[1],
-				at(mesh, c, 2) + RAY_SHIFT[1],
+				cellsAlong(mesh, a, 2) + RAY_SHIFT[1],
+				cellsAlong(mesh, b, 2) + RAY_SHIFT[1],
+				cellsAlong(mesh, c, 2) + RAY_SHIFT[1],
 			];
-			const [ax, bx, cx] = [at(mesh, a, 0), at(mesh, b, 0), at(mesh, c, 0)];
+			const [ax, bx, cx] = [cellsAlong(mesh, a, 0), cellsAlong(mesh, b, 0), cellsAlong(mesh, c, 0)];
 			const [z1, y1] = [
 				Math.min(nz - 1, Math.floor(Math.max(az, bz, cz))),
 				Math.min(ny - 1, Math.floor(Math.max(ay, by, cy))),
 			];
 			for (let z = Math.max(0, Math.ceil(Math.min(az, bz, cz))); z <= z1; z++) {
 				for (let y = Math.max(0, Math.ceil(Math.min(ay, by, cy))); y <= y1; y++) {
+					// Barycentric coordinates of the row in the projected triangle, up to a factor; their sign gives its side.
 					const u = (by - y) * (cz - z) - (bz - z) * (cy - y);
 					const v = (cy - y) * (az - z) - (cz - z) * (ay - y);
 					const w = (ay - y) * (bz - z) - (az - z) * (by - y);
@@ -64,14 +70,19 @@ export function fillInside({ size: [nx, ny, nz], origin, pitch, cells }: Voxels,
 /** Shares of a cell by which meshes are shifted, so that no row runs along an edge of a symmetrical body. */
 const RAY_SHIFT = [1.7e-5, 2.3e-5] as const;
 
+/**
+ * Fills the cells of a row where the winding number is not zero.
+ * @param crossings pairs: a position (in cells; whole numbers are the middles of cells), and ±1 for entering or leaving
+ * a body
+ */
 function fillRow(row: Uint8Array, crossings: readonly number[]): void {
 	const order = Array.from({ length: crossings.length / 2 }, (_, i) => i).sort(
 		(i, j) => crossings[2 * i] - crossings[2 * j],
 	);
-	let turns = 0;
+	let winding = 0;
 	for (const [k, i] of order.entries()) {
-		turns += crossings[2 * i + 1];
-		if (turns === 0 || k + 1 === order.length) continue;
+		winding += crossings[2 * i + 1];
+		if (winding === 0 || k + 1 === order.length) continue;
 		const [from, to] = [Math.ceil(crossings[2 * i]), Math.floor(crossings[2 * order[k + 1]])];
 		if (to >= from) row.fill(1, Math.max(0, from), Math.min(row.length, to + 1));
 	}
@@ -85,68 +96,73 @@ export function fillThin(voxels: Voxels, surfaces: readonly Mesh[]): void {
 		pitch,
 		cells,
 	} = voxels;
-	const near = cells.slice();
-	widen(near, voxels.size, -1, 1);
-	const mark = (x: number, y: number, z: number) => {
+	// Filled cells and their neighbours.
+	const filledOrNear = cells.slice();
+	dilate(filledOrNear, voxels.size, -1, 1);
+	const fillAt = (x: number, y: number, z: number) => {
 		const cell = (Math.floor(z) * ny + Math.floor(y)) * nx + Math.floor(x);
-		if (near[cell] === 0) cells[cell] = 1;
+		if (filledOrNear[cell] === 0) cells[cell] = 1;
 	};
 	for (const { positions, indices } of surfaces) {
-		const at = (vertex: number) => [0, 1, 2].map((k) => (positions[3 * vertex + k] - origin[k]) / pitch);
+		const cellsOf = (vertex: number) => [0, 1, 2].map((k) => (positions[3 * vertex + k] - origin[k]) / pitch);
 		for (let i = 0; i < indices.length; i += 3) {
-			const [a, b, c] = [at(indices[i]), at(indices[i + 1]), at(indices[i + 2])];
+			const [a, b, c] = [cellsOf(indices[i]), cellsOf(indices[i + 1]), cellsOf(indices[i + 2])];
+			// Points of the triangle at most half a cell apart.
 			const steps = Math.ceil(2 * Math.max(distance(a, b), distance(b, c), distance(c, a))) || 1;
 			for (let u = 0; u <= steps; u++) {
 				for (let v = 0; v <= steps - u; v++) {
 					const [s, t] = [u / steps, v / steps];
-					const along = (k: number) => a[k] + s * (b[k] - a[k]) + t * (c[k] - a[k]);
-					mark(along(0), along(1), along(2));
+					const coordinate = (k: number) => a[k] + s * (b[k] - a[k]) + t * (c[k] - a[k]);
+					fillAt(coordinate(0), coordinate(1), coordinate(2));
 				}
 			}
 		}
 	}
 }
 
+/** Returns the distance between two points. */
 const distance = (a: readonly number[], b: readonly number[]) => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 
 /**
- * Makes the body a union of cubes of `thick` cells, which is its least thickness. Thicker parts stay as they are (an
+ * Makes the body a union of cubes of `thickness` cells, which is its least thickness. Thicker parts stay as they are (an
  * opening); thinner ones grow around their middle.
  */
-export function thicken({ size, cells }: Voxels, thick: number): void {
-	const [before, after] = [-Math.floor((thick - 1) / 2), Math.ceil((thick - 1) / 2)];
+export function thicken({ size, cells }: Voxels, thickness: number): void {
+	const [from, to] = [-Math.floor((thickness - 1) / 2), Math.ceil((thickness - 1) / 2)];
 	const opened = cells.slice();
-	narrow(opened, size, before, after);
-	widen(opened, size, before, after);
+	erode(opened, size, from, to);
+	dilate(opened, size, from, to);
 	for (let i = 0; i < cells.length; i++) cells[i] = cells[i] & ~opened[i];
-	widen(cells, size, before, after);
+	dilate(cells, size, from, to);
 	for (let i = 0; i < cells.length; i++) cells[i] |= opened[i];
 }
 
 /**
- * Fills gaps into which no cube of `2 * reach + 1` cells fits (a closing).
- * @param voxels with at least `reach + 1` empty layers on every side
+ * Fills gaps into which no cube of `2 * radius + 1` cells fits (a closing).
+ * @param voxels with at least `radius + 1` empty layers on every side
  */
-export function closeGaps({ size, cells }: Voxels, reach: number): void {
-	widen(cells, size, -reach, reach);
-	narrow(cells, size, -reach, reach);
+export function closeGaps({ size, cells }: Voxels, radius: number): void {
+	dilate(cells, size, -radius, radius);
+	erode(cells, size, -radius, radius);
 }
 
 /** Fills cells with a filled cell at minus `from` … `to` along each axis (a dilation by a box). */
-function widen(cells: Uint8Array, size: Voxels["size"], from: number, to: number): void {
-	slide(cells, size, from, to, 1);
+function dilate(cells: Uint8Array, size: Voxels["size"], from: number, to: number): void {
+	filterBox(cells, size, from, to, 1);
 }
 
 /** Leaves only cells with all cells filled at `from` … `to` along each axis (an erosion by a box). */
-function narrow(cells: Uint8Array, size: Voxels["size"], from: number, to: number): void {
-	slide(cells, size, from, to, 0);
+function erode(cells: Uint8Array, size: Voxels["size"], from: number, to: number): void {
+	filterBox(cells, size, from, to, 0);
 }
 
 /**
- * Works along one axis after the other. `wins` is the value that spreads: filled cells forwards, empty ones backwards.
+ * Dilates or erodes by a box, along one axis after the other.
+ * @param from first offset of the box along each axis, cells; `to` is the last one
+ * @param spreading the value that spreads: 1 dilates, 0 erodes; its offsets are then those of the other cells reversed
  */
-function slide(cells: Uint8Array, [nx, ny, nz]: Voxels["size"], from: number, to: number, wins: 0 | 1): void {
-	const [first, last] = wins ? [-to, -from] : [from, to];
+function filterBox(cells: Uint8Array, [nx, ny, nz]: Voxels["size"], from: number, to: number, spreading: 0 | 1): void {
+	const [firstOffset, lastOffset] = spreading ? [-to, -from] : [from, to];
 	const axes = [
 		[nx, 1, ny * nz, nx],
 		[ny, nx, nx * nz, 0],
@@ -163,8 +179,9 @@ function slide(cells: Uint8Array, [nx, ny, nz]: Voxels["size"], from: number, to
 			}
 			if (!any) continue;
 			for (let i = 0; i < count; i++) {
-				let value: number = 1 - wins;
-				for (let k = Math.max(0, i + first); k <= Math.min(count - 1, i + last) && value !== wins; k++) value = row[k];
+				let value: number = 1 - spreading;
+				for (let k = Math.max(0, i + firstOffset); k <= Math.min(count - 1, i + lastOffset) && value !== spreading; k++)
+					value = row[k];
 				cells[start + i * step] = value;
 			}
 		}

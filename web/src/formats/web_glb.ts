@@ -18,19 +18,19 @@ const PIXELS = 512;
  */
 export async function webGlb(parts: Iterable<Part>, about: About, compressed = true): Promise<Uint8Array<ArrayBuffer>> {
 	await MeshoptEncoder.ready;
-	const light = (await lightParts(parts, { pixels: PIXELS })).map(ordered);
+	const light = (await lightParts(parts, { pixels: PIXELS })).map(reorder);
 	return exportGlb(light, about, compressed ? { encoder: MeshoptEncoder } : { compact: true });
 }
 
 /** Orders triangles and vertices for compression. */
-function ordered(part: Part): Part {
+function reorder(part: Part): Part {
 	if (!part.shape) return part;
 	const { mesh } = part.shape;
 	const indices = mesh.indices.slice();
 	// reorderMesh overwrites the triangles, in their new order and with their new vertices.
 	const [to, count] = MeshoptEncoder.reorderMesh(indices, true, true);
 	const from = new Uint32Array(count);
-	for (const [vertex, place] of to.entries()) if (place < count) from[place] = vertex;
-	const own: PartMesh = { ...taken(mesh, from), indices };
-	return { ...part, shape: { ...part.shape, mesh: own } };
+	for (const [vertex, index] of to.entries()) if (index < count) from[index] = vertex;
+	const reordered: PartMesh = { ...taken(mesh, from), indices };
+	return { ...part, shape: { ...part.shape, mesh: reordered } };
 }

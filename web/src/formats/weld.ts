@@ -10,6 +10,7 @@ export interface Welded {
 }
 
 /**
+ * Merges vertices whose positions and further values are equal.
  * @param mesh.positions 3 × vertices: equal only to the last bit
  * @param mesh.indices 3 × triangles
  * @param rows further values that must be equal: whole numbers for each vertex, one row after the other
@@ -25,14 +26,15 @@ export function welded(
 	const width = keys.length / (vertices || 1);
 	const first = new Uint32Array(vertices);
 	const from: number[] = [];
+	// A hash table with linear probing, at most half full: new vertices by the hash of all their values.
 	const slots = new Int32Array(2 ** Math.ceil(Math.log2(2 * vertices + 2))).fill(-1);
-	const same = (one: number, other: number) => {
+	const isEqual = (one: number, other: number) => {
 		for (let k = 0; k < width; k++) if (keys[width * one + k] !== keys[width * other + k]) return false;
 		return true;
 	};
 	for (let vertex = 0; vertex < vertices; vertex++) {
 		let slot = hash(keys, width * vertex, width * (vertex + 1)) & (slots.length - 1);
-		while (slots[slot] >= 0 && !same(from[slots[slot]], vertex)) slot = (slot + 1) & (slots.length - 1);
+		while (slots[slot] >= 0 && !isEqual(from[slots[slot]], vertex)) slot = (slot + 1) & (slots.length - 1);
 		if (slots[slot] < 0) slots[slot] = from.push(vertex) - 1;
 		first[vertex] = slots[slot];
 	}
@@ -44,18 +46,22 @@ export function welded(
 	return { indices: Uint32Array.from(corners), from: Uint32Array.from(from), count: from.length };
 }
 
+/**
+ * Turns rows into one array with all values of a vertex side by side; every row has a multiple of `vertices` values.
+ */
 function interleaved(rows: readonly Int32Array[], vertices: number): Int32Array {
 	const width = rows.reduce((sum, row) => sum + row.length / (vertices || 1), 0);
 	const keys = new Int32Array(width * vertices);
 	let column = 0;
 	for (const row of rows) {
-		const own = row.length / (vertices || 1);
-		for (let i = 0; i < row.length; i++) keys[width * Math.floor(i / own) + column + (i % own)] = row[i];
-		column += own;
+		const rowWidth = row.length / (vertices || 1);
+		for (let i = 0; i < row.length; i++) keys[width * Math.floor(i / rowWidth) + column + (i % rowWidth)] = row[i];
+		column += rowWidth;
 	}
 	return keys;
 }
 
+/** Returns the hash of the keys `from` … `to` − 1: a 32-bit number from 0. */
 function hash(keys: Int32Array, from: number, to: number): number {
 	let sum = 0;
 	for (let i = from; i < to; i++) sum = Math.imul(sum ^ keys[i], 0x9e3779b1) ^ (sum >>> 15);

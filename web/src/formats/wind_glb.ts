@@ -1,6 +1,6 @@
 /**
  * The *wind* form: a plant that sways without end, in plain glTF. Every vertex has two morph targets, its displacement
- * by a sine and by a cosine of time (plant/swing.ts); an animation of their weights loops without a seam. Readers
+ * by a sine and by a cosine of time (plant/point_sway.ts); an animation of their weights loops without a seam. Readers
  * without animation show the plant at rest.
  */
 import type { Part } from "../plant/part";
@@ -13,7 +13,11 @@ import { WIND_TRIANGLES } from "./plant_files";
 
 const PIXELS = 256;
 
-/** @param sway absent where wind does not move the plant */
+/**
+ * Writes the file.
+ * @param sway absent where wind does not move the plant
+ * @param triangles the most triangles
+ */
 export async function windGlb(
 	parts: Iterable<Part>,
 	about: About,

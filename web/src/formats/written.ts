@@ -1,6 +1,9 @@
 import { shortFloat } from "./numbers";
 
-/** JSON with every float32 in it as the shortest decimal that reads back as the same; other numbers as they are. */
+/**
+ * Returns a value for JSON with every float32 in it as the shortest decimal that reads back as the same; other numbers
+ * as they are.
+ */
 export function written(value: unknown): unknown {
 	if (typeof value === "number") return Math.fround(value) === value ? shortFloat(value) : value;
 	if (Array.isArray(value)) return value.map(written);

@@ -5,6 +5,7 @@ import type { GrowthOptions, Model } from "../models/model";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
 import { grownMembers, type MembersOptions } from "./members";
+import { readable, readablePlant } from "./readable";
 
 /** Runs a request in the core of a file (`bunch.wasm`). */
 export type RunCore = (wasm: string, blocks: readonly Block[]) => Promise<Answer>;
@@ -18,11 +19,12 @@ export async function growPlant(
 	members: Omit<MembersOptions, "meshes"> = {},
 ): Promise<Plant> {
 	await model.prepare?.(specimen);
-	const grown = model.read(await run(model.wasm, model.encode(specimen, options)), specimen);
+	const answer = await readable(run)(model.wasm, model.encode(specimen, options));
+	const grown = await readablePlant(model.read(answer, specimen));
 	return grownMembers(model, grown, run, { ...members, meshes: options.meshes ?? true });
 }
 
-/** The plant without the time that growing took: the same on any machine. */
+/** Returns the plant without the time that growing took: the same on any machine. */
 export function untimed(plant: Plant): Plant {
 	return { ...plant, timings: { grow: 0 } };
 }

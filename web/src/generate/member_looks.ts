@@ -15,6 +15,7 @@ const TRIANGLES = [3000, 600];
 export class SharedMaterials {
 	readonly #known = new Map<string, Material>();
 
+	/** Returns the shared object of a material's look. */
 	of({ textures: _, flesh: __, ...material }: Material): Material {
 		const key = JSON.stringify(material);
 		const known = this.#known.get(key) ?? material;
@@ -23,7 +24,7 @@ export class SharedMaterials {
 	}
 }
 
-/** The levels and extent of a plant; no levels where it was grown without meshes. */
+/** Returns the levels and extent of a plant; no levels where it was grown without meshes. */
 export async function levelsOf(
 	model: Model,
 	plant: Plant,
@@ -62,10 +63,16 @@ async function lighter(parts: Iterable<Part>): Promise<Part[][]> {
 	return levels;
 }
 
+/** Returns the shapes of all parts with triangles. */
 function shapesOf(parts: Iterable<Part>): Shape[] {
 	return [...everyPart(parts)].flatMap(({ shape }) => (shape && shape.mesh.indices.length > 0 ? [shape] : []));
 }
 
+/**
+ * Returns how far points extend: least and greatest height, and greatest distance from the upright axis, metres.
+ * @param points x y z each
+ * @param unit metres per unit of `points`
+ */
 function extentOf(points: Float32Array | Int16Array, unit: number): Member["extent"] {
 	let [low, high, square] = [0, 0, 0];
 	for (let i = 0; i < points.length; i += 3) {

@@ -5,6 +5,7 @@
 import type { Block } from "../core/container";
 import type { Answer } from "../core/core";
 import { CoreError } from "../core/errors";
+import type { Message } from "../locale/texts";
 import { isModel, modelNamed, modelNames } from "../models/index";
 import type { Member, MemberRequest, TextPosition } from "../models/member";
 import type { GrowthOptions, Model } from "../models/model";
@@ -15,6 +16,8 @@ import { restore } from "../specimen/restore";
 import type { Specimen } from "../specimen/specimen";
 import { levelsOf, SharedMaterials } from "./member_looks";
 import { spotsOf } from "./member_spots";
+import { text } from "./messages.generated";
+import { isOnLine, readable, readablePlant } from "./readable";
 
 /** Runs a request in the core of a file (`growth.wasm`). */
 export type RunCore = (wasm: string, blocks: readonly Block[]) => Promise<Answer>;
@@ -51,11 +54,13 @@ export class MemberCache {
 		return found;
 	}
 
+	/** Caches a grown member. */
 	add(request: MemberRequest, meshes: boolean, member: Member): void {
 		this.#known.set(keyOf(request, meshes), member);
 	}
 }
 
+/** Returns the cache key of a request: equal for requests that grow equal members. */
 function keyOf({ model, preset, seed, values, surroundings, spots }: MemberRequest, meshes: boolean): string {
 	return JSON.stringify([model, preset, seed, values, surroundings, spots, meshes]);
 }
@@ -63,7 +68,7 @@ function keyOf({ model, preset, seed, values, surroundings, spots }: MemberReque
 /** Report progress when the number of members has grown by this share. */
 const STEP = 1;
 /** The most bytes of meshes: a page holds them twice, once for the graphics card. */
-const MOST = 600e6;
+const MAX_BYTES = 600e6;
 
 /**
  * Grows the members of a plant.
@@ -74,13 +79,13 @@ export async function grownMembers(
 	model: Model,
 	grown: Plant,
 	run: RunCore,
-	{ meshes = true, concurrency = 1, cache, most = MOST, timeIsOver = () => false, grew }: MembersOptions = {},
+	{ meshes = true, concurrency = 1, cache, most = MAX_BYTES, timeIsOver = () => false, grew }: MembersOptions = {},
 ): Promise<Plant> {
 	const { members } = model;
 	if (!members) return grown;
 	const requests = members.requests(grown);
 	const notes = new Set<string>();
-	const read = await resolved(model, requests, notes);
+	const read = await resolveRequests(model, requests, notes);
 	const usedRequests = read.map(({ request: each }) => each);
 	const looks = cache?.materials ?? new SharedMaterials();
 	const order = growingOrder(requests);
@@ -91,6 +96,10 @@ export async function grownMembers(
 	let nextReport = Math.max(16, count + 1);
 	let next = 0;
 	let failed = false;
+	/**
+	 * Grows members, the next free one in `order`, until none is left; `concurrency` of these loops run at the same time.
+	 * Progress is reported each time the number of members has doubled.
+	 */
 	const work = async () => {
 		while (next < requests.length && !failed) {
 			const at = order[next++];
@@ -116,16 +125,17 @@ export async function grownMembers(
 	await Promise.all(works);
 	const cuts = new Set(done.map((member) => member?.cutShort));
 	if (count < requests.length) {
-		notes.add(
-			`What grew so far is shown. The time limit is reached: ${count} of ${requests.length} plants are there; give it more time, or ask for fewer plants.`,
-		);
+		notes.add(text("members_time", { count, total: requests.length }));
 		cuts.add("time");
 	}
 	const cutShort = cuts.has("time") ? "time" : cuts.has("limit") ? "limit" : grown.cutShort;
 	return cutShort ? { ...joined(), cutShort } : joined();
 }
 
-/** The order of growing: members of one preset one after the other, because cores cache results for the next plant. */
+/**
+ * Returns the order of growing: members of one preset one after the other, because cores cache results for the next
+ * plant.
+ */
 function growingOrder(requests: readonly MemberRequest[]): readonly number[] {
 	const presets = new Map<string, number[]>();
 	for (const [i, { model, preset }] of requests.entries()) {
@@ -137,20 +147,18 @@ function growingOrder(requests: readonly MemberRequest[]): readonly number[] {
 	return [...presets.values()].flat();
 }
 
-/**
- * Notes of the members, each once, in the order of requests. Notes on a line of a preset's own text are left out: they
- * are for the preset's own page.
- */
+/** Returns the notes of the members, each once, in the order of requests. */
 function notesOf(members: readonly (Member | undefined)[]): Set<string> {
 	return new Set(
 		members.flatMap((member) => {
 			const { model, preset } = member?.specimen ?? {};
-			const reported = member?.notes.filter((note) => !/^Line \d+: /.test(note)) ?? [];
-			return reported.map((note) => `${model}/${preset}: ${note}`);
+			const reported = member?.notes ?? [];
+			return reported.map((note) => text("member_note", { preset: `${model}/${preset}`, note }));
 		}),
 	);
 }
 
+/** Returns the bytes of a member's meshes. */
 function bytesOf({ levels }: Member): number {
 	let bytes = 0;
 	for (const { mesh } of levels.flat())
@@ -158,8 +166,9 @@ function bytesOf({ levels }: Member): number {
 	return bytes;
 }
 
+/** Returns the error, at a request's position, of members whose meshes need too much memory. */
 function tooMuch({ place }: MemberRequest, most: number): CoreError {
-	const message = `The different plants take more than ${most / 1e6} MB; ask for fewer plants, or add seeds 20 to a line.`;
+	const message = text.message("members_too_large", { megabytes: most / 1e6 });
 	return new CoreError("limit", message, place.line, place.column);
 }
 
@@ -172,26 +181,37 @@ interface PreparedMember {
 	readonly prepared: boolean;
 }
 
-/** Turns requests into specimens, and fetches the resources of each. */
-async function resolved(of: Model, requests: readonly MemberRequest[], notes: Set<string>): Promise<PreparedMember[]> {
+/**
+ * Turns requests into specimens, and fetches the resources of each.
+ * @param of model of the whole plant, which may not be a member of itself
+ * @param notes receives notes on values that do not fit
+ * @throws CoreError at the position of a wrong name
+ */
+async function resolveRequests(
+	of: Model,
+	requests: readonly MemberRequest[],
+	notes: Set<string>,
+): Promise<PreparedMember[]> {
 	const models = new Map<string, Model>();
 	const read: Omit<PreparedMember, "prepared">[] = [];
 	// Whether resources could be fetched, by the values that determine them.
 	const fetched = new Map<string, Promise<boolean>>();
 	const keys: string[] = [];
 	for (const request of requests) {
-		const model = models.get(request.model) ?? (await known(of, request));
+		const model = models.get(request.model) ?? (await requestedModel(of, request));
 		models.set(request.model, model);
 		const each = withoutUnused(model, request);
-		checked(model, each);
+		checkNames(model, each);
 		const { values, seed, preset, surroundings } = each;
+		// Values for names in the member's text, besides its parameters.
 		const own = ownNames(model, each);
 		const restored = restore(model, {
 			...{ model: model.name, preset, seed, surroundings },
 			...roundedValues(model, values),
 			...(own ? ownNamesField(model)?.named?.(fromPreset(model, preset), own) : {}),
 		});
-		for (const { text } of restored.notes) notes.add(`${each.model}/${preset}: ${text}`);
+		const named = `${each.model}/${preset}`;
+		for (const note of restored.notes) notes.add(text("member_note", { preset: named, note: note.text }));
 		const { specimen } = restored;
 		read.push({ request: each, model, specimen });
 		const key = preparedBy(each);
@@ -199,8 +219,8 @@ async function resolved(of: Model, requests: readonly MemberRequest[], notes: Se
 		if (fetched.has(key)) continue;
 		if (own) await checkOwnNames(model, specimen, each);
 		const failed = (error: unknown) => {
-			const why = error instanceof Error ? error.message : String(error);
-			notes.add(`${each.model}/${preset}: What it needs could not be fetched: ${why}`);
+			const problem = error instanceof Error ? error.message : String(error);
+			notes.add(text("member_note", { preset: named, note: text("member_not_loaded", { problem }) }));
 			return false;
 		};
 		fetched.set(
@@ -219,22 +239,27 @@ function withoutUnused({ details }: Model, { surroundings, ...request }: MemberR
 	return isActive ? { ...request, surroundings } : request;
 }
 
-/** A key of the values that determine which resources are needed: choices, and whether numbers are above 0. */
+/**
+ * Returns a key of the values that determine which resources are needed: choices, and whether numbers are above 0.
+ */
 function preparedBy({ model, preset, values }: MemberRequest): string {
 	const relevant = Object.entries(values).map(([key, value]) => [key, typeof value === "number" ? value > 0 : value]);
 	return JSON.stringify([model, preset, relevant]);
 }
 
-/** The field that reads a text's own names. */
+/** Returns the field that reads a text's own names. */
 const ownNamesField = ({ details }: Model) => details.find(({ named }) => named);
 
-/** Values of the text's own names; undefined where all names are in the table. */
+/** Returns the values of the text's own names; undefined where all names are in the table. */
 function ownNames({ table }: Model, { values }: MemberRequest): Record<string, string> | undefined {
 	const own = Object.entries(values).filter(([key]) => !table.entry(key));
 	return own.length > 0 ? Object.fromEntries(own.map(([key, value]) => [key, String(value)])) : undefined;
 }
 
-/** @throws CoreError at the position of a name that neither the table nor the text has */
+/**
+ * Checks the names in a request that may be defined by the member's text.
+ * @throws CoreError at the position of a name that neither the table nor the text has
+ */
 async function checkOwnNames(
 	model: Model,
 	specimen: Specimen,
@@ -243,11 +268,9 @@ async function checkOwnNames(
 	const stranger = await ownNamesField(model)?.unknownName?.(specimen);
 	if (!stranger) return;
 	const { name, problem } = stranger;
-	const keys = model.table.entries.map(({ key }) => key).join(", ");
-	throw wrong(
-		`The ${model.noun} has no parameter ${name} (there are ${keys}), and of ${preset} ${problem}.`,
-		places[name] ?? place,
-	);
+	const parameters = model.table.entries.map(({ key }) => key).join(", ");
+	const names = { model: model.name, parameter: name, parameters, preset, problem: problem.text };
+	throw undefinedName(text.message("member_unknown_name", names), places[name] ?? place);
 }
 
 /** Rounds values of integer parameters; drops values that are no parameters. */
@@ -260,43 +283,69 @@ function roundedValues({ table }: Model, values: MemberRequest["values"]): Membe
 	);
 }
 
-async function known(of: Model, { model: name, place }: MemberRequest): Promise<Model> {
+/**
+ * Returns the model that a request names.
+ * @param of model of the whole plant
+ * @throws CoreError at the request's position where there is no such model, or it is the plant's own
+ */
+async function requestedModel(of: Model, { model: name, place }: MemberRequest): Promise<Model> {
 	const others = modelNames().filter((each) => each !== of.name);
 	if (isModel(name) && name !== of.name) return modelNamed(name);
-	const why = name === of.name ? `A ${of.noun} stands in no ${of.noun}` : `There is no model ${name}`;
-	throw wrong(`${why}; there are ${others.join(", ")}.`, place);
+	const key = name === of.name ? "member_of_itself" : "member_unknown_model";
+	throw undefinedName(text.message(key, { model: name, models: others.join(", ") }), place);
 }
 
-function checked(model: Model, { preset, values, place, places }: MemberRequest): void {
-	const { presets, table, noun } = model;
-	if (!presets.named(preset))
-		throw wrong(
-			`There is no ${noun} called ${preset}; there are ${presets.list.map(({ name }) => name).join(", ")}.`,
-			place,
-		);
+/**
+ * Checks that the preset and all parameters of a request exist.
+ * @throws CoreError at their place in the plant's text
+ */
+function checkNames(model: Model, { preset, values, place, places }: MemberRequest): void {
+	const { presets, table } = model;
+	if (!presets.named(preset)) {
+		const known = presets.list.map(({ name }) => name).join(", ");
+		throw undefinedName(text.message("member_unknown_preset", { model: model.name, preset, presets: known }), place);
+	}
 	for (const key of Object.keys(values)) {
 		// Whether the text has such a name of its own is known once it is fetched.
 		if (table.entry(key) || (ownNamesField(model) && typeof values[key] === "number")) continue;
-		const keys = table.entries.map((each) => each.key).join(", ");
-		throw wrong(`The ${noun} has no parameter ${key}; there are ${keys}.`, places[key] ?? place);
+		const parameters = table.entries.map((each) => each.key).join(", ");
+		const names = { model: model.name, parameter: key, parameters };
+		throw undefinedName(text.message("member_unknown_parameter", names), places[key] ?? place);
 	}
 }
 
-function wrong(message: string, { line, column }: TextPosition): CoreError {
+/** Returns the error of an undefined name at a position of the plant's text. */
+function undefinedName(message: Message, { line, column }: TextPosition): CoreError {
 	return new CoreError("undefined name", message, line, column);
 }
 
-/** Errors of a member refer to the line that requests it: a position in the member's own text means nothing here. */
-async function memberOf(read: PreparedMember, run: RunCore, meshes: boolean, looks: SharedMaterials): Promise<Member> {
+/**
+ * Grows a member. Errors are reported at the line that requests the member, because a position in the member's own text
+ * means nothing to readers of the plant's text.
+ * @throws CoreError
+ */
+async function memberOf(
+	prepared: PreparedMember,
+	run: RunCore,
+	meshes: boolean,
+	looks: SharedMaterials,
+): Promise<Member> {
 	try {
-		return await grownMember(read, run, meshes, looks);
+		return await grownMember(prepared, run, meshes, looks);
 	} catch (error) {
 		if (!(error instanceof CoreError)) throw error;
-		const { model, preset, place } = read.request;
-		throw new CoreError(error.reason, `${model}/${preset}: ${error.message}`, place.line, place.column);
+		const { model, preset, place } = prepared.request;
+		const { reason, code, args } = error;
+		const note = text("member_note", { preset: `${model}/${preset}`, note: error.message });
+		throw new CoreError(reason, { code, args, text: note }, place.line, place.column);
 	}
 }
 
+/**
+ * Grows a member in its levels of detail if the model has them, else in full.
+ * @param meshes whether its meshes are needed
+ * @param looks materials that equal members share
+ */
 async function grownMember(
 	read: PreparedMember,
 	run: RunCore,
@@ -311,8 +360,10 @@ async function grownMember(
 		map: false,
 		...(levels ? { levels } : {}),
 	};
-	const plant = model.read(await run(model.wasm, model.encode(specimen, options)), specimen);
-	const { fingerprint, notes, cutShort } = plant;
+	const plant = model.read(await readable(run)(model.wasm, model.encode(specimen, options)), specimen);
+	const { fingerprint, cutShort } = plant;
+	// Notes on a line of a preset's own text are for the preset's own page.
+	const { notes } = await readablePlant({ ...plant, notes: plant.notes.filter((note) => !isOnLine(note)) });
 	const link = await encodeLink(model, specimen);
 	const title = model.presets.named(specimen.preset)?.title ?? model.title;
 	return {

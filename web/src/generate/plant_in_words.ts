@@ -1,6 +1,7 @@
 import type { Model } from "../models/model";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
+import { text } from "./messages.generated";
 
 /** A grown plant with its specimen. */
 export interface DescribedPlant {
@@ -9,12 +10,13 @@ export interface DescribedPlant {
 	readonly grown: Plant;
 }
 
-/** Describes a plant for users that cannot see it: "Riesling bunch: 99 berries, 12 cm long", "Oak leaf, 42 cm², …". */
+/** Describes a plant for users that cannot see it: "Riesling bunch: 12 cm long, with 99 berries", "Oak leaf, 42 cm², …". */
 export function plantInWords({ model, specimen, grown }: DescribedPlant): string {
-	const words = model.words(grown, specimen);
-	// The words of some models already contain the noun.
-	if (/^[^,:]*/.exec(words.toLowerCase())?.[0].includes(model.noun)) return words;
+	const description = model.summary(grown, specimen);
+	const { plantName: plant } = model;
+	// The summaries of some models already contain the plant's name.
+	if (/^[^,:]*/.exec(description.toLowerCase())?.[0].includes(plant)) return description;
 	const title = model.titled?.(specimen) ?? model.presets.named(specimen.preset)?.title ?? model.title;
-	const named = title.toLowerCase().includes(model.noun) ? title : `${title} ${model.noun}`;
-	return `${named}: ${words}`;
+	if (title.toLowerCase().includes(plant)) return text("plant_titled", { title, description });
+	return text("plant_with_name", { title, plant, description });
 }

@@ -5,6 +5,7 @@
 import type { Completion, CompletionContext, CompletionResult, CompletionSource } from "@codemirror/autocomplete";
 import { type Dialect, dialect } from "./dialect";
 import { formalsAt } from "./explain";
+import { text } from "./messages.generated";
 import { type GrammarOutline, outlineOf } from "./outline";
 import { readOutline } from "./read_outline";
 import type { Word } from "./words.generated";
@@ -19,6 +20,10 @@ export function completion(roles: readonly string[]): CompletionSource {
 	return (context) => complete(context, roles);
 }
 
+/**
+ * Completes the word before the cursor. Without such a word, completions are listed only on request (Ctrl+Space).
+ * @param roles words that the model allows as roles
+ */
 function complete(context: CompletionContext, roles: readonly string[]): CompletionResult | null {
 	const { pos, explicit, state } = context;
 	const line = state.doc.lineAt(pos);
@@ -29,57 +34,66 @@ function complete(context: CompletionContext, roles: readonly string[]): Complet
 			?.slice(-1) ?? [];
 	const word = /^[#?@\p{L}_]/u.test(last) ? last : "";
 	if (word === "" && !explicit) return null;
-	const text = state.doc.toString();
-	const options = optionsFor(text, pos, word, roles, state.facet(dialect));
+	const options = optionsFor(state.doc.toString(), pos, word, roles, state.facet(dialect));
 	return options.length > 0 ? { from: pos - word.length, options, validFor: /^[#?@]?[\p{L}\p{N}_]*$/u } : null;
 }
 
 /**
- * Returns the completions for a position.
+ * Returns the completions for a position: roles after `#role`, none in comments, values where the text expects a
+ * number, else modules; statements too where the line begins.
  * @param word the part of the word that is already typed
  */
 export function optionsFor(
-	text: string,
+	grammar: string,
 	place: number,
 	word: string,
 	roles: readonly string[],
 	language: Dialect,
 ): Completion[] {
 	const from = place - word.length;
-	const start = text.lastIndexOf("\n", from - 1) + 1;
-	const before = text.slice(start, from);
+	const start = grammar.lastIndexOf("\n", from - 1) + 1;
+	const before = grammar.slice(start, from);
 	if (/^\s*#role\s+$/.test(before)) return roles.map((label) => ({ label, type: "keyword" }));
 	const { words } = language;
 	const { outline, name } = isName(word)
-		? { outline: readOutline(text, language), name: word }
-		: withName(text, from, place, language);
+		? { outline: readOutline(grammar, language), name: word }
+		: withPlaceholder(grammar, from, place, language);
 	const kind = outline.pieces.find((piece) => piece.from === from)?.kind;
 	if (kind === undefined || kind === "comment") return [];
 	// A name that occurs only once is the one being typed.
 	const typed = outline.pieces.filter((piece) => piece.text === name).length < 2 ? name : undefined;
-	const statements = /^\s*$/.test(before) ? ofKind(words, "statement") : [];
-	if (kind === "name" || kind === "function") return [...statements, ...values(outline, from, typed, words)];
-	return [...statements, ...modules(outline, typed, words)];
+	const statements = /^\s*$/.test(before) ? wordsOfKind(words, "statement") : [];
+	if (kind === "name" || kind === "function") return [...statements, ...valueCompletions(outline, from, typed, words)];
+	return [...statements, ...moduleCompletions(outline, typed, words)];
 }
 
+/** Returns whether a word begins as a name does: with a letter or an underscore. */
 const isName = (word: string): boolean => /^[\p{L}_]/u.test(word);
 
 /**
- * Returns the outline with a name inserted in place of a range, which shows whether modules or values are expected
- * there.
+ * Returns the outline with the name `x` in place of a range: the kind of that piece shows whether modules or values are
+ * expected there.
+ * @param from start of the replaced range in the text
+ * @param to its end
  */
-function withName(
-	text: string,
+function withPlaceholder(
+	grammar: string,
 	from: number,
 	to: number,
 	{ scan }: Dialect,
 ): { outline: GrammarOutline; name: string } {
 	const name = "x";
-	const probe = `${text.slice(0, from)}${name}${text.slice(to)}`;
+	const probe = `${grammar.slice(0, from)}${name}${grammar.slice(to)}`;
 	return { outline: outlineOf(probe, scan(probe)), name };
 }
 
-function values(
+/**
+ * Returns the completions of an expression: parameters of the production at `place`, names that the text defines, and
+ * functions.
+ * @param place position in the text
+ * @param typed the unfinished word at the cursor, which is no name yet
+ */
+function valueCompletions(
 	outline: GrammarOutline,
 	place: number,
 	typed: string | undefined,
@@ -88,22 +102,33 @@ function values(
 	const formals = formalsAt(outline.pieces, place).filter((name) => name !== typed);
 	const names = [...outline.names].filter(([name]) => name !== typed);
 	return [
-		...formals.map((label) => ({ label, detail: "parameter", boost: 2 })),
+		...formals.map((label) => ({ label, detail: text("parameter"), boost: 2 })),
 		...names.map(([label, info]) => ({ label, detail: info.split(/\s/)[0], info, boost: 1 })),
-		...ofKind(words, "function"),
+		...wordsOfKind(words, "function"),
 	];
 }
 
-function modules({ symbols }: GrammarOutline, typed: string | undefined, words: readonly Word[]): Completion[] {
+/**
+ * Returns the completions of a string of modules: symbols of the text, then those of the turtle.
+ * @param typed the unfinished word at the cursor, which is no symbol yet
+ */
+function moduleCompletions(
+	{ symbols }: GrammarOutline,
+	typed: string | undefined,
+	words: readonly Word[],
+): Completion[] {
 	const own = [...symbols].filter(([name]) => name !== typed && !words.some((word) => word.name === name));
 	return [
 		...own.map(([label, written]) => ({ label, detail: written === label ? "" : written, boost: 1 })),
-		...ofKind(words, "symbol"),
+		...wordsOfKind(words, "symbol"),
 	];
 }
 
-/** Completions of a kind whose names begin with a letter, `#`, `?` or `@`: signs are faster to type than to choose. */
-function ofKind(words: readonly Word[], kind: Word["kind"]): Completion[] {
+/**
+ * Returns the completions of a kind whose names begin with a letter, `#`, `?` or `@`: signs are faster to type than to
+ * choose.
+ */
+function wordsOfKind(words: readonly Word[], kind: Word["kind"]): Completion[] {
 	return words
 		.filter((word) => word.kind === kind && /^[\p{L}#?@]/u.test(word.name))
 		.map((word) => ({

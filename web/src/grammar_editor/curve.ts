@@ -23,18 +23,21 @@ export function frameOf(points: readonly CurvePoint[]): CurveFrame {
 	return { left: Math.min(0, ...xs), right: Math.max(1, ...xs), low, high };
 }
 
-/** Moves a point, between its neighbours and within the frame. */
+/**
+ * Moves the point of an index, limited by its neighbours and the frame.
+ * @param moving index of the point
+ */
 export function moved(
 	points: readonly CurvePoint[],
-	at: number,
+	moving: number,
 	[x, y]: CurvePoint,
 	{ left, right, low, high }: CurveFrame,
 ): CurvePoint[] {
 	const gap = (right - left) * APART;
-	const least = at > 0 ? points[at - 1][0] + gap : left;
-	const most = at < points.length - 1 ? points[at + 1][0] - gap : right;
-	const place = [clamp(x, least, Math.max(least, most)), clamp(y, low, high)] as const;
-	return points.map((point, index) => (index === at ? place : point));
+	const leftLimit = moving > 0 ? points[moving - 1][0] + gap : left;
+	const rightLimit = moving < points.length - 1 ? points[moving + 1][0] - gap : right;
+	const newPoint = [clamp(x, leftLimit, Math.max(leftLimit, rightLimit)), clamp(y, low, high)] as const;
+	return points.map((point, index) => (index === moving ? newPoint : point));
 }
 
 /** Adds a point in order; returns the same list if there is already a point at that place. */
@@ -45,9 +48,12 @@ export function added(points: readonly CurvePoint[], [x, y]: CurvePoint, frame: 
 	return points.toSpliced(at < 0 ? points.length : at, 0, [x, clamp(y, frame.low, frame.high)]);
 }
 
-/** Removes a point; returns the same list if too few points would remain. */
-export function removed(points: readonly CurvePoint[], at: number): readonly CurvePoint[] {
-	return points.length > FEWEST ? points.toSpliced(at, 1) : points;
+/**
+ * Removes the point of an index; returns the same list if too few points would remain.
+ * @param index of the point
+ */
+export function removed(points: readonly CurvePoint[], index: number): readonly CurvePoint[] {
+	return points.length > FEWEST ? points.toSpliced(index, 1) : points;
 }
 
 /** Formats points as in a text: `(0, 0) (0.3, 1)`, rounded to 0.01, or to 0.001 in a narrow frame. */
@@ -58,38 +64,40 @@ export function inText(points: readonly CurvePoint[], { left, right, low, high }
 }
 
 /**
- * Monotone cubic interpolation of the points (Fritsch and Carlson 1980), constant beyond the ends, without overshoot;
- * the same as the core's.
+ * Returns the curve's value by monotone cubic interpolation of the points (Fritsch and Carlson 1980), constant beyond
+ * the ends, without overshoot; the same as the core's. Between two points it is the cubic Hermite polynomial.
  */
 export function valueAt(points: readonly CurvePoint[], x: number): number {
 	const last = points.length - 1;
 	if (x <= points[0][0]) return points[0][1];
 	if (x >= points[last][0]) return points[last][1];
-	const at = points.findIndex(([next]) => next > x) - 1;
-	const [[x0, y0], [x1, y1]] = [points[at], points[at + 1]];
+	const before = points.findIndex(([next]) => next > x) - 1;
+	const [[x0, y0], [x1, y1]] = [points[before], points[before + 1]];
 	const width = x1 - x0;
 	const t = (x - x0) / width;
-	const [m0, m1] = [tangent(points, at), tangent(points, at + 1)];
+	const [m0, m1] = [tangent(points, before), tangent(points, before + 1)];
 	const t2 = t * t;
 	const t3 = t2 * t;
 	return (2 * t3 - 3 * t2 + 1) * y0 + (t3 - 2 * t2 + t) * width * m0 + (3 * t2 - 2 * t3) * y1 + (t3 - t2) * width * m1;
 }
 
 /**
- * Tangent at a point: the harmonic mean of the adjacent slopes, weighted by widths; 0 where the slopes change sign;
- * the adjacent slope at the ends.
+ * Returns the slope of the curve at a point: the harmonic mean of the adjacent slopes, weighted by widths; 0 where the
+ * slopes change sign; the adjacent slope at the ends.
+ * @param index of the point
  */
-function tangent(points: readonly CurvePoint[], at: number): number {
+function tangent(points: readonly CurvePoint[], index: number): number {
 	const slope = (from: number) => (points[from + 1][1] - points[from][1]) / (points[from + 1][0] - points[from][0]);
-	if (at === 0) return slope(0);
-	if (at === points.length - 1) return slope(at - 1);
-	const [before, after] = [slope(at - 1), slope(at)];
+	if (index === 0) return slope(0);
+	if (index === points.length - 1) return slope(index - 1);
+	const [before, after] = [slope(index - 1), slope(index)];
 	if (before * after <= 0) return 0;
-	const [h0, h1] = [points[at][0] - points[at - 1][0], points[at + 1][0] - points[at][0]];
+	const [h0, h1] = [points[index][0] - points[index - 1][0], points[index + 1][0] - points[index][0]];
 	const [w0, w1] = [2 * h1 + h0, h1 + 2 * h0];
 	return (w0 + w1) / (w0 / before + w1 / after);
 }
 
+/** Limits a value to a range. */
 function clamp(value: number, least: number, most: number): number {
 	return Math.min(Math.max(value, least), most);
 }

@@ -1,6 +1,6 @@
 import { html, LitElement, nothing, svg } from "lit";
-import { formatCount } from "../ui/thousands";
 import { added, type CurveFrame, type CurvePoint, frameOf, inText, moved, removed, valueAt } from "./curve";
+import { text } from "./messages.generated";
 import type { Curve } from "./outline";
 
 /** Size of the drawing in its own units, and margin for the points. */
@@ -9,7 +9,7 @@ const HEIGHT = 110;
 const EDGE = 12;
 const SAMPLES = 64;
 /** Above this number of points, the curve is drawn without handles, and only its text can be edited. */
-const MOST_POINTS = 100;
+const MAX_POINTS = 100;
 const KEYS: Readonly<Record<string, CurvePoint>> = {
 	ArrowLeft: [-1, 0],
 	ArrowRight: [1, 0],
@@ -34,32 +34,34 @@ export class CurveEditor extends LitElement {
 	/** Frame during a drag, which stays constant. */
 	#frame: CurveFrame | undefined;
 
+	/** Renders into the element itself, so that the page's style applies. */
 	protected override createRenderRoot(): this {
 		return this;
 	}
 
+	/** Renders the curve with draggable points; a curve with more than MAX_POINTS points can only be seen. */
 	protected override render(): unknown {
 		const { name, points } = this.curve;
 		const frame = this.#framed;
 		const [dx, dy] = [frame.right - frame.left, frame.high - frame.low];
 		const x = (value: number) => EDGE + ((value - frame.left) / dx) * WIDTH;
 		const y = (value: number) => EDGE + ((frame.high - value) / dy) * HEIGHT;
-		const editable = points.length <= MOST_POINTS;
+		const editable = points.length <= MAX_POINTS;
 		const line = Array.from({ length: SAMPLES + 1 }, (_, index) => {
 			const at = frame.left + (index / SAMPLES) * dx;
 			return `${x(at).toFixed(1)},${y(valueAt(points, at)).toFixed(1)}`;
 		}).join(" ");
-		return html`<div class="curve" role="group" aria-label=${`Curve ${name}`}>
+		return html`<div class="curve" role="group" aria-label=${text("curve", { name })}>
 			<div class="curve-head">
 				<span>${name}</span>
-				${editable ? html`<button class="button quiet" type="button" @click=${this.#halve}>Add a point</button>` : nothing}
+				${editable ? html`<button class="button quiet" type="button" @click=${this.#halve}>${text("curve_add")}</button>` : nothing}
 			</div>
 			<svg viewBox="0 0 ${WIDTH + 2 * EDGE} ${HEIGHT + 2 * EDGE}" @dblclick=${editable ? this.#add : nothing}>
 				<rect x=${EDGE} y=${EDGE} width=${WIDTH} height=${HEIGHT} />
 				<polyline points=${line} />
 				${(editable ? points : []).map(
 					([px, py], at) => svg`<circle
-						cx=${x(px)} cy=${y(py)} r="6" tabindex="0" role="slider" aria-label=${`CurvePoint ${at + 1} of ${points.length}`}
+						cx=${x(px)} cy=${y(py)} r="6" tabindex="0" role="slider" aria-label=${text("curve_point", { number: at + 1, count: points.length })}
 						aria-valuenow=${py} aria-valuemin=${frame.low} aria-valuemax=${frame.high} aria-valuetext=${`${px}, ${py}`}
 						@pointerdown=${(event: PointerEvent) => this.#drag(event, at)} @keydown=${(event: KeyboardEvent) => this.#press(event, at)}
 						@keyup=${this.settle} @blur=${this.settle}
@@ -68,21 +70,24 @@ export class CurveEditor extends LitElement {
 			</svg>
 			${
 				editable
-					? html`<p class="unseen">Arrow keys move a point, with Shift ten steps; Delete removes it.</p>`
-					: html`<p>${formatCount(points.length)} points: edit them in the grammar’s text.</p>`
+					? html`<p class="unseen">${text("curve_keys")}</p>`
+					: html`<p>${text("curve_long", { count: points.length })}</p>`
 			}
 		</div>`;
 	}
 
+	/** The range of the drawing: fixed during a drag, else that of the points. */
 	get #framed(): CurveFrame {
 		return this.#frame ?? frameOf(this.curve.points);
 	}
 
-	#put(points: readonly CurvePoint[]): void {
+	/** Writes changed points into the text. */
+	#writePoints(points: readonly CurvePoint[]): void {
 		if (points !== this.curve.points) this.write(this.curve.name, inText(points, this.#framed));
 	}
 
-	#drag(event: PointerEvent, at: number): void {
+	/** Drags the point of an index; the view keeps its scale until the pointer is released. */
+	#drag(event: PointerEvent, index: number): void {
 		if (event.button !== 0) return;
 		const circle = event.currentTarget as SVGElement;
 		circle.setPointerCapture(event.pointerId);
@@ -97,31 +102,36 @@ export class CurveEditor extends LitElement {
 		};
 		circle.addEventListener(
 			"pointermove",
-			(next) => this.#put(moved(this.curve.points, at, this.#pointAt(next), this.#framed)),
+			(next) => this.#writePoints(moved(this.curve.points, index, this.#pointAt(next), this.#framed)),
 			{ signal },
 		);
 		circle.addEventListener("pointerup", end, { signal });
 		circle.addEventListener("pointercancel", end, { signal });
 	}
 
-	#press(event: KeyboardEvent, at: number): void {
+	/** Handles a key on the point of an index: arrows move it, Delete and Backspace remove it. */
+	#press(event: KeyboardEvent, index: number): void {
 		const { points } = this.curve;
 		const way = KEYS[event.key];
 		if (way) {
 			event.preventDefault();
 			const { left, right, low, high } = this.#framed;
 			const by = event.shiftKey ? 10 * STEP : STEP;
-			const to = [points[at][0] + way[0] * by * (right - left), points[at][1] + way[1] * by * (high - low)] as const;
-			this.#put(moved(points, at, to, this.#framed));
+			const to = [
+				points[index][0] + way[0] * by * (right - left),
+				points[index][1] + way[1] * by * (high - low),
+			] as const;
+			this.#writePoints(moved(points, index, to, this.#framed));
 		} else if (event.key === "Delete" || event.key === "Backspace") {
 			event.preventDefault();
-			this.#put(removed(points, at));
+			this.#writePoints(removed(points, index));
 			this.settle();
 		}
 	}
 
+	/** Adds a point where the drawing was clicked twice. */
 	#add(event: MouseEvent): void {
-		this.#put(added(this.curve.points, this.#pointAt(event), this.#framed));
+		this.#writePoints(added(this.curve.points, this.#pointAt(event), this.#framed));
 		this.settle();
 	}
 
@@ -131,7 +141,7 @@ export class CurveEditor extends LitElement {
 		const gaps = points.slice(1).map(([x], at) => x - points[at][0]);
 		const at = gaps.indexOf(Math.max(...gaps));
 		const x = points[at][0] + gaps[at] / 2;
-		this.#put(added(points, [x, valueAt(points, x)], this.#framed));
+		this.#writePoints(added(points, [x, valueAt(points, x)], this.#framed));
 		this.settle();
 	}
 

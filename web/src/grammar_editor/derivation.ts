@@ -3,18 +3,20 @@
  * shown, so a text with an error leaves the state unchanged. The 3-D view reads its part from the tool's state.
  */
 import { Superseded } from "../core/errors";
+import { MessageError } from "../locale/message_error";
 import type { DerivationTrace, TraceEntry } from "../plant/derivation_trace";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
 import type { EditorContext } from "../ui/editor_context";
 import { DERIVATION, type DerivationState, type DerivedScene, type MetModule } from "./derivation_tool";
 import { drawnBy, litBy } from "./lit_parts";
+import { text } from "./messages.generated";
 import { TraceReader } from "./trace_reader";
 
 export class Derivation {
 	readonly #context: EditorContext;
 	readonly #changed: () => void;
-	readonly #reader = new TraceReader(() => this.#read());
+	readonly #reader = new TraceReader(() => this.#handleTrace());
 	#from: Specimen | undefined;
 	/** Index in the string of the step that is shown. */
 	#chosen: number | undefined;
@@ -33,6 +35,7 @@ export class Derivation {
 		this.follow();
 	}
 
+	/** The window of the trace around the requested module; undefined while none of its step is loaded. */
 	get page(): DerivationTrace | undefined {
 		return this.#reader.page;
 	}
@@ -42,26 +45,32 @@ export class Derivation {
 		return this.#reader.stale;
 	}
 
+	/** Number of modules of each step's string; undefined until the first window is loaded. */
 	get counts(): Uint32Array | undefined {
 		return this.#reader.counts;
 	}
 
+	/** The step shown; undefined until the number of steps is known. */
 	get step(): number | undefined {
 		return this.#reader.step;
 	}
 
+	/** The last step; undefined until the number of steps is known. */
 	get last(): number | undefined {
 		return this.counts && this.counts.length - 1;
 	}
 
+	/** The message if no trace can be shown. */
 	get fault(): string | undefined {
 		return this.#reader.fault;
 	}
 
+	/** Index of the chosen module in the string of the step shown; undefined without one. */
 	get chosen(): number | undefined {
 		return this.#chosen;
 	}
 
+	/** Index of the module under the pointer, in the same string. */
 	get pointed(): number | undefined {
 		return this.#pointed;
 	}
@@ -79,7 +88,9 @@ export class Derivation {
 		return index === undefined || !this.page ? undefined : this.page.modules[index - this.page.first];
 	}
 
-	/** Updates from the editor's state. */
+	/**
+	 * Updates from the editor's state: reads the trace of a new plant, and the module under the pointer in the view.
+	 */
 	follow(): void {
 		const { grown, grownFrom } = this.#context.state;
 		if (this.#closed || !grown || !grownFrom) return;
@@ -87,19 +98,22 @@ export class Derivation {
 			this.#from = grownFrom;
 			this.#reader.begin(async (request, signal) => {
 				const { trace } = await this.#context.growOffscreen(grownFrom, { trace: request, signal });
-				if (!trace) throw new Error("This plant does not tell of its derivation.");
+				if (!trace) throw new MessageError(text.message("no_derivation"));
 				return trace;
 			});
 		}
 		const { met } = this.#context.toolState(DERIVATION);
 		if (met !== this.#met) {
 			this.#met = met;
-			this.#meet(met);
+			this.#followPointer(met);
 		}
-		this.#stage();
+		this.#updateScene();
 	}
 
-	/** Moves to a step, and to a module in it. */
+	/**
+	 * Moves to a step, and chooses a module in it.
+	 * @param chosen index of the module in that step's string
+	 */
 	go(step: number, chosen?: number): void {
 		const last = this.last ?? step;
 		const to = Math.max(0, Math.min(step, last));
@@ -116,23 +130,25 @@ export class Derivation {
 		this.go(step + by, next);
 	}
 
+	/** Chooses the module of an index in the string shown, or none; an index beyond the string becomes the last one. */
 	choose(index: number | undefined): void {
 		const length = this.counts?.[this.step ?? 0] ?? 0;
 		this.#chosen = index === undefined || length === 0 ? undefined : Math.max(0, Math.min(index, length - 1));
 		if (this.#chosen !== undefined) this.look(this.#chosen);
-		this.#light();
+		this.#highlight();
 		this.#changed();
 	}
 
 	/** Loads the window around a module. */
-	look(about: number): void {
-		this.#reader.want({ step: this.step === this.last ? undefined : this.step, about });
+	look(index: number): void {
+		this.#reader.want({ step: this.step === this.last ? undefined : this.step, about: index });
 	}
 
+	/** Marks the module under the pointer; undefined removes the mark. */
 	point(index: number | undefined): void {
 		if (index === this.#pointed) return;
 		this.#pointed = index;
-		this.#light();
+		this.#highlight();
 		this.#changed();
 	}
 
@@ -163,10 +179,11 @@ export class Derivation {
 		return this.#context.toolState(DERIVATION).follows;
 	}
 
+	/** Sets whether the view shows the plant as it was after the step. */
 	set follows(on: boolean) {
 		this.#write({ follows: on });
-		this.#stage();
-		this.#light();
+		this.#updateScene();
+		this.#highlight();
 	}
 
 	/** Stops, and shows the document's plant again. */
@@ -177,15 +194,16 @@ export class Derivation {
 		this.#write({ scene: undefined, lit: undefined, met: undefined });
 	}
 
-	#read(): void {
+	/** Takes new state of the reader: updates the view and reports the change. */
+	#handleTrace(): void {
 		if (this.fault) this.#write({ scene: undefined });
-		this.#stage();
-		this.#light();
+		this.#updateScene();
+		this.#highlight();
 		this.#changed();
 	}
 
-	/** Shows the plant of the step, or the document's plant, in the 3-D view. */
-	#stage(): void {
+	/** Shows the plant of the step, or the document's plant, in the 3-D view, unless it is shown already. */
+	#updateScene(): void {
 		const { page, stale, step, last } = this;
 		const { grown, grownFrom: from } = this.#context.state;
 		if (this.#closed || !page || stale || !grown || !from || last === undefined || page.step !== step) return;
@@ -198,7 +216,10 @@ export class Derivation {
 		else void this.#grow(from, shown);
 	}
 
-	/** Grows the plant of a step, after the window has loaded; one request at a time. */
+	/**
+	 * Grows the plant of a step and shows it, if it is still wanted then; one request at a time.
+	 * @param from specimen of the whole plant
+	 */
 	async #grow(from: Specimen, step: number): Promise<void> {
 		if (this.#growing?.from === from && this.#growing.step === step) return;
 		this.#growing?.ending.abort();
@@ -218,7 +239,7 @@ export class Derivation {
 		} catch (error) {
 			if (this.#growing !== growing || error instanceof Superseded) return;
 			this.#ungrown = { from, step };
-			this.#stage();
+			this.#updateScene();
 		} finally {
 			if (this.#growing === growing) this.#growing = undefined;
 		}
@@ -229,14 +250,15 @@ export class Derivation {
 		this.#show({ step: counts.length - 1, grown, from, instead: false, segments, organs });
 	}
 
+	/** Shows a scene in the 3-D view, without the marks of the last one. */
 	#show(scene: DerivedScene): void {
 		if (this.#closed) return;
 		this.#write({ scene, lit: undefined, met: undefined });
-		this.#light();
+		this.#highlight();
 	}
 
 	/** Highlights the pointed module in the view, or else the chosen module. */
-	#light(): void {
+	#highlight(): void {
 		const { page } = this;
 		const index = this.#pointed ?? this.#chosen;
 		const module = this.module(index);
@@ -246,7 +268,7 @@ export class Derivation {
 	}
 
 	/** Marks the module under the pointer in the string, and chooses the module that was clicked. */
-	#meet(met: MetModule | undefined): void {
+	#followPointer(met: MetModule | undefined): void {
 		const index = met && this.#ancestor(met);
 		if (!met?.chosen) this.point(index);
 		else if (index !== undefined) this.choose(index);
@@ -254,29 +276,33 @@ export class Derivation {
 	}
 
 	/**
-	 * Returns the ancestor, in the step shown, of a module in the view. Undefined if the window does not contain it,
-	 * or while the view still shows an intermediate step.
+	 * Returns the ancestor, in the step shown, of a module in the view. Undefined if the window does not contain it, or
+	 * while the view still shows an intermediate step.
 	 */
 	#ancestor({ module, step }: MetModule): number | undefined {
 		const { page } = this;
 		if (step === this.step) return module;
 		if (!page || step !== this.last) return undefined;
-		const at = page.modules.findIndex(({ last: { first, count } }) => module >= first && module - first < count);
-		return at < 0 ? undefined : page.first + at;
+		const index = page.modules.findIndex(({ last: { first, count } }) => module >= first && module - first < count);
+		return index < 0 ? undefined : page.first + index;
 	}
 
+	/**
+	 * Chooses the module of the current step from which a module in the 3-D view descends; the core traces its ancestors.
+	 */
 	async #trace({ module }: MetModule): Promise<void> {
 		const [from, step] = [this.#from, this.step];
 		if (!from || step === undefined) return;
 		try {
 			const { trace } = await this.#context.growOffscreen(from, { trace: { step, count: 1, module } });
-			const found = trace?.trail?.[step];
-			if (found !== undefined && this.#from === from && this.step === step) this.choose(found);
+			const ancestor = trace?.trail?.[step];
+			if (ancestor !== undefined && this.#from === from && this.step === step) this.choose(ancestor);
 		} catch {
 			// A newer request replaced this one.
 		}
 	}
 
+	/** Changes the tool's state, which the 3-D view reads. */
 	#write(change: Partial<DerivationState>): void {
 		this.#context.setToolState(DERIVATION, { ...this.#context.toolState(DERIVATION), ...change });
 	}

@@ -25,17 +25,18 @@ export class DerivationInteraction<S extends Specimen, G extends Plant> implemen
 	#disposed = false;
 	#drawn: { readonly of: Plant; readonly drawn: DrawnGeometry } | undefined;
 	/** Inputs of the last highlight, to detect changes. */
-	#shone: readonly unknown[] = [];
+	#highlightInputs: readonly unknown[] = [];
 
+	/** @param source loads the renderer of highlights, and finds the modules of a plant */
 	constructor(view: ToolView, context: EditorContext<S, G>, source: DerivationSource<S, G>) {
 		this.#view = view;
 		this.#context = context;
 		this.#source = source;
 		this.#pointer = new PickPointer(view, {
 			name: "choosing",
-			at: (x, y) => this.#at(x, y),
-			mark: (module) => this.#meet(module, false),
-			take: (module) => this.#meet(module, true),
+			at: (x, y) => this.#moduleAt(x, y),
+			mark: (module) => this.#setMet(module, false),
+			take: (module) => this.#setMet(module, true),
 		});
 		void source.renderer().then(
 			(renderer) => {
@@ -48,6 +49,10 @@ export class DerivationInteraction<S extends Specimen, G extends Plant> implemen
 		);
 	}
 
+	/**
+	 * Follows the page's state: shows the plant of the chosen step in place of the document's, and highlights the shapes that the
+	 * chosen modules drew.
+	 */
 	update({ grownFrom, dark }: EditorState<S, G>): void {
 		const { open, scene, lit } = this.#context.toolState(DERIVATION);
 		// The substitute of an edited text stays until the next plant has grown.
@@ -55,11 +60,12 @@ export class DerivationInteraction<S extends Specimen, G extends Plant> implemen
 		const current = scene?.from === grownFrom ? scene : undefined;
 		this.#pointer.enabled = open && current !== undefined && !this.#source.taken?.(this.#context);
 		const shines = [current, lit, dark];
-		if (!this.#renderer || shines.every((each, index) => each === this.#shone[index])) return;
-		this.#shone = shines;
-		this.#shine(this.#renderer, current, lit ? drawnBy(lit, current) : { segments: [], organs: [] });
+		if (!this.#renderer || shines.every((each, index) => each === this.#highlightInputs[index])) return;
+		this.#highlightInputs = shines;
+		this.#showHighlight(this.#renderer, current, lit ? drawnBy(lit, current) : { segments: [], organs: [] });
 	}
 
+	/** Removes the highlight and shows the document's plant again. */
 	dispose(): void {
 		this.#disposed = true;
 		this.#pointer.dispose();
@@ -69,7 +75,8 @@ export class DerivationInteraction<S extends Specimen, G extends Plant> implemen
 		this.#renderer.dispose();
 	}
 
-	#shine(
+	/** Highlights segments and organs, given by their indices in the scene's plant. */
+	#showHighlight(
 		renderer: LitDrawing,
 		scene: DerivedScene | undefined,
 		{ segments, organs }: { readonly segments: readonly number[]; readonly organs: readonly number[] },
@@ -83,7 +90,11 @@ export class DerivationInteraction<S extends Specimen, G extends Plant> implemen
 		this.#view.requestRender();
 	}
 
-	#at(x: number, y: number): number | undefined {
+	/**
+	 * Returns the index of the module that drew the part under a point of the canvas, in CSS pixels; undefined if there
+	 * is none. Segments count as hit within `MISSED` pixels.
+	 */
+	#moduleAt(x: number, y: number): number | undefined {
 		const { scene } = this.#context.toolState(DERIVATION);
 		if (!scene) return undefined;
 		const sight = this.#view.rayThrough(x, y);
@@ -91,7 +102,11 @@ export class DerivationInteraction<S extends Specimen, G extends Plant> implemen
 		return met && drawnIn(scene, met);
 	}
 
-	#meet(module: number | undefined, chosen: boolean): void {
+	/**
+	 * Stores the module under the pointer, or the clicked one, in the tool's state.
+	 * @param chosen whether the module was clicked
+	 */
+	#setMet(module: number | undefined, chosen: boolean): void {
 		const state = this.#context.toolState(DERIVATION);
 		const { met, scene } = state;
 		if (met?.module === module && met?.chosen === chosen) return;
@@ -99,12 +114,13 @@ export class DerivationInteraction<S extends Specimen, G extends Plant> implemen
 		this.#context.setToolState(DERIVATION, { ...state, met: next });
 	}
 
+	/** Returns the drawn segments and organs of the scene's plant, computed once per plant. */
 	#drawnOf({ grown }: DerivedScene): DrawnGeometry {
 		if (this.#drawn?.of !== grown) this.#drawn = { of: grown, drawn: this.#source.drawn(grown as G) };
 		return this.#drawn.drawn;
 	}
 
-	/** Returns the least visible radius at the plant's distance. */
+	/** Returns the radius, in metres, that covers `THIN` CSS pixels at the plant's distance from the eye. */
 	#thinnest({ ends }: DrawnGeometry): number {
 		const { clientWidth, clientHeight } = this.#view.canvas;
 		const [x, y] = [clientWidth / 2, clientHeight / 2];
@@ -114,7 +130,7 @@ export class DerivationInteraction<S extends Specimen, G extends Plant> implemen
 	}
 }
 
-/** Returns the angle between two rays, radians. */
+/** Returns the angle between two nearby rays in radians, as the distance of their unit vectors. */
 function apart(a: PointerRay, b: PointerRay): number {
 	const [first, second] = [a, b].map(({ direction }) => {
 		const length = Math.hypot(...direction);

@@ -7,6 +7,7 @@ import type { WithGrammar } from "../specimen/grammar_text";
 import type { Specimen } from "../specimen/specimen";
 import type { EditorContext, Stateful } from "../ui/editor_context";
 import type { Tool, ToolInteraction } from "../ui/tool";
+import { text } from "./messages.generated";
 
 /** Draws the highlight; implemented by render/lit_renderer.ts. */
 export interface LitDrawing {
@@ -75,17 +76,33 @@ export function steppedScene<S extends Specimen, G extends Plant>(
 	return scene?.instead ? scene : undefined;
 }
 
-/** Tool with the derivation's state and its interaction in the view; the grammar pane draws the rest. */
+/** Creates the tool with the derivation's state and its interaction in the view; the grammar pane draws the rest. */
 export function derivationTool<S extends Specimen & WithGrammar, G extends Plant>(
 	source: DerivationSource<S, G>,
 ): Tool<S, G, DerivationState> {
 	return {
 		...DERIVATION,
 		keys: [
-			{ keys: ["←", "→", "Page ↑", "Page ↓"], does: "In the string of a step: from module to module" },
-			{ keys: ["↑", "↓"], does: "In the string of a step: to the module it came from, to what it becomes" },
-			{ keys: ["Enter"], does: "In the string of a step: to the production, in the grammar" },
+			{
+				keys: ["←", "→", "Page ↑", "Page ↓"],
+				get description() {
+					return text("key_modules");
+				},
+			},
+			{
+				keys: ["↑", "↓"],
+				get description() {
+					return text("key_parent");
+				},
+			},
+			{
+				keys: ["Enter"],
+				get description() {
+					return text("key_production");
+				},
+			},
 		],
+		/** Creates the interaction; its script is loaded with the first scene. */
 		interaction: (view, context) => {
 			let interaction: ToolInteraction<S, G> | undefined;
 			let ended = false;

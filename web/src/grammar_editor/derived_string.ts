@@ -49,10 +49,12 @@ export class DerivedString extends LitElement {
 	/** Module that keeps its place on the screen while the window is replaced. */
 	#anchor: { readonly index: number; readonly top: number } | undefined;
 
+	/** Renders into the element itself, so that the page's style applies. */
 	protected override createRenderRoot(): this {
 		return this;
 	}
 
+	/** Renders the modules of the loaded window as options of a list box. */
 	protected override render(): unknown {
 		const { page, chosen } = this;
 		const active = page && chosen !== undefined && page.modules[chosen - page.first] ? `module-${chosen}` : nothing;
@@ -63,6 +65,7 @@ export class DerivedString extends LitElement {
 		>${page?.modules.map((module, index) => this.#module(module, page.first + index, page))}</div>`;
 	}
 
+	/** Draws one module of the string; classes mark how productions of the current line affect it. */
 	#module(module: TraceEntry, index: number, { counts, step }: DerivationTrace): unknown {
 		const { text, fires, production, answer } = module;
 		const [symbol, parameters] = partsOfModule(text);
@@ -82,10 +85,14 @@ export class DerivedString extends LitElement {
 		>${symbol}${parameters ? html`<i>${parameters}</i>` : nothing}</span>`;
 	}
 
+	/**
+	 * Restores the scroll position after more modules have been added before the visible ones, and scrolls to the chosen
+	 * module once.
+	 */
 	protected override updated(changed: PropertyValues): void {
 		const { page, chosen } = this;
 		if (!page) return;
-		if (changed.has("page") && this.#anchor) this.#keep(this.#anchor);
+		if (changed.has("page") && this.#anchor) this.#restorePosition(this.#anchor);
 		this.#anchor = undefined;
 		const seen = [page.step, chosen];
 		if (chosen === undefined || seen.every((each, index) => each === this.#seen[index])) return;
@@ -95,20 +102,29 @@ export class DerivedString extends LitElement {
 		option.scrollIntoView({ block: "nearest", inline: "nearest" });
 	}
 
+	/** The scrolling list. */
 	get #list(): HTMLElement | null {
 		return this.querySelector(".derived");
 	}
 
+	/** Returns the element of a module; null if the module is outside the window. */
 	#option(index: number): HTMLElement | null {
 		return this.querySelector(`[data-index="${index}"]`);
 	}
 
-	/** Scrolls so that a module is where it was before the window was replaced. */
-	#keep({ index, top }: { readonly index: number; readonly top: number }): void {
+	/**
+	 * Scrolls so that a module is where it was before the window was replaced.
+	 * @param top its former distance from the list's upper edge, CSS pixels
+	 */
+	#restorePosition({ index, top }: { readonly index: number; readonly top: number }): void {
 		const [list, option] = [this.#list, this.#option(index)];
 		if (list && option) list.scrollTop += option.offsetTop - list.scrollTop - top;
 	}
 
+	/**
+	 * Requests modules before or behind the received ones when the list is scrolled near its end. The first visible
+	 * module is noted, so that `updated` can restore its place.
+	 */
 	readonly #scroll = (): void => {
 		const { page, busy } = this;
 		const list = this.#list;
@@ -126,20 +142,24 @@ export class DerivedString extends LitElement {
 		this.events.look(index);
 	};
 
-	#at(event: Event): number | undefined {
+	/** Returns the index of the module under an event; undefined between modules. */
+	#indexAt(event: Event): number | undefined {
 		const option = (event.target as Element).closest<HTMLElement>(".module");
 		return option ? Number(option.dataset.index) : undefined;
 	}
 
+	/** Chooses the clicked module. */
 	#click(event: Event): void {
-		const index = this.#at(event);
+		const index = this.#indexAt(event);
 		if (index !== undefined) this.events.choose(index);
 	}
 
+	/** Reports the module under a mouse or a pen. */
 	#over(event: PointerEvent): void {
-		if (event.pointerType !== "touch") this.events.point(this.#at(event));
+		if (event.pointerType !== "touch") this.events.point(this.#indexAt(event));
 	}
 
+	/** Moves the selection in the string by arrow and page keys. */
 	#press(event: KeyboardEvent): void {
 		const { page, chosen, events } = this;
 		if (!page || event.altKey || event.ctrlKey || event.metaKey) return;

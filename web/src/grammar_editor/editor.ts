@@ -79,6 +79,10 @@ export class Editor {
 	#end = -1;
 	#turn = 0;
 
+	/**
+	 * @param root shadow root that receives the editor and its style
+	 * @param options.indents whether Tab indents, instead of moving the focus
+	 */
 	constructor(
 		root: ShadowRoot,
 		{ text, label, help, roles, indents, dialect: language }: EditorOptions,
@@ -100,7 +104,7 @@ export class Editor {
 					this.#keys(),
 					this.#tab.of(tab(indents)),
 					lineNumbers(),
-					drawSelection(),
+					drawSelection(matchMedia("(prefers-reduced-motion: reduce)").matches ? { cursorBlinkRate: 0 } : {}),
 					bracketMatching(),
 					closeBrackets(),
 					autocompletion({ override: [completion(roles)], icons: false }),
@@ -108,7 +112,7 @@ export class Editor {
 					highlight,
 					showProblems,
 					productionMarks,
-					finding,
+					finding(),
 					typingOver,
 					scrubbing({ begin: () => events.settle(), end: () => events.settle() }),
 					EditorView.lineWrapping,
@@ -118,6 +122,8 @@ export class Editor {
 						autocapitalize: "off",
 						spellcheck: "false",
 						autocorrect: "off",
+						// Editable text can be focused without it, but accessibility checkers do not count it.
+						tabindex: "0",
 					}),
 					EditorView.updateListener.of((update) => this.#updated(update)),
 					EditorView.domEventHandlers({
@@ -136,6 +142,7 @@ export class Editor {
 		});
 	}
 
+	/** The whole text, with \n as line end. */
 	get text(): string {
 		return this.#view.state.doc.toString();
 	}
@@ -153,6 +160,7 @@ export class Editor {
 		});
 	}
 
+	/** Marks problems in the text, in place of the last ones. */
 	set problems(problems: readonly Problem[]) {
 		if (this.#shownProblems && sameProblems(this.#shownProblems, problems)) return;
 		this.#shownProblems = problems;
@@ -167,12 +175,14 @@ export class Editor {
 		markProductions(this.#view, productions);
 	}
 
+	/** Sets whether Tab indents, instead of moving the focus. */
 	set indents(indents: boolean) {
 		if (indents === this.#indents) return;
 		this.#indents = indents;
 		this.#view.dispatch({ effects: this.#tab.reconfigure(tab(indents)) });
 	}
 
+	/** Moves the focus into the text. */
 	focus(): void {
 		this.#view.focus();
 	}
@@ -221,10 +231,12 @@ export class Editor {
 		return (pixels, keys) => drag.move(this.#view, pixels, keys);
 	}
 
+	/** Removes the editor from the page. */
 	destroy(): void {
 		this.#view.destroy();
 	}
 
+	/** Returns the key bindings of the document, which precede those of CodeMirror. */
 	#keys() {
 		const { undo, redo, leave } = this.#events;
 		const done = (act: () => void) => () => {
@@ -248,6 +260,10 @@ export class Editor {
 		return [Prec.high(keymap.of(own)), keymap.of([...closeBracketsKeymap, ...completionKeymap, ...defaultKeymap])];
 	}
 
+	/**
+	 * Reports edits of the user, and after each change the number, explanation and production at the cursor. Texts that
+	 * the document set are not reported.
+	 */
 	#updated(update: ViewUpdate): void {
 		const { docChanged, selectionSet, state, view } = update;
 		if (docChanged) this.#shownProblems = undefined;
@@ -260,7 +276,10 @@ export class Editor {
 		this.#events.at(numberHere(view), explain(outline, head, view.state.facet(dialect).words), production);
 	}
 
-	/** Returns the kind of a change; typing that continues at the same place has the same kind. */
+	/**
+	 * Returns the kind of a change with a number: equal for changes of one undo step. Typing and deleting that continue
+	 * at the same place have the same number; a line break begins a new one.
+	 */
 	#kindOf({ changes, transactions }: ViewUpdate): string {
 		const event = transactions.map((each) => each.annotation(Transaction.userEvent)).find(Boolean) ?? "other";
 		let [from, end, whole] = [0, 0, ""];
@@ -277,6 +296,7 @@ export class Editor {
 	}
 }
 
+/** Returns the key binding of Tab; none if Tab moves the focus. */
 function tab(indents: boolean) {
 	return indents ? keymap.of([indentWithTab]) : [];
 }

@@ -16,7 +16,7 @@ export const EDITOR_STYLE = EditorView.theme({
 	".cm-line": { padding: "0 12px 0 8px" },
 	".cm-cursor": { borderLeftColor: "var(--wine)", borderLeftWidth: "2px" },
 	".cm-gutters": { border: "0", backgroundColor: "transparent", color: "var(--ink-soft)" },
-	".cm-lineNumbers .cm-gutterElement": { minWidth: "34px", padding: "0 4px 0 8px", opacity: "0.75" },
+	".cm-lineNumbers .cm-gutterElement": { minWidth: "34px", padding: "0 4px 0 8px" },
 	"&.cm-focused > .cm-scroller > .cm-selectionLayer .cm-selectionBackground, .cm-selectionBackground": {
 		background: "var(--code-selected)",
 	},

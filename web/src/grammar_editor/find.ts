@@ -2,18 +2,20 @@
 import { closeSearchPanel, findNext, findPrevious, openSearchPanel, search, searchPanelOpen } from "@codemirror/search";
 import { EditorState, type Extension } from "@codemirror/state";
 import { type EditorView, keymap } from "@codemirror/view";
+import { text } from "./messages.generated";
 
-const PHRASES = {
-	next: "Next",
-	previous: "Previous",
-	all: "Select all",
-	"match case": "Match case",
-	regexp: "Pattern",
-	"by word": "Whole words",
-	replace: "Replace it",
-	"replace all": "Replace all",
-	close: "Close the search",
-};
+/** Returns the panel's translated texts, by CodeMirror's English ones. */
+const phrases = () => ({
+	next: text("find_next"),
+	previous: text("find_previous"),
+	all: text("find_all"),
+	"match case": text("find_case"),
+	regexp: text("find_pattern"),
+	"by word": text("find_words"),
+	replace: text("find_replace"),
+	"replace all": text("find_replace_all"),
+	close: text("find_close"),
+});
 
 /** Opens the panel, or focuses its field. */
 export function openFind(view: EditorView): boolean {
@@ -21,7 +23,7 @@ export function openFind(view: EditorView): boolean {
 	const panel = view.dom.querySelector<HTMLElement>(".cm-search");
 	if (panel) {
 		panel.role = "search";
-		panel.ariaLabel = "Find in the grammar";
+		panel.ariaLabel = text("find_panel");
 	}
 	return true;
 }
@@ -34,10 +36,13 @@ export const closeFind = (view: EditorView): boolean => searchPanelOpen(view.sta
 
 const OPEN = "Mod-f";
 
-/** Above the text, where no phone's keyboard covers it. */
-export const finding: Extension = [
+/**
+ * Returns the extension of the search panel and its keys. The panel is above the text, where no phone's keyboard covers
+ * it.
+ */
+export const finding = (): Extension => [
 	search({ top: true }),
-	EditorState.phrases.of(PHRASES),
+	EditorState.phrases.of(phrases()),
 	keymap.of([
 		{ key: OPEN, run: openFind, scope: "editor search-panel" },
 		{ key: "F3", run: findNext, shift: findPrevious, scope: "editor search-panel", preventDefault: true },

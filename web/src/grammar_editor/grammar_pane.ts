@@ -15,19 +15,19 @@ import type { ShownProductions } from "./stepper";
 import { TypingRoom } from "./typing_room";
 import "./number_pad";
 import "./stepper";
+import { text } from "./messages.generated";
 
 const GESTURE = "grammar";
 /** Pause in typing that ends an undo step, milliseconds. */
 const PAUSE = 700;
-const KEYS =
-	"Alt with the arrow keys changes the number at the cursor, with Shift by ten steps, with Control by a tenth. Control and Space completes, Control and F finds. Tab goes on to what comes next, unless it is set to indent. Escape leaves the text.";
 
 /**
- * Messages listed below the text. Further ones are only marked in the text, because the layout of thousands of lines takes seconds.
+ * Messages listed below the text. Further ones are only marked in the text, because the layout of thousands of lines
+ * takes seconds.
  */
-const MOST_MESSAGES = 50;
+const MAX_MESSAGES = 50;
 /** Button that gets the focus back if a key opened the pane. */
-const OPENS = ".stage-tools [aria-label=Grammar]";
+const openerSelector = () => `.stage-tools [aria-label="${CSS.escape(text("grammar"))}"]`;
 
 /** Editor of the grammar beside the plant: every change grows at once, and problems are marked at their places. */
 export class GrammarPane extends ControlElement<GrammarContext> {
@@ -59,6 +59,7 @@ export class GrammarPane extends ControlElement<GrammarContext> {
 	/** Element that had the focus before the pane opened. */
 	#opener: Element | null = null;
 
+	/** Notes the element with the focus, and follows a phone's keyboard. */
 	override connectedCallback(): void {
 		super.connectedCallback();
 		this.#opener = document.activeElement;
@@ -66,6 +67,7 @@ export class GrammarPane extends ControlElement<GrammarContext> {
 		this.#room = new TypingRoom(() => requestAnimationFrame(() => this.#editor?.showCursor()));
 	}
 
+	/** Ends the current edit, destroys the editor and returns the focus to the element that opened the pane. */
 	override disconnectedCallback(): void {
 		super.disconnectedCallback();
 		this.#settle();
@@ -75,24 +77,25 @@ export class GrammarPane extends ControlElement<GrammarContext> {
 		this.context.setToolState(DERIVATION, { ...this.context.toolState(DERIVATION), open: false });
 		// Returns the focus, unless it has already moved elsewhere.
 		if (document.activeElement !== document.body) return;
-		const opener = this.#opener === document.body ? document.querySelector(OPENS) : this.#opener;
+		const opener = this.#opener === document.body ? document.querySelector(openerSelector()) : this.#opener;
 		if (opener instanceof HTMLElement) opener.focus();
 	}
 
+	/** Returns the state that the pane depends on; it is rendered again when one of them changes. */
 	protected override shows({ state }: GrammarContext): readonly unknown[] {
 		const { open } = this.context.toolState(DERIVATION);
 		return [
 			this.#text(),
 			state.specimen.grammar,
 			state.fault,
-			state.grown?.notes,
+			state.grown?.noteMessages,
 			this.context.toolState(this.tool),
 			open,
 		];
 	}
 
+	/** Renders the pane. Its editor is not rendered by Lit: `updated` creates it in `.pane-text`. */
 	protected override draw({ state }: GrammarContext): unknown {
-		const { noun } = this.source;
 		const { specimen } = state;
 		const own = isOwn(specimen);
 		const title = this.idOf("title");
@@ -100,25 +103,25 @@ export class GrammarPane extends ControlElement<GrammarContext> {
 		const { open } = this.context.toolState(DERIVATION);
 		return html`<section class=${open ? "pane stepping" : "pane"} aria-labelledby=${title}>
 			<header>
-				<h2 id=${title}>Grammar</h2>
-				<p>${own ? `This ${noun}’s own` : "Built in; a change makes it this plant’s own"}</p>
-				${own ? html`<button class="button" type="button" @click=${this.#drop}>Use the built-in grammar</button>` : nothing}
+				<h2 id=${title}>${text("grammar")}</h2>
+				<p>${text(own ? "own" : "built_in")}</p>
+				${own ? html`<button class="button" type="button" @click=${this.#discard}>${text("discard")}</button>` : nothing}
 				${
 					this.stepped
-						? html`<button class="button" type="button" aria-expanded=${open} aria-controls=${steps} title="The derivation, step by step" @click=${this.#setSteps}>
-					Steps
+						? html`<button class="button" type="button" aria-expanded=${open} aria-controls=${steps} title=${text("steps_title")} @click=${this.#toggleSteps}>
+					${text("steps")}
 				</button>`
 						: nothing
 				}
 				<button
-					class="button quiet icon" type="button" aria-label="Find" title="Find (Ctrl+F)" aria-keyshortcuts="Control+F" @click=${() => this.#editor?.find()}
+					class="button quiet icon" type="button" aria-label=${text("find")} title=${text("find_title")} aria-keyshortcuts="Control+F" @click=${() => this.#editor?.find()}
 				>${icon("search")}</button>
-				<button class="button quiet icon" type="button" data-close aria-label="Close the grammar" title="Close the grammar" @click=${this.close}>
+				<button class="button quiet icon" type="button" data-close aria-label=${text("close")} title=${text("close")} @click=${this.close}>
 					${icon("close")}
 				</button>
 			</header>
 			<div class="pane-text"></div>
-			<div class="pane-steps" id=${steps} role="region" aria-label="Derivation" ?hidden=${!open}>
+			<div class="pane-steps" id=${steps} role="region" aria-label=${text("derivation")} ?hidden=${!open}>
 				${open ? this.#stepper() : nothing}
 			</div>
 			<div class="pane-messages" role="status">${this.#messages(this.#problems)}</div>
@@ -126,21 +129,22 @@ export class GrammarPane extends ControlElement<GrammarContext> {
 				<panicle-number-pad .number=${this.number} .grip=${this.#grip} .step=${this.#step} .done=${this.#settle}></panicle-number-pad>
 				<p class="pane-hint">${this.#hint()}</p>
 				<label class="toggle">
-					<input type="checkbox" .checked=${this.context.toolState(this.tool).indents} @change=${this.#setIndents}>Tab indents
+					<input type="checkbox" .checked=${this.context.toolState(this.tool).indents} @change=${this.#setIndents}>${text("tab_indents")}
 				</label>
 			</footer>
 		</section>`;
 	}
 
+	/** Creates the editor once, then passes the text and its problems to it. */
 	protected override updated(): void {
-		const text = this.#text();
+		const grammar = this.#text();
 		// An update requested before the pane closed may run afterwards.
-		if (text === undefined || !this.isConnected) return;
+		if (grammar === undefined || !this.isConnected) return;
 		// CodeMirror uses \n as line end.
-		const shown = text.replace(/\r\n?/g, "\n");
+		const shown = grammar.replace(/\r\n?/g, "\n");
 		const { indents } = this.context.toolState(this.tool);
 		if (!this.#editor) {
-			this.#editor = this.#begin(shown, indents);
+			this.#editor = this.#createEditor(shown, indents);
 			if (!matchMedia("(pointer: coarse)").matches) this.#editor.focus();
 		}
 		this.#editor.text = shown;
@@ -154,11 +158,13 @@ export class GrammarPane extends ControlElement<GrammarContext> {
 		return grownFrom !== undefined && grownFrom.grammar === specimen.grammar;
 	}
 
+	/** Problems with a place in the text: the error, or the shown plant's remarks. */
 	get #problems(): Problem[] {
 		const { fault, grown } = this.context.state;
-		return problemsOf(fault, this.#current ? (grown?.notes ?? []) : []);
+		return problemsOf(fault, this.#current ? (grown?.noteMessages ?? []) : []);
 	}
 
+	/** Draws the step viewer. */
 	#stepper(): unknown {
 		const goTo = (place: TextPlace) => this.#editor?.goTo(place);
 		return html`<panicle-stepper
@@ -166,36 +172,44 @@ export class GrammarPane extends ControlElement<GrammarContext> {
 		></panicle-stepper>`;
 	}
 
+	/** Marks the productions of the step viewer's module in the text. */
 	readonly #showProductions = ({ fires, wrote }: ShownProductions): void => {
 		if (!this.#editor || !this.isConnected) return;
 		this.#editor.productions = this.#current ? { fires: fires?.line, wrote: wrote?.line } : {};
 	};
 
-	readonly #setSteps = (): void => {
+	/** Opens or closes the step viewer. */
+	readonly #toggleSteps = (): void => {
 		const state = this.context.toolState(DERIVATION);
 		this.context.setToolState(DERIVATION, { ...state, open: !state.open });
 	};
 
+	/** Returns the document's text; undefined while the built-in text loads, after which the pane is drawn again. */
 	#text(): string | undefined {
 		return textOf(this.source, this.context.state.specimen, () => this.requestUpdate());
 	}
 
-	#begin(text: string, indents: boolean): Editor {
+	/**
+	 * Creates the editor in a shadow root of its own.
+	 * @param grammar the first text
+	 * @param indents whether Tab indents
+	 */
+	#createEditor(grammar: string, indents: boolean): Editor {
 		const root = this.querySelector(".pane-text")?.attachShadow({ mode: "open" });
 		const options = {
-			text,
+			text: grammar,
 			indents,
-			label: "Grammar",
-			help: KEYS,
+			label: text("grammar"),
+			help: text("editor_keys"),
 			roles: this.source.roles ?? [],
 			dialect: this.source.dialect,
 		};
 		return new Editor(root as ShadowRoot, options, {
-			edited: (next, how) => this.#edited(next, how),
+			edited: (next, how) => this.#applyEdit(next, how),
 			settle: () => this.#settle(),
 			undo: () => this.context.undo(),
 			redo: () => this.context.redo(),
-			leave: () => this.#leave(),
+			leave: () => this.#leaveEditor(),
 			at: (number, explained, production) => {
 				this.number = number;
 				this.explained = explained;
@@ -205,63 +219,76 @@ export class GrammarPane extends ControlElement<GrammarContext> {
 		});
 	}
 
-	#edited(text: string, how: string): void {
+	/**
+	 * Applies an edit of the text; edits of the same kind in quick succession are one undo step.
+	 * @param how kind of the edit, as `EditorEvents.edited` reports it
+	 */
+	#applyEdit(grammar: string, how: string): void {
 		const { context } = this;
 		// Growth in progress is of an outdated text.
 		if (context.state.growing) context.cancel();
 		const run = how.startsWith("input.scrub") ? undefined : this.#runs.press(how);
-		context.edit({ ...withText(this.source, context.state.specimen, text), run }, GESTURE);
+		context.edit({ ...withText(this.source, context.state.specimen, grammar), run }, GESTURE);
 		clearTimeout(this.#pause);
 		if (run) this.#pause = setTimeout(this.#settle, PAUSE);
 	}
 
-	/** Escape first cancels a long growth, as in the whole page. */
-	#leave(): void {
+	/** Handles Escape: cancels a long growth, as in the whole page, or else moves the focus to the close button. */
+	#leaveEditor(): void {
 		if (this.context.state.growing) this.context.cancel();
 		else this.querySelector<HTMLElement>("[data-close]")?.focus();
 	}
 
+	/** Ends the current undo step. */
 	readonly #settle = (): void => {
 		clearTimeout(this.#pause);
 		this.context.settle(GESTURE);
 	};
 
+	/** Changes the number at the cursor by steps. */
 	readonly #step = (steps: number): void => this.#editor?.step(steps);
 
+	/** Begins a drag of the number at the cursor, as an undo step of its own. */
 	readonly #grip = () => {
 		this.#settle();
 		return this.#editor?.grip();
 	};
 
-	readonly #drop = (): void => {
+	/** Discards the document's own text. */
+	readonly #discard = (): void => {
 		this.context.set(withText(this.source, this.context.state.specimen, undefined));
 		this.#editor?.focus();
 	};
 
+	/** Takes the state of the checkbox “Tab indents”. */
 	readonly #setIndents = (event: Event): void => {
 		const indents = (event.target as HTMLInputElement).checked;
 		this.context.setToolState(this.tool, { ...this.context.toolState(this.tool), indents });
 	};
 
+	/** Draws the explanation of the word at the cursor, or else advice. */
 	#hint(): unknown {
 		const { explained } = this;
-		if (!explained) return "Drag across a number to change it.";
+		if (!explained) return text("hint_drag");
 		return html`<code>${explained.written}</code> ${explained.help}`;
 	}
 
+	/**
+	 * Renders errors without a place in the text, warnings of the shown plant, and the first MAX_MESSAGES problems, each
+	 * a button that goes to its place.
+	 */
 	#messages(problems: readonly Problem[]): unknown {
 		const { fault, grown, grownFrom, specimen } = this.context.state;
 		const current = grownFrom?.grammar === specimen.grammar && !fault;
 		const warnings = grown && grownFrom && current ? (this.source.warnings?.(grown, grownFrom) ?? []) : [];
 		const elsewhere = fault && fault.line === 0 ? html`<p class="error">${fault.message}</p>` : nothing;
-		const list = problems.slice(0, MOST_MESSAGES).map(
+		const list = problems.slice(0, MAX_MESSAGES).map(
 			(problem) => html`<button type="button" class=${problem.severity} @click=${() => this.#editor?.goTo(problem)}>
-				<b>Line ${problem.line}</b> ${problem.message}
+				<b>${text("line_number", { line: String(problem.line) })}</b> ${problem.message}
 			</button>`,
 		);
-		const more = problems.length - MOST_MESSAGES;
-		const others =
-			more > 0 ? html`<p class="remark">${more.toLocaleString("en-GB")} more are marked in the text.</p>` : nothing;
+		const more = problems.length - MAX_MESSAGES;
+		const others = more > 0 ? html`<p class="remark">${text("more_problems", { count: more })}</p>` : nothing;
 		return html`${elsewhere}${warnings.map((words) => html`<p class="remark">${words}</p>`)}${list}${others}`;
 	}
 }

@@ -3,8 +3,9 @@ import type { Plant } from "../plant/plant";
 import type { WithGrammar } from "../specimen/grammar_text";
 import type { Specimen } from "../specimen/specimen";
 import type { EditorContext, Fault } from "../ui/editor_context";
-import { GROWTH_TOPIC, type Tool } from "../ui/tool";
+import { BASICS, GROWTH_TOPIC, type Tool } from "../ui/tool";
 import { type DerivationSource, derivationTool } from "./derivation_tool";
+import { text } from "./messages.generated";
 import { type GrammarSource, isOwn, withText } from "./source";
 
 /** State of the editor that the page stores. */
@@ -16,14 +17,15 @@ export interface GrammarState {
 
 const GRAMMAR = svg`<path d="M7.5 4 3.5 10l4 6M12.5 4l4 6-4 6"/>`;
 
-const EDIT = "Edit the grammar";
-
 /** Panel group with a slider for each constant of the text. */
 const CONSTANTS = {
 	key: "constants",
-	title: "Constants",
-	help: "The numbers and curves that the grammar defines, to be given other values.",
-	everyday: true,
+	get title() {
+		return text("constants");
+	},
+	get help() {
+		return text("constants_help");
+	},
 } as const;
 
 /**
@@ -31,8 +33,12 @@ const CONSTANTS = {
  */
 const OWN = {
 	key: "own-grammar",
-	title: "Grammar",
-	help: "The text that this plant grows by.",
+	get title() {
+		return text("grammar");
+	},
+	get help() {
+		return text("own_help");
+	},
 	plain: true,
 	last: true,
 } as const;
@@ -46,10 +52,9 @@ export function grammarTools<S extends Specimen & WithGrammar, G extends Plant>(
 	derived?: DerivationSource<S, G>,
 ): readonly Tool<S, G>[] {
 	const tool = editorTool<S, G>(source, derived !== undefined);
-	const { group = OWN, noun } = source;
+	const { group = OWN } = source;
 	const drop = (context: EditorContext<S, G>) =>
 		context.set(withText(source as unknown as GrammarSource, context.state.specimen, undefined));
-	const words = "Use the built-in grammar";
 	const own: Tool<S, G, boolean> = {
 		name: "own-grammar",
 		initial: false,
@@ -72,38 +77,60 @@ export function grammarTools<S extends Specimen & WithGrammar, G extends Plant>(
 				context.toolState(tool).open
 					? nothing
 					: html`<div class="override">
-					<p>This ${noun} brings a grammar of its own.</p>
+					<p>${text("own_grammar")}</p>
 					<div class="actions">
-						<button class="button" type="button" @click=${() => show(context, tool)}>${EDIT}</button>
-						<button class="button" type="button" @click=${() => drop(context)}>${words}</button>
+						<button class="button" type="button" @click=${() => openEditor(context, tool)}>${text("edit")}</button>
+						<button class="button" type="button" @click=${() => drop(context)}>${text("discard")}</button>
 					</div>
 				</div>`,
 		},
 		remedies: [
-			{ words: EDIT, press: (context) => show(context, tool) },
-			{ words, press: drop },
+			{
+				get label() {
+					return text("edit");
+				},
+				press: (context) => openEditor(context, tool),
+			},
+			{
+				get label() {
+					return text("discard");
+				},
+				press: drop,
+			},
 		],
 	};
 	return [
 		tool as Tool<S, G>,
 		...(derived ? [derivationTool(derived) as Tool<S, G>] : []),
-		{
-			name: "constants",
-			initial: undefined,
-			panel: {
-				group: CONSTANTS,
-				place: "below",
-				draw: (context) => {
-					void bring(context, () => import("./constants"), "The grammar's sliders could not be fetched");
-					return html`<panicle-constants .context=${context} .source=${source}></panicle-constants>`;
-				},
-			},
-			applies: (specimen) => source.constants !== false && (source.always === true || isOwn(specimen)),
-		},
+		...constantTools<S, G>(source),
 		own as Tool<S, G>,
 	];
 }
 
+/** Returns the tools of the text's constants: some are among the basics, the others in a group of their own. */
+function constantTools<S extends Specimen & WithGrammar, G extends Plant>(source: GrammarSource<S>): Tool<S, G>[] {
+	const panel = (shown: "basics" | "others", context: EditorContext<S, G>) => {
+		void bring(context, () => import("./constants"), text("sliders_not_loaded"));
+		return html`<panicle-constants .context=${context} .source=${source} .shown=${shown}></panicle-constants>`;
+	};
+	const applies = (specimen: S) => source.constants !== false && (source.always === true || isOwn(specimen));
+	return [
+		{
+			name: "basic-constants",
+			initial: undefined,
+			panel: { group: BASICS, place: "below", draw: (context) => panel("basics", context) },
+			applies: (specimen) => applies(specimen) && (source.basics?.(specimen) ?? 0) > 0,
+		},
+		{
+			name: "constants",
+			initial: undefined,
+			panel: { group: CONSTANTS, place: "below", draw: (context) => panel("others", context) },
+			applies,
+		},
+	];
+}
+
+/** Returns the tool that opens the editor of the text. */
 function editorTool<S extends Specimen & WithGrammar, G extends Plant>(
 	source: GrammarSource<S>,
 	stepped: boolean,
@@ -112,59 +139,100 @@ function editorTool<S extends Specimen & WithGrammar, G extends Plant>(
 		name: "grammar",
 		initial: { open: false, indents: false },
 		recall: (stored) => ({ open: false, indents: (stored as Partial<GrammarState> | undefined)?.indents === true }),
-		press: (context) => (context.toolState(tool).open ? closeEditor(context, tool, source.noun) : show(context, tool)),
-		button: { icon: GRAMMAR, label: "Grammar", pressed: (context) => context.toolState(tool).open },
-		key: { letter: "g", does: "The grammar as text, and back" },
+		press: (context) => (context.toolState(tool).open ? closeEditor(context, tool) : openEditor(context, tool)),
+		button: {
+			slot: "source",
+			icon: GRAMMAR,
+			get label() {
+				return text("grammar");
+			},
+			pressed: (context) => context.toolState(tool).open,
+		},
+		key: {
+			letter: "g",
+			get description() {
+				return text("key_toggle");
+			},
+		},
 		keys: [
 			{
 				keys: ["Alt ↑", "Alt ↓"],
-				does: "In the grammar, at a number: more, less; with Shift ten steps, with Ctrl a tenth",
+				get description() {
+					return text("key_number");
+				},
 			},
-			{ keys: ["Ctrl F", "F3"], does: "In the grammar: find, and the next one" },
-			{ keys: ["Ctrl Space"], does: "In the grammar: what may stand here" },
-			{ keys: ["Esc"], does: "In the grammar: out of the text" },
+			{
+				keys: ["Ctrl F", "F3"],
+				get description() {
+					return text("key_find");
+				},
+			},
+			{
+				keys: ["Ctrl Space"],
+				get description() {
+					return text("key_suggest");
+				},
+			},
+			{
+				keys: ["Esc"],
+				get description() {
+					return text("key_leave");
+				},
+			},
 		],
 		pane: {
-			title: "Grammar",
+			get title() {
+				return text("grammar");
+			},
 			open: (context) => context.toolState(tool).open,
-			report: (context, fault) => reportFault(context, tool, source.noun, fault),
+			report: (context, fault) => reportFault(context, tool, fault),
 			draw: (context) => html`<panicle-grammar
-				.context=${context} .source=${source} .tool=${tool} .stepped=${stepped} .close=${() => closeEditor(context, tool, source.noun)}
+				.context=${context} .source=${source} .tool=${tool} .stepped=${stepped} .close=${() => closeEditor(context, tool)}
 			></panicle-grammar>`,
 		},
 	};
 	return tool;
 }
 
-function show<S extends Specimen, G extends Plant>(context: EditorContext<S, G>, tool: Tool<S, G, GrammarState>): void {
+/** Opens the pane, whose script is loaded now. */
+function openEditor<S extends Specimen, G extends Plant>(
+	context: EditorContext<S, G>,
+	tool: Tool<S, G, GrammarState>,
+): void {
 	context.setToolState(tool, { ...context.toolState(tool), open: true });
-	void bring(context, () => import("./grammar_pane"), "The grammar's editor could not be fetched");
+	void bring(context, () => import("./grammar_pane"), text("editor_not_loaded"));
 }
 
-/** Closes the pane; a fault that the text no longer shows becomes a notice. */
+/**
+ * Closes the pane. An error in the text, which only the open pane shows, becomes a notice if an earlier plant is still
+ * in view.
+ */
 function closeEditor<S extends Specimen, G extends Plant>(
 	context: EditorContext<S, G>,
 	tool: Tool<S, G, GrammarState>,
-	noun: string,
 ): void {
 	context.setToolState(tool, { ...context.toolState(tool), open: false });
 	const { fault, grown } = context.state;
-	if (fault && fault.line > 0 && grown) reportFault(context, tool, noun, fault);
+	if (fault && fault.line > 0 && grown) reportFault(context, tool, fault);
 }
 
+/** Notifies of an error in the grammar, with a button that opens the editor. */
 function reportFault<S extends Specimen, G extends Plant>(
 	context: EditorContext<S, G>,
 	tool: Tool<S, G, GrammarState>,
-	noun: string,
 	{ line, column, message }: Fault,
 ): void {
-	const where = `Line ${line}, column ${column} of the grammar: ${message}`;
-	context.notify(`This cannot be grown; the last ${noun} stays`, [where], {
+	const where = text("at_place", { line: String(line), column: String(column), problem: message });
+	context.notify(text("not_grown"), [where], {
 		topic: GROWTH_TOPIC,
-		act: { words: EDIT, run: () => show(context, tool) },
+		act: { label: text("edit"), run: () => openEditor(context, tool) },
 	});
 }
 
+/**
+ * Loads a script; if that fails, notifies with a button that tries again.
+ * @param failed title of the notice, also its topic
+ */
 async function bring<S extends Specimen, G extends Plant>(
 	context: EditorContext<S, G>,
 	fetch: () => Promise<unknown>,
@@ -174,6 +242,6 @@ async function bring<S extends Specimen, G extends Plant>(
 		await fetch();
 	} catch {
 		const again = () => void bring(context, fetch, failed);
-		context.notify(failed, ["Part of the page could not be fetched."], { topic: failed, again });
+		context.notify(failed, [text("part_not_loaded")], { topic: failed, again });
 	}
 }

@@ -14,6 +14,7 @@ import type { GrammarOutline } from "./outline";
 import { readOutline } from "./read_outline";
 import { firstEndingBehind, type Token, type TokenKind } from "./scan";
 
+/** Reads the outline of a text in the editor's language. */
 const read = (text: string, state: EditorState): GrammarOutline => readOutline(text, state.facet(dialect));
 
 /** Outline of the current text, shared by all extensions. */
@@ -29,8 +30,8 @@ const MARKS = new Map<TokenKind, Decoration>(
 );
 
 /**
- * Longest line that is coloured, in characters. Browsers compute the layout of a line as a whole, which takes long for thousands of
- * tokens.
+ * Longest line that is coloured, in characters. Browsers compute the layout of a line as a whole, which takes long for
+ * thousands of tokens.
  */
 export const LONGEST_COLOURED = 10_000;
 
@@ -53,6 +54,7 @@ export function colouredPieces(
 	return found;
 }
 
+/** Returns the coloured tokens of the visible ranges as CodeMirror's decorations. */
 function coloured({ state, visibleRanges }: EditorView): DecorationSet {
 	const marks = colouredPieces(state.field(outlined).pieces, state.doc, visibleRanges).flatMap(
 		(piece) => MARKS.get(piece.kind)?.range(piece.from, piece.to) ?? [],

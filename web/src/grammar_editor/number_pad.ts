@@ -1,5 +1,6 @@
 import { html, LitElement, nothing } from "lit";
 import { icon } from "../ui/icons";
+import { text } from "./messages.generated";
 import type { NumberAt } from "./outline";
 import { reach } from "./scrub";
 
@@ -29,23 +30,29 @@ export class NumberPad extends LitElement {
 	/** Ends a drag. */
 	declare done: () => void;
 
+	/** Renders into the element itself, so that the page's style applies. */
 	protected override createRenderRoot(): this {
 		return this;
 	}
 
+	/**
+	 * Renders the number at the cursor as a draggable pad between buttons for one step less and more; nothing without a
+	 * number.
+	 */
 	protected override render(): unknown {
 		const { number } = this;
 		if (!number) return nothing;
-		const button = (words: string, sign: string, steps: number) =>
-			html`<button type="button" class="button" tabindex="-1" aria-label=${words} @mousedown=${keepFocus} @click=${() => this.step(steps)}>${sign}</button>`;
-		return html`${button("Less", "−", -1)}
+		const button = (label: string, sign: string, steps: number) =>
+			html`<button type="button" class="button" tabindex="-1" aria-label=${label} @mousedown=${keepFocus} @click=${() => this.step(steps)}>${sign}</button>`;
+		return html`${button(text("less"), "−", -1)}
 			<span
-				class="number-pad" role="slider" tabindex="0" aria-label="Number at the cursor" aria-valuenow=${number.value} aria-valuetext=${number.text}
-				title="Drag to change the number" @pointerdown=${this.#drag} @mousedown=${keepFocus} @keydown=${this.#press}
+				class="number-pad" role="slider" tabindex="0" aria-label=${text("number_at_cursor")} aria-valuenow=${number.value} aria-valuetext=${number.text}
+				title=${text("number_drag")} @pointerdown=${this.#drag} @mousedown=${keepFocus} @keydown=${this.#press}
 			>${icon("scrub")}${number.text}</span>
-			${button("More", "+", 1)}`;
+			${button(text("more"), "+", 1)}`;
 	}
 
+	/** Drags the number horizontally until the pointer is released. */
 	#drag(event: PointerEvent): void {
 		const move = this.grip();
 		if (!move) return;
@@ -70,6 +77,7 @@ export class NumberPad extends LitElement {
 		pad.addEventListener("pointercancel", end, { signal });
 	}
 
+	/** Changes the number by arrow and page keys. */
 	#press(event: KeyboardEvent): void {
 		const steps = STEPS[event.key];
 		if (steps === undefined || event.altKey) return;
@@ -78,7 +86,7 @@ export class NumberPad extends LitElement {
 	}
 }
 
-/** The cursor stays in the text, and a phone's keyboard stays open. */
+/** Prevents a press from moving the focus: the cursor stays in the text, and a phone's keyboard stays open. */
 function keepFocus(event: Event): void {
 	event.preventDefault();
 }

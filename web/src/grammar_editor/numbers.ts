@@ -31,7 +31,11 @@ export function stepHere(view: EditorView, steps: number): boolean {
 	return number !== undefined;
 }
 
-/** Replaces a number; the cursor stays behind it. */
+/**
+ * Replaces a number; the cursor is then behind the new one.
+ * @param insert the new number
+ * @param how kind of the change, "step" or "scrub", which the undo steps depend on
+ */
 export function write(
 	view: EditorView,
 	{ from, text }: Pick<NumberAt, "from" | "text">,
@@ -58,7 +62,10 @@ export class NumberDrag {
 		this.#text = start.text;
 	}
 
-	/** Moves the drag by pixels to the right. */
+	/**
+	 * Moves the drag by pixels to the right, and writes the number if it changes.
+	 * @param keys modifier keys: Shift for steps of 10, Ctrl or Command for tenths
+	 */
 	move(view: EditorView, pixels: number, keys: Pick<MouseEvent, "shiftKey" | "ctrlKey" | "metaKey">): void {
 		const times = reach(keys);
 		this.#quantum = Math.min(this.#quantum, times);
@@ -88,29 +95,37 @@ export function scrubbing(scrub: Scrubbing): Extension {
 		["Ctrl-Alt-ArrowDown", -0.1],
 	] as const;
 	return [
-		EditorView.domEventHandlers({ mousedown: (event, view) => pressed(event, view, scrub) }),
+		EditorView.domEventHandlers({ mousedown: (event, view) => startNumberDrag(event, view, scrub) }),
 		Prec.highest(keymap.of(keys.map(([key, steps]) => ({ key, run: step(steps) })))),
 	];
 }
 
-function pressed(event: MouseEvent, view: EditorView, scrub: Scrubbing): boolean {
+/**
+ * Begins dragging a number in the text at a plain press of the main button on it. Returns whether the event is handled.
+ */
+function startNumberDrag(event: MouseEvent, view: EditorView, scrub: Scrubbing): boolean {
 	if (event.button !== 0 || event.detail !== 1 || event.shiftKey || event.ctrlKey || event.metaKey) return false;
 	const place = view.posAtCoords(event, false);
 	const number = numberAt(view.state.field(outlined).pieces, place);
 	if (!number || !within(view, number, event)) return false;
 	event.preventDefault();
 	view.focus();
+	// The press moves the cursor here, as it would without the drag.
 	view.dispatch({ selection: { anchor: place } });
 	const drag = new NumberDrag(number);
 	let last = event.clientX;
 	let active = false;
 	const ended = new AbortController();
 	const { signal } = ended;
+	/**
+	 * Begins the drag once the pointer has moved horizontally by more than SLACK; a vertical movement selects text
+	 * instead.
+	 */
 	const moved = (move: MouseEvent) => {
 		if (!active) {
-			const [across, along] = [Math.abs(move.clientX - event.clientX), Math.abs(move.clientY - event.clientY)];
-			if (Math.max(across, along) <= SLACK) return;
-			if (along > across) return select(move);
+			const [dx, dy] = [Math.abs(move.clientX - event.clientX), Math.abs(move.clientY - event.clientY)];
+			if (Math.max(dx, dy) <= SLACK) return;
+			if (dy > dx) return select(move);
 			active = true;
 			scrub.begin();
 			view.dom.classList.add("cm-scrubbing");
@@ -134,7 +149,7 @@ function pressed(event: MouseEvent, view: EditorView, scrub: Scrubbing): boolean
 	return true;
 }
 
-/** Whether a pointer is on the number itself, and not behind the end of its line. */
+/** Returns whether a pointer is on the number itself, and not behind the end of its line. */
 function within(view: EditorView, { from, to }: NumberAt, { clientX, clientY }: MouseEvent): boolean {
 	const [left, right] = [view.coordsAtPos(from, 1), view.coordsAtPos(to, -1)];
 	if (!left || !right) return false;

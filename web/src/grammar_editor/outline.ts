@@ -24,8 +24,10 @@ export interface Constant extends NumberRange {
 	readonly name: string;
 	readonly line: number;
 	readonly number: NumberAt;
+	/** Whether the comment behind the number contains the range; else the range is a guess. */
+	readonly isRanged: boolean;
 	/** Text of the comment behind the number, without the range; may be empty. */
-	readonly words: string;
+	readonly description: string;
 }
 
 /** Name and range of a `#define`'s value in the text. */
@@ -84,13 +86,13 @@ export function outlineOf(text: string, pieces: readonly Token[] = scan(text)): 
 	return { pieces, constants, definitions, curves, names, symbols: symbolsIn(pieces, text) };
 }
 
-/** Returns the number at a position of the text, its ends included. */
+/** Returns the number at a position of the text, its ends and its sign included; undefined if there is none. */
 export function numberAt(pieces: readonly Token[], place: number): NumberAt | undefined {
-	const at = pieces.findIndex(({ kind, from, to }) => kind === "number" && from <= place && place <= to);
-	if (at >= 0) return signed(pieces, at);
+	const index = pieces.findIndex(({ kind, from, to }) => kind === "number" && from <= place && place <= to);
+	if (index >= 0) return signedNumber(pieces, index);
 	// The position is on the number's sign.
 	const sign = pieces.findIndex(({ kind, from }) => kind === "number" && from === place + 1);
-	const number = sign > 0 ? signed(pieces, sign) : undefined;
+	const number = sign > 0 ? signedNumber(pieces, sign) : undefined;
 	return number && number.from <= place ? number : undefined;
 }
 
@@ -116,11 +118,13 @@ export function withConstants(
 	return parts.join("") + text.slice(done);
 }
 
-/** Yields the tokens of each statement up to the end of its line; the line continues within brackets and after `<`. */
+/**
+ * Yields the tokens of each statement up to the end of its line; the line continues within brackets and after `<`.
+ */
 function* byStatement(pieces: readonly Token[]): Iterable<Token[]> {
-	for (let at = 0; at < pieces.length; at++) {
-		if (pieces[at].kind !== "statement") continue;
-		let [end, line, open, last] = [at + 1, pieces[at].line, 0, ""];
+	for (let start = 0; start < pieces.length; start++) {
+		if (pieces[start].kind !== "statement") continue;
+		let [end, line, open, last] = [start + 1, pieces[start].line, 0, ""];
 		for (; end < pieces.length; end++) {
 			const piece = pieces[end];
 			if (piece.line > line && (piece.kind === "statement" || (open <= 0 && last !== "<"))) break;
@@ -129,11 +133,13 @@ function* byStatement(pieces: readonly Token[]): Iterable<Token[]> {
 			open += Number(/^[([{]$/.test(piece.text)) - Number(/^[)\]}]$/.test(piece.text));
 			last = piece.text;
 		}
-		yield pieces.slice(at, end);
+		yield pieces.slice(start, end);
 	}
 }
 
-/** Returns the value's range; lists, volumes and functions have none. */
+/**
+ * Returns the name of a `#define` line and the range of its value in the text; none for lists, volumes and functions.
+ */
 function definitionIn([, name, ...rest]: readonly Token[]): Definition[] {
 	const body = rest.filter(({ kind, text }, index) => kind !== "comment" && !(index === 0 && text === "="));
 	if (name.kind !== "name" || body.length === 0 || body[0].text === "[" || isFunction(name, body)) return [];
@@ -141,7 +147,8 @@ function definitionIn([, name, ...rest]: readonly Token[]): Definition[] {
 }
 
 /**
- * Whether a definition is a function: `f(x) x*2`, with parentheses directly behind the name; `f(x)` alone is a value.
+ * Returns whether a definition is a function: `f(x) x*2`, with parentheses directly behind the name; `f(x)` alone is a
+ * value.
  */
 function isFunction(name: Token, [open, first, next, ...rest]: readonly Token[]): boolean {
 	const named = first?.kind === "name" || first?.kind === "function";
@@ -153,46 +160,56 @@ function isFunction(name: Token, [open, first, next, ...rest]: readonly Token[])
 	);
 }
 
+/**
+ * Reads the constant in a `#define` line whose value is a single number; its range is read from the comment behind it,
+ * or guessed. Returns one constant or none.
+ */
 function constantIn(line: readonly Token[]): Constant[] {
 	const [head, name, ...rest] = line;
 	const values = rest.filter(({ kind, text }, index) => kind !== "comment" && !(index === 0 && text === "="));
 	const at = line.findIndex(({ kind }) => kind === "number");
 	if (at < 0) return [];
-	const number = signed(line, at);
+	const number = signedNumber(line, at);
 	// Only a single number counts.
 	if (number.from !== values[0].from || number.to !== values.at(-1)?.to) return [];
 	const comment = insideComment(rest.findLast(({ kind }) => kind === "comment")?.text ?? "");
-	const found = findRange(comment);
-	const range = found ? rangeIn(found, number) : guessed(name.text, number);
-	const words = trimSeparators(found?.words ?? comment);
-	return [{ name: name.text, line: head.line, number, words, ...range }];
+	const writtenRange = findRange(comment);
+	const range = writtenRange ? rangeIn(writtenRange, number) : guessRange(name.text, number);
+	const description = trimSeparators(writtenRange?.description ?? comment);
+	return [{ name: name.text, line: head.line, number, isRanged: writtenRange !== undefined, description, ...range }];
 }
 
-const read = (text: string) => Number(text.replace("−", "-"));
+/** Returns the number of a text whose sign may be a typographic minus. */
+const readSigned = (text: string) => Number(text.replace("−", "-"));
 
+/** Returns the range that a comment describes, extended to contain the value. */
 function rangeIn({ low, high, step }: RangeWords, { text, value }: NumberAt): NumberRange {
-	const ends = [read(low), read(high), value];
+	const ends = [readSigned(low), readSigned(high), value];
 	const [min, max] = [Math.min(...ends), Math.max(...ends)];
-	const given = step === undefined ? 0 : Math.abs(read(step));
-	return { min, max, step: given || stepFor(max - min, Math.max(...[low, high, text].map(decimals))) };
+	const writtenStep = step === undefined ? 0 : Math.abs(readSigned(step));
+	return { min, max, step: writtenStep || stepFor(max - min, Math.max(...[low, high, text].map(decimals))) };
 }
 
 /** Names of angles. Values of at most 1 are shares, under any name. */
 const ANGLE = /^(?:a|angle|alpha|beta|gamma|delta|theta|phi|psi|yaw|roll|pitch|turn|[αβγδθφψ])(?:_|\d|$)/i;
 
-function guessed(name: string, { text, value }: NumberAt): NumberRange {
+/**
+ * Guesses the range of a constant without a written one: degrees if the name is an angle's, 0 … 1 for shares, else up
+ * to twice its value.
+ */
+function guessRange(name: string, { text, value }: NumberAt): NumberRange {
 	const places = decimals(text);
 	const size = Math.abs(value);
-	const most = size > 180 ? 360 : 180;
+	const limit = size > 180 ? 360 : 180;
 	if (ANGLE.test(name) && size <= 360 && size > 1)
-		return { min: value < 0 ? -most : 0, max: most, step: stepFor(most, places) };
+		return { min: value < 0 ? -limit : 0, max: limit, step: stepFor(limit, places) };
 	if (value === 0) return { min: places > 0 ? -1 : -10, max: places > 0 ? 1 : 10, step: places > 0 ? 0.01 : 1 };
-	const max = size <= 1 && places > 0 ? 1 : rounded(2 * size);
+	const max = size <= 1 && places > 0 ? 1 : roundUp(2 * size);
 	return { min: value < 0 ? -max : 0, max, step: stepFor(max, places) };
 }
 
 /** Rounds up to 1, 2, 3, 5 or 10 times a power of ten. */
-function rounded(value: number): number {
+function roundUp(value: number): number {
 	const unit = 10 ** Math.floor(Math.log10(value));
 	const times = [1, 2, 3, 5, 10].find((each) => each * unit >= value * (1 - 1e-9)) ?? 10;
 	return Number((times * unit).toPrecision(6));
@@ -200,12 +217,12 @@ function rounded(value: number): number {
 
 /** Step of a slider: the last digit of the number as written, and at most a hundredth of the width for non-integers. */
 function stepFor(width: number, places: number): number {
-	const written = 10 ** -places;
-	if (places === 0 || !(width > 0)) return written;
-	return Math.min(written, 10 ** Math.floor(Math.log10(width / 100)));
+	const lastDigit = 10 ** -places;
+	if (places === 0 || !(width > 0)) return lastDigit;
+	return Math.min(lastDigit, 10 ** Math.floor(Math.log10(width / 100)));
 }
 
-/** Number of decimals. */
+/** Returns the number of decimals of a number as written: of `0.50` 2, of `5e-3` 3. */
 export function decimals(text: string): number {
 	const [mantissa, exponent = "0"] = text.toLowerCase().split("e");
 	return Math.max(0, (mantissa.split(".")[1]?.length ?? 0) - Number(exponent));
@@ -214,6 +231,7 @@ export function decimals(text: string): number {
 /** `(0.5,-1)`. */
 const POINT = /\(([-−]?(?:\d+(?:\.\d*)?|\.\d+)),([-−]?(?:\d+(?:\.\d*)?|\.\d+))\)/g;
 
+/** Returns the curve that a #curve line defines; none while its points are incomplete. */
 function curveIn(line: readonly Token[]): Curve[] {
 	const [head, name, ...rest] = line;
 	const body = rest.filter(({ kind }) => kind !== "comment");
@@ -232,38 +250,50 @@ function curveIn(line: readonly Token[]): Curve[] {
 	];
 }
 
-/** Returns a number with the sign before it, unless that is an operator. */
-function signed(pieces: readonly Token[], at: number): NumberAt {
-	const { from, to, text } = pieces[at];
-	const [before, sign] = [pieces[at - 2], pieces[at - 1]];
-	const ends =
+/**
+ * Returns a number with the sign before it, unless that is an operator.
+ * @param index of the number's token
+ */
+function signedNumber(pieces: readonly Token[], index: number): NumberAt {
+	const { from, to, text } = pieces[index];
+	const [before, sign] = [pieces[index - 2], pieces[index - 1]];
+	const endsValue =
 		!before || before.kind === "number" || before.kind === "name" || before.text === ")" || before.text === "]";
 	// A sign after a constant's name belongs to its value.
-	const own = sign?.text === "-" && sign.to === from && (!ends || isDefined(pieces, at - 2));
-	const written = own ? `-${text}` : text;
-	return { from: own ? sign.from : from, to, text: written, value: Number(written) };
+	const hasOwnSign = sign?.text === "-" && sign.to === from && (!endsValue || isDefined(pieces, index - 2));
+	const signedText = hasOwnSign ? `-${text}` : text;
+	return { from: hasOwnSign ? sign.from : from, to, text: signedText, value: Number(signedText) };
 }
 
-function isDefined(pieces: readonly Token[], at: number): boolean {
-	return pieces[at - 1]?.text === "#define" && pieces[at].line === pieces[at - 1].line;
+/**
+ * Returns whether a token is the name that a `#define` defines.
+ * @param index of the token
+ */
+function isDefined(pieces: readonly Token[], index: number): boolean {
+	return pieces[index - 1]?.text === "#define" && pieces[index].line === pieces[index - 1].line;
 }
 
+/** Returns the symbols of a text with their first parameter list, such as `A` → `A(x, y)`. */
 function symbolsIn(pieces: readonly Token[], text: string): Map<string, string> {
 	const symbols = new Map<string, string>();
 	pieces.forEach(({ kind, text: name, to }, at) => {
 		// A symbol listed first without parameters may have some later.
 		if (kind !== "symbol" || (symbols.get(name) ?? name) !== name || !/^[\p{L}_?]/u.test(name)) return;
-		const close = pieces[at + 1]?.text === "(" ? closing(pieces, at + 1) : undefined;
+		const close = pieces[at + 1]?.text === "(" ? endOfBrackets(pieces, at + 1) : undefined;
 		symbols.set(name, close === undefined ? name : `${name}${text.slice(to, close)}`);
 	});
 	return symbols;
 }
 
-function closing(pieces: readonly Token[], open: number): number | undefined {
+/**
+ * Returns the position in the text behind the bracket that closes the one at a token; undefined if it is not closed.
+ * @param open index of the token
+ */
+function endOfBrackets(pieces: readonly Token[], open: number): number | undefined {
 	let depth = 0;
-	for (let at = open; at < pieces.length; at++) {
-		if (pieces[at].text === "(") depth++;
-		if (pieces[at].text === ")" && --depth === 0) return pieces[at].to;
+	for (let index = open; index < pieces.length; index++) {
+		if (pieces[index].text === "(") depth++;
+		if (pieces[index].text === ")" && --depth === 0) return pieces[index].to;
 	}
 	return undefined;
 }

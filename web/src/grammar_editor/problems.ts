@@ -22,6 +22,7 @@ const problems = StateField.define<readonly Placed[]>({
 	provide: (field) => EditorView.decorations.from(field, marks),
 });
 
+/** Returns wavy lines under the problems as CodeMirror's decorations. */
 function marks(all: readonly Placed[]): DecorationSet {
 	const ranges = all
 		.filter(({ from, to }) => to > from)
@@ -36,6 +37,7 @@ const hover = hoverTooltip(
 		return {
 			pos: Math.min(...here.map(({ from }) => from)),
 			end: Math.max(...here.map(({ to }) => to)),
+			/** Builds the tooltip: one line per problem. */
 			create: () => {
 				const dom = document.createElement("div");
 				dom.className = "cm-problems";
@@ -78,7 +80,7 @@ export function placeOf(
 
 const WORD = /[\p{L}\p{N}_]+|-->|\S/uy;
 
-/** Returns the index of a column in a line. Columns count characters, not UTF-16 code units. */
+/** Returns the index in a line of a column from 1. Columns count characters, not UTF-16 code units. */
 function placeInLine(text: string, column: number): number {
 	if (!hasPairs(text)) return Math.min(Math.max(0, column - 1), text.length);
 	let place = 0;
@@ -89,10 +91,11 @@ function placeInLine(text: string, column: number): number {
 /** The last line checked, as a cache: most problems are in the same few lines. */
 let looked = { text: "", pairs: false };
 
-/** Whether any character of a line is a surrogate pair. */
+/** Returns whether any character of a line is a surrogate pair; remembers the last line. */
 function hasPairs(text: string): boolean {
 	if (looked.text !== text) looked = { text, pairs: /[\ud800-\udbff]/.test(text) };
 	return looked.pairs;
 }
 
+/** Returns whether the character at an index is a surrogate pair. */
 const isPairAt = (text: string, place: number): boolean => (text.codePointAt(place) ?? 0) > 0xffff;

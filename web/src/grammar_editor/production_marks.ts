@@ -30,9 +30,9 @@ export const productionMarks: Extension = marks;
 /** Marks productions and scrolls to the first of them; the cursor and the focus stay. */
 export function markProductions(view: EditorView, { fires, wrote }: MarkedProductions): void {
 	const { doc } = view.state;
-	const at = (line: number | undefined) =>
+	const startOfLine = (line: number | undefined) =>
 		line === undefined || line < 1 || line > doc.lines ? undefined : doc.line(line).from;
-	const [next, before] = [at(fires), at(wrote)];
+	const [next, before] = [startOfLine(fires), startOfLine(wrote)];
 	const ranges = [
 		...(next === undefined ? [] : [FIRES.range(next)]),
 		...(before === undefined ? [] : [WROTE.range(before)]),

@@ -6,59 +6,68 @@ export interface RangeWords {
 	readonly high: string;
 	readonly step: string | undefined;
 	/** The rest of the comment. */
-	readonly words: string;
+	readonly description: string;
 }
 
-/** Returns the first range in a text; undefined if there is none. Linear in the length of the text. */
+/**
+ * Returns the first range in a text, such as `0 … 90 step 5`; undefined if there is none. At each number it looks for a
+ * separator and a second number, and goes on behind a number without them: linear in the length of the text.
+ */
 export function findRange(text: string): RangeWords | undefined {
 	for (let at = 0; at < text.length; ) {
-		const low = numberEnd(text, at);
-		if (low === at) {
+		const lowEnd = numberEnd(text, at);
+		if (lowEnd === at) {
 			at++;
 			continue;
 		}
-		const separated = separatorEnd(text, skipBlanks(text, low));
-		const start = separated === undefined ? low : skipBlanks(text, separated);
-		const high = separated === undefined ? start : numberEnd(text, start);
-		if (high === start) {
-			at = separated ?? low;
+		const separated = separatorEnd(text, skipBlanks(text, lowEnd));
+		const start = separated === undefined ? lowEnd : skipBlanks(text, separated);
+		const highEnd = separated === undefined ? start : numberEnd(text, start);
+		if (highEnd === start) {
+			at = separated ?? lowEnd;
 			continue;
 		}
-		const [from, end] = stepAt(text, high);
+		const [from, end] = stepAt(text, highEnd);
 		return {
-			low: text.slice(at, low),
-			high: text.slice(start, high),
+			low: text.slice(at, lowEnd),
+			high: text.slice(start, highEnd),
 			step: end > from ? text.slice(from, end) : undefined,
-			words: text.slice(0, at) + text.slice(end),
+			description: text.slice(0, at) + text.slice(end),
 		};
 	}
 	return undefined;
 }
 
 /** Removes blanks, commas, semicolons and colons from both ends. */
-export function trimSeparators(words: string): string {
-	const isSeparator = (at: number) => /[\s,;:]/.test(words[at]);
-	let [from, to] = [0, words.length];
+export function trimSeparators(text: string): string {
+	const isSeparator = (at: number) => /[\s,;:]/.test(text[at]);
+	let [from, to] = [0, text.length];
 	while (from < to && isSeparator(from)) from++;
 	while (from < to && isSeparator(to - 1)) to--;
-	return words.slice(from, to);
+	return text.slice(from, to);
 }
 
+/** Returns whether a character is a digit; false beyond the end of a text. */
 const isDigit = (char: string | undefined): boolean => char !== undefined && char >= "0" && char <= "9";
 
+/** Returns the index of the first character that is not blank, from an index on. */
 function skipBlanks(text: string, from: number): number {
 	let at = from;
 	while (at < text.length && /\s/.test(text[at])) at++;
 	return at;
 }
 
+/** Returns the index behind the digits that begin at an index. */
 function digitsEnd(text: string, from: number): number {
 	let at = from;
 	while (isDigit(text[at])) at++;
 	return at;
 }
 
-/** The end of the number that begins at a place; the place itself where none does. A number does not include a dot that another dot follows. */
+/**
+ * Returns the index behind the number that begins at an index; that index itself if there is none. A number does not
+ * include a dot that another dot follows.
+ */
 function numberEnd(text: string, from: number): number {
 	const start = from + Number(text[from] === "-" || text[from] === "−");
 	const whole = digitsEnd(text, start);
@@ -67,7 +76,7 @@ function numberEnd(text: string, from: number): number {
 	return end > start + Number(isPoint && whole === start) ? end : from;
 }
 
-/** The end of the separator of a range; undefined if there is none at that place. */
+/** Returns the index behind the separator of a range (`…`, `–`, `..`, `...`, `to`); undefined if there is none. */
 function separatorEnd(text: string, from: number): number | undefined {
 	if (text[from] === "…" || text[from] === "–") return from + 1;
 	if (text.startsWith("...", from)) return from + 3;
@@ -76,7 +85,7 @@ function separatorEnd(text: string, from: number): number | undefined {
 	return text.startsWith("to", from) && !isWord(text[from - 1]) && !isWord(text[from + 2]) ? from + 2 : undefined;
 }
 
-/** The start and end of the number behind `step`; the same place twice if there is none. */
+/** Returns the start and end of the number behind `step`; the same index twice if there is none. */
 function stepAt(text: string, from: number): readonly [from: number, end: number] {
 	let at = skipBlanks(text, from);
 	if (text[at] === ",") at = skipBlanks(text, at + 1);

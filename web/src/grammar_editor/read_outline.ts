@@ -9,15 +9,16 @@ type Scan = Dialect["scan"];
  * change.
  */
 let recent: readonly { readonly text: string; readonly scan: Scan; readonly outline: GrammarOutline }[] = [];
-const MOST_RECENT = 3;
+const MAX_RECENT = 3;
 
 /**
- * The outline of a text. Editor, panel and document read the same text after each key; it is scanned once for all of them.
+ * Returns the outline of a text. Editor, panel and document read the same text after each key; it is scanned once for
+ * all of them.
  * @param dialect the language of the text; that of L-systems where absent
  */
 export function readOutline(text: string, { scan }: Pick<Dialect, "scan"> = { scan: scanLSystem }): GrammarOutline {
 	const known = recent.find((each) => each.scan === scan && each.text === text);
 	const read = known ?? { text, scan, outline: outlineOf(text, scan(text)) };
-	recent = [read, ...recent.filter((each) => each !== known)].slice(0, MOST_RECENT);
+	recent = [read, ...recent.filter((each) => each !== known)].slice(0, MAX_RECENT);
 	return read.outline;
 }

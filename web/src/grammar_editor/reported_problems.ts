@@ -1,5 +1,9 @@
 /** Problems of a grammar as the core reports them: the fault that prevents growth, and remarks on the last plant. */
+import type { Message } from "../locale/texts";
 import type { Fault } from "../ui/editor_context";
+
+/** The code of notes on a place in the text. */
+const AT_PLACE = "core.expression.at_line_and_column";
 
 /** Error or remark with a place in the text. */
 export interface Problem {
@@ -10,7 +14,7 @@ export interface Problem {
 	readonly message: string;
 }
 
-/** Whether two lists have the same problems in the same places. */
+/** Returns whether two lists have the same problems in the same places. */
 export function sameProblems(some: readonly Problem[], others: readonly Problem[]): boolean {
 	const alike = (a: Problem, b: Problem) =>
 		a.line === b.line && a.column === b.column && a.severity === b.severity && a.message === b.message;
@@ -19,12 +23,16 @@ export function sameProblems(some: readonly Problem[], others: readonly Problem[
 
 /**
  * Returns the problems that have a place in the text.
- * @param notes the plant's notes; remarks among them begin with their place
+ * @param notes the plant's notes with codes
  */
-export function problemsOf(fault: Fault | undefined, notes: readonly string[]): Problem[] {
+export function problemsOf(fault: Fault | undefined, notes: readonly Message[]): Problem[] {
 	if (fault) return fault.line > 0 ? [{ severity: "error", ...fault }] : [];
-	return notes.flatMap((note) => {
-		const [, line, column, message] = /^Line (\d+), column (\d+): (.+)$/s.exec(note) ?? [];
-		return message ? [{ severity: "remark", line: Number(line), column: Number(column), message } as const] : [];
-	});
+	return notes
+		.filter(({ code }) => code === AT_PLACE)
+		.map(({ args: { line, column, problem } }) => ({
+			severity: "remark",
+			line: Number(line),
+			column: Number(column),
+			message: String(problem),
+		}));
 }

@@ -67,6 +67,9 @@ class Scanner {
 	/** Whether the arrow of this line is still to come. */
 	#before = false;
 
+	/**
+	 * Scans the whole text. The first token of a line that is no comment decides how the rest of it is read (`#startLine`).
+	 */
 	constructor(text: string) {
 		this.#text = text;
 		let fresh = true;
@@ -86,7 +89,7 @@ class Scanner {
 			}
 			if (fresh) {
 				fresh = false;
-				const head = this.#begin(match.index);
+				const head = this.#startLine(match.index);
 				if (head > 0) {
 					PIECE.lastIndex = match.index + head;
 					continue;
@@ -98,11 +101,12 @@ class Scanner {
 
 	/**
 	 * Begins a line: a statement, a production or a continuation.
+	 * @param start index of its first token in the text
 	 * @returns length of the statement's head, 0 if there is none
 	 */
-	#begin(at: number): number {
-		const end = this.#text.indexOf("\n", at);
-		const line = this.#text.slice(at, end < 0 ? undefined : end);
+	#startLine(start: number): number {
+		const end = this.#text.indexOf("\n", start);
+		const line = this.#text.slice(start, end < 0 ? undefined : end);
 		const head = /^#\p{L}+/u.exec(line)?.[0] ?? HEAD.exec(line)?.[0] ?? ALONE.exec(line)?.[1];
 		this.#before = head === undefined && line.includes("-->");
 		if (head === undefined) {
@@ -110,41 +114,52 @@ class Scanner {
 			return 0;
 		}
 		this.#enter(OF_VALUES.test(head) ? "values" : "modules");
-		this.#add("statement", at, head);
+		this.#add("statement", start, head);
 		return head.length;
 	}
 
+	/** Begins a part of the text that contains modules or values. */
 	#enter(sort: Sort): void {
 		this.#sort = sort;
 		this.#depth = 0;
 	}
 
-	#piece(at: number, piece: string): void {
+	/**
+	 * Adds a piece of text as a token; arrows and colons decide whether modules or values follow.
+	 * @param start index of the piece in the text
+	 */
+	#piece(start: number, piece: string): void {
 		if (piece === "-->") {
 			this.#before = false;
 			this.#enter("modules");
-			this.#add("arrow", at, piece);
+			this.#add("arrow", start, piece);
 			return;
 		}
 		// After a colon come a condition and a weight; a block before the arrow contains values, too.
 		if (this.#depth === 0 && (piece === ":" || (this.#before && piece === "{"))) {
 			this.#sort = "values";
-			this.#add("mark", at, piece);
+			this.#add("mark", start, piece);
 			return;
 		}
-		this.#add(this.#kindOf(at, piece), at, piece);
+		this.#add(this.#kindOf(start, piece), start, piece);
 		if (piece === "(") this.#depth++;
 		else if (piece === ")") this.#depth = Math.max(0, this.#depth - 1);
 	}
 
-	#kindOf(at: number, piece: string): TokenKind {
+	/**
+	 * Classifies a piece by its first characters and by where it is: within parentheses and values are names, functions
+	 * and operators; elsewhere symbols of the string.
+	 * @param start index of the piece in the text
+	 */
+	#kindOf(start: number, piece: string): TokenKind {
 		const named = /^[\p{L}_]/u.test(piece);
 		if (/^[\d.]/.test(piece) && piece !== ".") return "number";
-		if (/^[(),.;]$/.test(piece)) return this.#depth === 0 && piece !== "(" && piece !== ")" ? this.#loose() : "mark";
+		if (/^[(),.;]$/.test(piece))
+			return this.#depth === 0 && piece !== "(" && piece !== ")" ? this.#kindOfSeparator() : "mark";
 		if (this.#depth > 0 || this.#sort === "values") {
 			// A name after #define is not a call, even before a parenthesis.
 			if (named && this.pieces.at(-1)?.text !== "#define")
-				return /^[ \t]*\(/.test(this.#text.slice(at + piece.length, at + piece.length + 8)) ? "function" : "name";
+				return /^[ \t]*\(/.test(this.#text.slice(start + piece.length, start + piece.length + 8)) ? "function" : "name";
 			if (named) return "name";
 			return VALUE_SIGNS.test(piece) ? "operator" : "mark";
 		}
@@ -153,11 +168,15 @@ class Scanner {
 		return named || /^[-+&^/\\|!%$'~{}<>#]$|^[?@]/.test(piece) ? "symbol" : "mark";
 	}
 
-	/** `,`, `.` and `;` between modules are the turtle's symbols; between values they are separators. */
-	#loose(): TokenKind {
+	/**
+	 * Returns the kind of `,`, `.` and `;` outside parentheses: symbols of the turtle between modules, separators between
+	 * values.
+	 */
+	#kindOfSeparator(): TokenKind {
 		return this.#sort === "modules" ? "symbol" : "mark";
 	}
 
+	/** Adds a token of the current line. */
 	#add(kind: TokenKind, from: number, text: string): void {
 		this.pieces.push({ kind, from, to: from + text.length, text, line: this.#line });
 	}

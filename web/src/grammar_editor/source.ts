@@ -3,7 +3,7 @@ import type { Plant } from "../plant/plant";
 import {
 	type ConstantValues,
 	isStorableConstant,
-	MOST_CONSTANTS,
+	MAX_CONSTANTS,
 	sortedConstants,
 	type WithConstants,
 } from "../specimen/constants";
@@ -11,13 +11,13 @@ import type { WithGrammar } from "../specimen/grammar_text";
 import type { Specimen } from "../specimen/specimen";
 import type { Change, EditorContext } from "../ui/editor_context";
 import type { Dialect } from "./dialect";
-import { withConstants } from "./outline";
+import { type Constant, withConstants } from "./outline";
 import { readOutline } from "./read_outline";
 
 /** Describes a model's grammars for the editor. */
 export interface GrammarSource<S extends Specimen & WithGrammar = Specimen & WithGrammar> {
 	/** Name of a plant in sentences: "bunch". */
-	readonly noun: string;
+	readonly plantName: string;
 	/**
 	 * Key of the panel group that shows the notice about a document's own grammar; absent: a group at the end of the
 	 * panel, because handles write texts.
@@ -36,6 +36,8 @@ export interface GrammarSource<S extends Specimen & WithGrammar = Specimen & Wit
 	readonly constants?: false;
 	/** Whether sliders for constants are shown before the document has its own text. */
 	readonly always?: boolean;
+	/** Returns how many constants the panel shows among the basics, at most; absent: none. */
+	basics?(specimen: S): number;
 	/**
 	 * Name of the constant that bends a stem: above the middle of its range to the right of a plant seen from in
 	 * front.
@@ -58,9 +60,20 @@ export interface GrammarSource<S extends Specimen & WithGrammar = Specimen & Wit
  */
 export function textOf(source: GrammarSource, specimen: Specimen & WithGrammar, later: () => void): string | undefined {
 	const text = specimen.grammar ?? source.builtIn(specimen);
-	if (typeof text === "string") return source.presetConstants ? valued(source, text, constantsOf(specimen)) : text;
+	if (typeof text === "string")
+		return source.presetConstants ? substituteValues(source, text, constantsOf(specimen)) : text;
 	text.then(later, () => {}); // The code that grows the plant reports why the text did not load.
 	return undefined;
+}
+
+/** Returns the constants among the panel's basics: the first of a text that have a written range and no parameter. */
+export function basicConstants<S extends Specimen & WithGrammar>(
+	{ basics, governed }: Pick<GrammarSource<S>, "basics" | "governed">,
+	specimen: S,
+	constants: readonly Constant[],
+): readonly Constant[] {
+	const free = constants.filter(({ name, isRanged }) => isRanged && !governed?.has(name));
+	return free.slice(0, basics?.(specimen) ?? 0);
 }
 
 /** Returns whether a document has its own text. */
@@ -81,20 +94,20 @@ export function withText(source: GrammarSource, specimen: Specimen & WithGrammar
 	if (text === undefined) return { details: { grammar: text, constants: published } };
 	const { constants, definitions } = readOutline(text, source.dialect);
 	const defined = new Set(definitions.map(({ name }) => name));
-	const strange = Object.entries(constantsOf(specimen)).filter(([name]) => !defined.has(name));
+	const otherValues = Object.entries(constantsOf(specimen)).filter(([name]) => !defined.has(name));
 	if (typeof builtIn === "string") {
 		const builtInValues = new Map(definitionsOf(source, builtIn));
-		const changed = constants
+		const changedValues = constants
 			.filter(
 				({ name, number }) =>
 					!source.governed?.has(name) && (Object.hasOwn(published, name) || builtInValues.get(name) !== number.text),
 			)
 			.map(({ name, number }) => [name, number.value] as const);
-		const own = sortedConstants([...strange, ...changed]);
-		if (areHeld(own) && text === valued(source, builtIn, own))
-			return { details: { grammar: undefined, constants: own } };
+		const allValues = sortedConstants([...otherValues, ...changedValues]);
+		if (areStorable(allValues) && text === substituteValues(source, builtIn, allValues))
+			return { details: { grammar: undefined, constants: allValues } };
 	}
-	return { details: { grammar: text, constants: Object.fromEntries(strange) } };
+	return { details: { grammar: text, constants: Object.fromEntries(otherValues) } };
 }
 
 /**
@@ -115,37 +128,41 @@ export function withValues(
 	const builtIn = source.builtIn(specimen) as string;
 	const builtInValues = new Map(readOutline(builtIn, source.dialect).constants.map((each) => [each.name, each.number]));
 	// Values equal to the built-in text's are not stored.
-	const changed = Object.entries({ ...constantsOf(specimen), ...values }).filter(
+	const changedValues = Object.entries({ ...constantsOf(specimen), ...values }).filter(
 		([name, value]) => Object.hasOwn(published, name) || builtInValues.get(name)?.value !== value,
 	);
-	const constants = sortedConstants(changed);
-	if (areHeld(constants)) return { details: { constants } };
+	const constants = sortedConstants(changedValues);
+	if (areStorable(constants)) return { details: { constants } };
 	return withText(source, specimen, withConstants(text, values, readOutline(text, source.dialect).pieces));
 }
 
 /** Returns whether links can store the values; a text can contain any. */
-const areHeld = (constants: ConstantValues): boolean => {
-	const all = Object.entries(constants);
-	return all.length <= MOST_CONSTANTS && all.every(([name, value]) => isStorableConstant(name, value));
+const areStorable = (constants: ConstantValues): boolean => {
+	const entries = Object.entries(constants);
+	return entries.length <= MAX_CONSTANTS && entries.every(([name, value]) => isStorableConstant(name, value));
 };
 
 /** Returns the definitions of a text: name and value as written. */
 const definitionsOf = ({ dialect }: GrammarSource, text: string) =>
 	readOutline(text, dialect).definitions.map(({ name, from, to }) => [name, text.slice(from, to)] as const);
 
+/** Returns the values that a document stores for constants of its text. */
 const constantsOf = (specimen: Specimen & Partial<WithConstants>): ConstantValues => specimen.constants ?? {};
 
 /** Cache of texts with substituted values, by the values: needed at every drawing. */
-const written = new WeakMap<ConstantValues, { readonly text: string; readonly valued: string }>();
+const valuedTexts = new WeakMap<ConstantValues, { readonly text: string; readonly valued: string }>();
 
-function valued({ dialect, governed }: GrammarSource, text: string, constants: ConstantValues): string {
-	const before = written.get(constants);
-	if (before?.text === text) return before.valued;
-	const free = Object.entries(constants).filter(([name]) => !governed?.has(name));
-	const now =
-		free.length === 0 ? text : withConstants(text, Object.fromEntries(free), readOutline(text, dialect).pieces);
-	written.set(constants, { text, valued: now });
-	return now;
+/** Returns a text with the values of constants written in, except governed ones. */
+function substituteValues({ dialect, governed }: GrammarSource, text: string, constants: ConstantValues): string {
+	const cached = valuedTexts.get(constants);
+	if (cached?.text === text) return cached.valued;
+	const changeable = Object.entries(constants).filter(([name]) => !governed?.has(name));
+	const substituted =
+		changeable.length === 0
+			? text
+			: withConstants(text, Object.fromEntries(changeable), readOutline(text, dialect).pieces);
+	valuedTexts.set(constants, { text, valued: substituted });
+	return substituted;
 }
 
 /** Editor context of models with a grammar. */

@@ -1,6 +1,7 @@
 import { html, LitElement, svg } from "lit";
 import { live } from "lit/directives/live.js";
 import { icon } from "../ui/icons";
+import { text } from "./messages.generated";
 import { CHART_HEIGHT, stepChart } from "./step_chart";
 import { countInWords, stepInWords } from "./trace_words";
 
@@ -37,25 +38,29 @@ export class StepBar extends LitElement {
 	declare follows: boolean;
 	declare follow: () => void;
 
+	/** Renders into the element itself, so that the page's style applies. */
 	protected override createRenderRoot(): this {
 		return this;
 	}
 
+	/**
+	 * Renders the buttons, the step's size in words, and the slider above a chart of the string's length at each step.
+	 */
 	protected override render(): unknown {
 		const { counts, step } = this;
 		const last = counts.length - 1;
-		const words = `${stepInWords(step, last)}, ${countInWords(counts[step])}`;
+		const words = text("step_and_count", { step: stepInWords(step, last), count: countInWords(counts[step]) });
 		const button = (label: string, drawn: unknown, click: () => void, off: boolean) =>
 			html`<button class="button icon quiet" type="button" aria-label=${label} title=${label} aria-disabled=${off} @click=${() => off || click()}>${drawn}</button>`;
 		return html`<div class="step-bar">
-			<div class="step-buttons" role="group" aria-label="Steps">
-				${button("First step", icon(ICONS.first), () => this.go(0), step === 0)}
-				${button("Step back", icon(ICONS.back), () => this.by(-1), step === 0)}
-				${button(this.playing ? "Pause the steps" : "Play the steps", icon(this.playing ? "pause" : "play"), () => this.play(), last === 0)}
-				${button("Step forward", icon(ICONS.forward), () => this.by(1), step === last)}
-				${button("Last step", icon(ICONS.last), () => this.go(last), step === last)}
+			<div class="step-buttons" role="group" aria-label=${text("steps")}>
+				${button(text("first_step"), icon(ICONS.first), () => this.go(0), step === 0)}
+				${button(text("step_back"), icon(ICONS.back), () => this.by(-1), step === 0)}
+				${button(text(this.playing ? "pause_steps" : "play_steps"), icon(this.playing ? "pause" : "play"), () => this.play(), last === 0)}
+				${button(text("step_forward"), icon(ICONS.forward), () => this.by(1), step === last)}
+				${button(text("last_step"), icon(ICONS.last), () => this.go(last), step === last)}
 				<button
-					class="button icon quiet" type="button" aria-label="Show the plant as it was after the step" title="Show the plant as it was after the step"
+					class="button icon quiet" type="button" aria-label=${text("follow_step")} title=${text("follow_step")}
 					aria-pressed=${this.follows} @click=${() => this.follow()}
 				>${icon(ICONS.plant)}</button>
 			</div>
@@ -67,7 +72,7 @@ export class StepBar extends LitElement {
 				</svg>
 				<input
 					type="range" min="0" max=${last} step="1" .value=${live(String(step))} ?disabled=${last === 0}
-					aria-label="Step" aria-valuetext=${words} .style=${`--done: ${last > 0 ? (100 * step) / last : 0}%`}
+					aria-label=${text("step")} aria-valuetext=${words} .style=${`--done: ${last > 0 ? (100 * step) / last : 0}%`}
 					@input=${(event: Event) => this.go(Number((event.target as HTMLInputElement).value))}
 				>
 			</div>

@@ -18,13 +18,11 @@ import {
 } from "./trace_words";
 import "./derived_string";
 import "./step_bar";
+import { text } from "./messages.generated";
 
 /** Duration of a step during playback, milliseconds; longer with reduced motion. */
 const STAND = 1100;
 const STAND_STILL = 2200;
-
-const KEYS =
-	"Left and right go from module to module, Up to the one it came from in the step before, Down to what it becomes in the next, Home and End to the ends. Enter leads to its production in the grammar.";
 
 /** Productions of the chosen module in the text. */
 export interface ShownProductions {
@@ -56,11 +54,13 @@ export class Stepper extends ControlElement<GrammarContext> {
 	#playing: ReturnType<typeof setTimeout> | undefined;
 	#shownPlaces: readonly unknown[] = [];
 
+	/** Adds the style sheet. */
 	override connectedCallback(): void {
 		super.connectedCallback();
-		dress();
+		addStyle();
 	}
 
+	/** Stops playback, and shows the document's plant again. */
 	override disconnectedCallback(): void {
 		super.disconnectedCallback();
 		this.#stop();
@@ -69,37 +69,43 @@ export class Stepper extends ControlElement<GrammarContext> {
 		this.shown({});
 	}
 
+	/** Returns the values whose change redraws the stepper. */
 	protected override shows({ state }: GrammarContext): readonly unknown[] {
 		const { met, follows, scene } = this.context.toolState(DERIVATION);
 		return [state.grown, state.grownFrom, met, follows, scene];
 	}
 
+	/** Renders the steps, a window of the derived string, and the chosen module's explanation. */
 	protected override draw(): unknown {
 		if (!this.isConnected) return nothing;
 		this.#derivation ??= new Derivation(this.context, () => this.requestUpdate());
 		const derivation = this.#derivation;
 		const { counts, step, page, fault } = derivation;
-		const none = html`<p class="steps-none" role="status">${fault ? `The steps cannot be told: ${fault}` : "Deriving …"}</p>`;
+		const none = html`<p class="steps-none" role="status">${fault ? text("steps_failed", { problem: fault }) : text("deriving")}</p>`;
 		if (!counts || step === undefined) return none;
 		const last = counts.length - 1;
 		const bar = html`<panicle-steps
-				.counts=${counts} .step=${step} .playing=${this.#playing !== undefined} .play=${this.#toggle} .go=${this.#go} .by=${this.#by}
-				.follows=${derivation.follows} .follow=${this.#follow}
+				.counts=${counts} .step=${step} .playing=${this.#playing !== undefined} .play=${this.#togglePlayback} .go=${this.#goTo} .by=${this.#stepBy}
+				.follows=${derivation.follows} .follow=${this.#toggleFollows}
 			></panicle-steps>`;
 		// Another step may still work.
 		if (fault) return html`${bar}${none}`;
-		const label = `String: ${stepInWords(step, last)}, ${countInWords(counts[step])}`;
-		return html`<p class="unseen" id="derived-keys">${KEYS}</p>
+		const label = text("string", { step: stepInWords(step, last), count: countInWords(counts[step]) });
+		return html`<p class="unseen" id="derived-keys">${text("string_keys")}</p>
 			${bar}
 			<panicle-derived
 				.page=${page} .busy=${!page || derivation.stale} .chosen=${derivation.chosen} .pointed=${derivation.pointed} .line=${this.line} .label=${label}
 				.events=${this.#events}
 			></panicle-derived>
-			${this.#place(derivation, counts[step])}
+			${this.#placeSlider(derivation, counts[step])}
 			<div class="trace-card">${this.#card(derivation, last)}</div>
 			<p class="unseen" role="status">${this.#announcement(derivation, last)}</p>`;
 	}
 
+	/**
+	 * Reports the places in the text of the productions that concern the pointed or chosen module, if they changed; stops
+	 * playing at the last step or on an error.
+	 */
 	protected override updated(): void {
 		const derivation = this.#derivation;
 		if (!derivation) return;
@@ -113,66 +119,79 @@ export class Stepper extends ControlElement<GrammarContext> {
 		if (this.#playing !== undefined && (derivation.fault || derivation.step === derivation.last)) this.#stop();
 	}
 
-	/** Draws a slider for the window's place in a longer string. */
-	#place({ page, chosen }: Derivation, length: number): unknown {
+	/** Draws a slider for the window's place in a string that is longer than the window. */
+	#placeSlider({ page, chosen }: Derivation, length: number): unknown {
 		if (!page || length <= page.modules.length) return nothing;
 		const at = chosen ?? page.first;
 		return html`<label class="string-place">
-			<span>${(page.first + 1).toLocaleString("en-GB")} – ${(page.first + page.modules.length).toLocaleString("en-GB")}</span>
+			<span>${text("window", { first: page.first + 1, last: page.first + page.modules.length })}</span>
 			<input
 				type="range" min="0" max=${length - 1} step="1" .value=${String(at)} .style=${`--done: ${(100 * at) / (length - 1)}%`}
-				aria-label="Place in the string" aria-valuetext="module ${(at + 1).toLocaleString("en-GB")} of ${length.toLocaleString("en-GB")}"
+				aria-label=${text("place")} aria-valuetext=${text("module_of", { number: at + 1, count: length })}
 				@input=${(event: Event) => this.#derivation?.choose(Number((event.target as HTMLInputElement).value))}
 			>
 		</label>`;
 	}
 
-	/** Describes the chosen module. */
+	/** Draws the description of the chosen module; advice without one. */
 	#card(derivation: Derivation, last: number): unknown {
 		const { chosen, step, counts } = derivation;
 		const module = derivation.module(chosen);
 		if (!module || chosen === undefined || step === undefined || !counts) {
-			const words = this.line === undefined ? "" : this.#marked(derivation, this.line);
-			const hint = words || "Choose a module, here or in the view: its production, its values, where it came from.";
+			const marked = this.line === undefined ? "" : this.#describeProduction(derivation, this.line);
+			const hint = marked || text("choose_module");
 			return html`<p class="trace-hint">${hint} ${this.#next(derivation)}</p>`;
 		}
 		const { production, fires, answer, chance, parent, children, refusals } = module;
 		const line = ({ line, column }: TextPlace) =>
-			html`<button class="to-line" type="button" @click=${() => this.goTo({ line, column })}>line ${line}</button>`;
-		const walk = (words: string, arrow: string, press: () => void, off: boolean) =>
-			html`<button class="button quiet" type="button" aria-disabled=${off} @click=${() => off || press()}>${arrow} ${words}</button>`;
+			html`<button class="to-line" type="button" @click=${() => this.goTo({ line, column })}>${text("line", { line: String(line) })}</button>`;
+		const walk = (label: string, arrow: string, press: () => void, off: boolean) =>
+			html`<button class="button quiet" type="button" aria-disabled=${off} @click=${() => off || press()}>${arrow} ${label}</button>`;
 		const values = valuesInWords(module);
+		const when = step === last ? "drawn" : "next";
+		const rewritten = !fires
+			? nothing
+			: values
+				? text.pieces("rewritten_with", { when, line: line(fires), values: html`<code>${values}</code>` })
+				: text.pieces("rewritten", { when, line: line(fires) });
 		return html`<header>
 				<code title=${module.text}>${module.text}</code>
-				<span>${(chosen + 1).toLocaleString("en-GB")} of ${counts[step].toLocaleString("en-GB")}</span>
-				${walk("Parent", "↑", () => derivation.up(), parent === undefined || step === 0)}
-				${walk("Children", "↓", () => derivation.down(), step === last || children.count === 0)}
+				<span>${text("number_of", { number: chosen + 1, count: counts[step] })}</span>
+				${walk(text("parent"), "↑", () => derivation.up(), parent === undefined || step === 0)}
+				${walk(text("children"), "↓", () => derivation.down(), step === last || children.count === 0)}
 			</header>
 			${
 				answer
-					? html`<p class="trace-answer">${answerInWords(answer)}. ${this.#next(derivation)}${this.#why(answer.words)}</p>`
+					? html`<p class="trace-answer">${answerInWords(answer)} ${this.#next(derivation)}${this.#reasons(answer.words)}</p>`
 					: nothing
 			}
-			${production ? html`<p>Written by ${line(production)}.</p>` : nothing}
-			<p>${fires ? html`Rewritten ${step === last ? "where it is drawn" : "next"} by ${line(fires)}${values ? html` with <code>${values}</code>` : nothing}${chance ? html`, ${chanceInWords(chance)}` : nothing}. ` : nothing}
-				${fateOf(module, step === last)}${derivation.bare ? " It draws nothing." : nothing}</p>
+			${production ? html`<p>${text.pieces("written_by", { line: line(production) })}</p>` : nothing}
+			<p>${rewritten} ${fires && chance ? chanceInWords(chance) : nothing}
+				${fateOf(module, step === last)} ${derivation.bare ? text("draws_nothing") : nothing}</p>
 			${
 				refusals
-					? html`<ul class="trace-refusals" aria-label="Productions that do not apply">${refusals.map(
-							({ production, why }) => html`<li>Not ${line(production)}: ${why}.</li>`,
+					? html`<ul class="trace-refusals" aria-label=${text("refusals")}>${refusals.map(
+							({ production, why }) =>
+								html`<li>${text.pieces("refused", { line: line(production), reason: why })}</li>`,
 						)}</ul>`
 					: nothing
 			}`;
 	}
 
-	/** Draws the environment's words; modules named in them are buttons. */
-	#why(words: string | undefined): unknown {
+	/**
+	 * Draws the environment's reasons for its response. Indices of modules in them become buttons, numbered from 1 as
+	 * everywhere in the page, that choose the module.
+	 */
+	#reasons(words: string | undefined): unknown {
 		if (!words) return nothing;
 		return html`<b>${piecesOf(words).map((piece) =>
-			typeof piece === "string"
-				? piece
-				: html`<button class="to-line" type="button" @click=${() => this.#derivation?.choose(piece)}>module ${piece + 1}</button>`,
-		)}.</b>`;
+			typeof piece === "string" ? piece : this.#moduleButton(piece),
+		)}</b>`;
+	}
+
+	/** Draws a button that chooses the module of an index; its label counts from 1. */
+	#moduleButton(index: number): unknown {
+		return html`<button class="to-line" type="button" @click=${() => this.#derivation?.choose(index)}>${index + 1}</button>`;
 	}
 
 	/** Draws a button that moves to the next module with a query, cyclically. */
@@ -181,25 +200,34 @@ export class Stepper extends ControlElement<GrammarContext> {
 		const next = asked.find((index) => index > chosen) ?? asked[0];
 		if (next === undefined || next === chosen) return nothing;
 		const press = () => this.#derivation?.choose(next);
-		return html`<button class="to-line" type="button" @click=${press}>Next question</button>`;
+		return html`<button class="to-line" type="button" @click=${press}>${text("next_query")}</button>`;
 	}
 
-	/** Describes the production at the text's cursor. */
-	#marked({ page }: Derivation, line: number): string {
+	/**
+	 * Describes how often the production at the text's cursor applies in the loaded window.
+	 * @param line line of that production
+	 */
+	#describeProduction({ page }: Derivation, line: number): string {
 		if (!page) return "";
 		const fires = page.modules.filter((each) => each.fires?.line === line).length;
 		const wrote = page.modules.filter((each) => each.production?.line === line).length;
-		if (fires + wrote === 0) return `The production in line ${line} has to do with no module here.`;
+		if (fires + wrote === 0) return text("applies_nowhere", { line: String(line) });
 		const whole = page.modules.length === page.counts[page.step];
-		return `The production in line ${line} wrote ${wrote} ${whole ? "of them" : "of those here"} and rewrites ${fires} next.`;
+		return text(whole ? "applies" : "applies_here", { line: String(line), wrote, fires });
 	}
 
+	/** Returns the words that screen readers announce: the chosen module, or the step, which is silent while playing. */
 	#announcement(derivation: Derivation, last: number): string {
 		const { page, chosen, step, counts } = derivation;
 		if (!page || step === undefined || !counts) return "";
 		const module = derivation.module(chosen);
-		if (!module) return this.#playing === undefined ? `${stepInWords(step, last)}, ${countInWords(counts[step])}` : "";
-		return `${stepInWords(step, last)}: ${module.text}. ${moduleInWords(module, step === last)}`;
+		const words = { step: stepInWords(step, last), count: countInWords(counts[step]) };
+		if (!module) return this.#playing === undefined ? text("step_and_count", words) : "";
+		return text("announced", {
+			step: words.step,
+			module: module.text,
+			words: moduleInWords(module, step === last),
+		});
 	}
 
 	readonly #events: StringEvents = {
@@ -215,22 +243,26 @@ export class Stepper extends ControlElement<GrammarContext> {
 		},
 	};
 
-	readonly #go = (step: number): void => {
+	/** Stops playback and goes to a step. */
+	readonly #goTo = (step: number): void => {
 		this.#stop();
 		this.#derivation?.go(step);
 	};
 
-	readonly #by = (by: 1 | -1): void => {
+	/** Stops playback and moves one step, with the chosen module. */
+	readonly #stepBy = (by: 1 | -1): void => {
 		this.#stop();
 		this.#derivation?.stepBy(by);
 	};
 
-	readonly #follow = (): void => {
+	/** Toggles whether the view shows the plant of the step. */
+	readonly #toggleFollows = (): void => {
 		const derivation = this.#derivation;
 		if (derivation) derivation.follows = !derivation.follows;
 	};
 
-	readonly #toggle = (): void => {
+	/** Starts playback, from the axiom if the last step is shown, or stops it. */
+	readonly #togglePlayback = (): void => {
 		if (this.#playing !== undefined) {
 			this.#stop();
 			return;
@@ -253,6 +285,7 @@ export class Stepper extends ControlElement<GrammarContext> {
 		this.requestUpdate();
 	};
 
+	/** Stops playback. */
 	#stop(): void {
 		clearTimeout(this.#playing);
 		this.#playing = undefined;
@@ -260,15 +293,15 @@ export class Stepper extends ControlElement<GrammarContext> {
 	}
 }
 
-let dressed = false;
+let isStyled = false;
 
 /**
  * Adds the style sheet as a constructed sheet, which the content security policy allows; the sheet is not part of the
  * first load.
  */
-function dress(): void {
-	if (dressed) return;
-	dressed = true;
+function addStyle(): void {
+	if (isStyled) return;
+	isStyled = true;
 	const sheet = new CSSStyleSheet();
 	sheet.replaceSync(STYLE);
 	document.adoptedStyleSheets.push(sheet);

@@ -10,7 +10,7 @@ export const WINDOW = 600;
 /** Windows begin at multiples of this, so that cached windows are found again. */
 const GRID = 200;
 /** Largest number of cached windows. */
-const MOST_CACHED = 24;
+const MAX_CACHED = 24;
 /** Delay until a request that is no longer needed is aborted with its worker, milliseconds. */
 const ABANDON_DELAY = 200;
 
@@ -94,6 +94,7 @@ export class TraceReader {
 		this.#update();
 	}
 
+	/** Requests the window around a module. */
 	want(wanted: WindowTarget): void {
 		this.#wanted = wanted;
 		this.#fault = undefined;
@@ -102,7 +103,7 @@ export class TraceReader {
 		this.#changed();
 	}
 
-	/** Aborts the running request. */
+	/** Aborts the running request; no further ones are made. */
 	close(): void {
 		this.#requestTrace = undefined;
 		const running = this.#running;
@@ -124,12 +125,13 @@ export class TraceReader {
 		}, left);
 	}
 
-	/** The running request is needed again: cancels the delayed abort. */
+	/** Cancels the delayed abort of a running request that is needed again. */
 	#resume(running: Running): void {
 		clearTimeout(running.timer);
 		running.timer = undefined;
 	}
 
+	/** Returns the request for the window around the wanted module. */
 	#nextRequest(): TraceRequest {
 		const { step, about } = this.#wanted;
 		const length = this.#counts?.[this.step ?? 0] ?? 0;
@@ -137,6 +139,10 @@ export class TraceReader {
 		return { step: step ?? MANY, first: windowAbout(about, length), count: WINDOW };
 	}
 
+	/**
+	 * Shows the wanted window from the cache, or requests it. A running request for the same window goes on; one for
+	 * another is aborted after a delay, and then this is called again.
+	 */
 	#update(): void {
 		const requestTrace = this.#requestTrace;
 		if (!requestTrace) return;
@@ -167,6 +173,7 @@ export class TraceReader {
 		);
 	}
 
+	/** Takes a trace that has arrived, unless the document has changed since it was requested. */
 	#receive(running: Running, trace: DerivationTrace): void {
 		const { request, requestTrace, wanted } = running;
 		this.#end(running);
@@ -188,6 +195,10 @@ export class TraceReader {
 		this.#changed();
 	}
 
+	/**
+	 * Handles the failure of a request. If another window or document is wanted by now, or another offscreen request
+	 * replaced this one before it began, requests the wanted window; else reports the error as `fault`.
+	 */
 	#fail(running: Running, error: unknown): void {
 		// An aborted request is ignored.
 		if (this.#running !== running) return;
@@ -204,20 +215,23 @@ export class TraceReader {
 		this.#changed();
 	}
 
+	/** Ends a request that has been answered or aborted: removes its timer. */
 	#end(running: Running): void {
 		clearTimeout(running.timer);
 		if (this.#running === running) this.#running = undefined;
 	}
 
+	/** Caches a window as the newest, and drops the oldest of too many. */
 	#cache(trace: DerivationTrace): void {
 		const key = keyOf(trace);
 		this.#cached.delete(key);
 		this.#cached.set(key, trace);
-		if (this.#cached.size > MOST_CACHED) this.#cached.delete(this.#cached.keys().next().value ?? "");
+		if (this.#cached.size > MAX_CACHED) this.#cached.delete(this.#cached.keys().next().value ?? "");
 	}
 }
 
 /** A step beyond all steps. */
 const MANY = 0xffffffff;
 
+/** Returns the cache key of a window. */
 const keyOf = ({ step, first = 0 }: { readonly step: number; readonly first?: number }) => `${step} ${first}`;

@@ -19,17 +19,20 @@ export class TypingRoom {
 	constructor(changed: () => void) {
 		this.#changed = changed;
 		const { signal } = this.#ended;
-		for (const kind of ["resize", "scroll"]) window.visualViewport?.addEventListener(kind, this.#look, { signal });
-		this.#look();
+		for (const kind of ["resize", "scroll"]) window.visualViewport?.addEventListener(kind, this.#measure, { signal });
+		this.#measure();
 	}
 
-	/** Removes the attribute again. */
+	/** Stops following the keyboard, and removes the attribute from the page. */
 	end(): void {
 		this.#ended.abort();
 		document.documentElement.removeAttribute("data-keyboard");
 	}
 
-	readonly #look = (): void => {
+	/**
+	 * Compares the visible part with the window: a much lower visible part without zoom means that the keyboard is open.
+	 */
+	readonly #measure = (): void => {
 		const { visualViewport: seen, innerHeight } = window;
 		const root = document.documentElement;
 		const before = root.hasAttribute("data-keyboard");

@@ -2,8 +2,8 @@
 import { PLANT_FILES } from "../formats/plant_files";
 import { isModel, modelNamed, modelNames } from "../models/index";
 import type { Model } from "../models/model";
-import { quote } from "../specimen/notes";
-import { SpecimenError } from "./read_request";
+import { text } from "./messages.generated";
+import { modelUnknown } from "./read_request";
 
 /** A model. */
 export interface ModelInfo {
@@ -92,7 +92,7 @@ export async function models(): Promise<ModelInfo[]> {
  * @throws SpecimenError where there is no such model
  */
 export async function presets(model?: string): Promise<PresetInfo[]> {
-	const { presets: of } = await known(model);
+	const { presets: of } = await knownModel(model);
 	return of.list.map(({ name, title, kind, about }) => ({ name, title, kind, about }));
 }
 
@@ -103,7 +103,7 @@ export async function presets(model?: string): Promise<PresetInfo[]> {
  * @throws SpecimenError where there is no such model
  */
 export async function parameters(model?: string): Promise<ParameterInfo[]> {
-	const { table } = await known(model);
+	const { table } = await knownModel(model);
 	return table.entries.map((entry) => {
 		const { key, label, kind, unit, help } = entry;
 		const common = { key, label, kind, unit, help };
@@ -120,7 +120,7 @@ export async function parameters(model?: string): Promise<ParameterInfo[]> {
  * @throws SpecimenError where there is no such model
  */
 export async function measures(model?: string): Promise<MeasureInfo[]> {
-	const { table } = await known(model);
+	const { table } = await knownModel(model);
 	return table.measures.map(({ key, label, kind, unit, help, oiv }) => ({
 		key,
 		label,
@@ -138,8 +138,9 @@ export async function measures(model?: string): Promise<MeasureInfo[]> {
  * @throws SpecimenError where there is no such model
  */
 export async function formats(model?: string): Promise<FormatInfo[]> {
-	const { formats: own = [] } = await known(model);
-	return [...PLANT_FILES, ...OTHERS, ...own].map(({ key, title, about, suffix, type }) => ({
+	const { formats: own = [] } = await knownModel(model);
+	const files = PLANT_FILES.map((file) => ({ ...file, title: file.title(), about: file.about() }));
+	return [...files, ...others(), ...own].map(({ key, title, about, suffix, type }) => ({
 		key,
 		title,
 		about,
@@ -148,20 +149,29 @@ export async function formats(model?: string): Promise<FormatInfo[]> {
 	}));
 }
 
-/** Kinds of files besides those with meshes in one piece. */
-const OTHERS: readonly FormatInfo[] = [
+/** Returns the kinds of files besides those with meshes in one piece. */
+const others = (): readonly FormatInfo[] => [
 	{
 		key: "obj",
-		title: "OBJ",
-		about: "With its materials and their pictures in a ZIP; for older programs",
+		title: text("obj_title"),
+		about: text("obj_about"),
 		suffix: "-obj.zip",
 		type: "application/zip",
 	},
-	{ key: "json", title: "JSON", about: "Every part as numbers", suffix: ".json", type: "application/json" },
+	{
+		key: "json",
+		title: text("json_title"),
+		about: text("json_about"),
+		suffix: ".json",
+		type: "application/json",
+	},
 ];
 
-async function known(model: string | undefined): Promise<Model> {
-	if (model !== undefined && !isModel(model))
-		throw new SpecimenError("model", `there is no model ${quote(model)}; there are ${modelNames().join(", ")}`);
+/**
+ * Returns the model of a name; the default model without one.
+ * @throws SpecimenError where there is no such model
+ */
+async function knownModel(model: string | undefined): Promise<Model> {
+	if (model !== undefined && !isModel(model)) throw modelUnknown(model);
 	return modelNamed(model);
 }

@@ -2,7 +2,7 @@
 import { aboutPlant } from "../formats/about_plant";
 import {
 	type FileOptions,
-	fileOptionRange,
+	fileOptionProblem,
 	isFileOptionValue,
 	NUMERIC_FILE_OPTION_KEYS,
 } from "../formats/file_options";
@@ -16,6 +16,7 @@ import type { Part } from "../plant/part";
 import type { Specimen as Held } from "../specimen/specimen";
 import { formats } from "./catalogue";
 import { type Grown, growHeld, type Specimen } from "./grow";
+import { text } from "./messages.generated";
 import { readTyped, SpecimenError } from "./read_request";
 
 /** The forms of a GLB: docs/export.md describes them. */
@@ -140,10 +141,10 @@ export function toPLY(grown: Grown, options: { readonly points?: number } = {}):
  * @throws SpecimenError where the plant was grown without meshes
  */
 export async function toOBJ(grown: Grown, name = grown.specimen.preset): Promise<ObjFiles> {
-	const { model, held } = await heldOf(grown);
+	const { model, specimen } = await typedSpecimenOf(grown);
 	checkMeshes(grown);
-	const about = await aboutPlant(model, grown.plant, held, grown.link);
-	return exportObj(model.parts(grown.plant, held), about, name);
+	const about = await aboutPlant(model, grown.plant, specimen, grown.link);
+	return exportObj(model.parts(grown.plant, specimen), about, name);
 }
 
 /**
@@ -151,8 +152,8 @@ export async function toOBJ(grown: Grown, name = grown.specimen.preset): Promise
  * @param grown - a plant, with or without meshes
  */
 export async function toJSON(grown: Grown): Promise<PlantDocument> {
-	const { model, held } = await heldOf(grown);
-	return exportJson(model, { ...grown.plant, notes: [...grown.notes] }, held) as unknown as PlantDocument;
+	const { model, specimen } = await typedSpecimenOf(grown);
+	return exportJson(model, { ...grown.plant, notes: [...grown.notes] }, specimen) as unknown as PlantDocument;
 }
 
 /**
@@ -165,20 +166,21 @@ export async function toJSON(grown: Grown): Promise<PlantDocument> {
  * @throws SpecimenError where there is no such kind for this plant, or a number in `options` is out of its range
  */
 export async function toFile(grown: Grown, format: string, options: FileOptions = {}): Promise<Blob> {
-	const { model, held } = await heldOf(grown);
+	const { model, specimen } = await typedSpecimenOf(grown);
 	if (!(await formats(model.name)).some(({ key }) => key === format))
-		throw new SpecimenError("format", `there is no ${format} of a ${model.noun}; formats() lists what there is`);
+		throw new SpecimenError("format", text.message("format_unknown", { model: model.name, format }));
 	checkRanges(options);
 	const own = model.formats?.find(({ key }) => key === format);
 	if (!own && format !== "json") checkMeshes(grown);
-	if (own?.applies?.(grown.plant) === false) throw new SpecimenError("format", `this ${model.noun} has no ${format}`);
-	if (format === "glb-growth") await model.prepare?.(held);
-	if (format === "glb-growth" && !hasAges(model, held))
-		throw new SpecimenError("format", `this ${model.noun} has no ages to show`);
-	if (format === "glb-lod" && !model.levels) throw new SpecimenError("format", `this ${model.noun} has no levels`);
+	if (own?.applies?.(grown.plant) === false)
+		throw new SpecimenError("format", text.message("format_not_for_plant", { format }));
+	// Whether a plant depends on its age is known only with the resources that `prepare` fetches, such as a text.
+	if (format === "glb-growth") await model.prepare?.(specimen);
+	if (format === "glb-growth" && !hasAges(model, specimen)) throw new SpecimenError("format", text.message("no_ages"));
+	if (format === "glb-lod" && !model.levels) throw new SpecimenError("format", text.message("no_levels"));
 	const { link } = grown;
 	const plant = { ...grown.plant, notes: [...grown.notes] };
-	const request = { model: model.name, format, grown: plant, specimen: held, link, name: held.preset, options };
+	const request = { model: model.name, format, grown: plant, specimen, link, name: specimen.preset, options };
 	return makeFile(model, request, (other, wanted) =>
 		growHeld(model, other, { meshes: true, measures: false, ...wanted }),
 	);
@@ -191,30 +193,39 @@ export async function toFile(grown: Grown, format: string, options: FileOptions 
  * @throws SpecimenError where the plant was grown without meshes
  */
 export async function partsOf(grown: Grown): Promise<Part[]> {
-	const { model, held } = await heldOf(grown);
+	const { model, specimen } = await typedSpecimenOf(grown);
 	checkMeshes(grown);
-	return [...model.parts(grown.plant, held)];
+	return [...model.parts(grown.plant, specimen)];
 }
 
+/**
+ * Checks the numbers of options.
+ * @throws SpecimenError at the first that is out of its range
+ */
 function checkRanges(options: FileOptions): void {
 	for (const key of NUMERIC_FILE_OPTION_KEYS) {
 		const value = options[key];
 		if (value !== undefined && !isFileOptionValue(key, value))
-			throw new SpecimenError(key, `has to be ${fileOptionRange(key)}`);
+			throw new SpecimenError(key, fileOptionProblem(key, `options.${key}`));
 	}
 }
 
+/** Makes a file and returns its bytes. */
 async function bytesOf(grown: Grown, format: string, options: FileOptions = {}): Promise<Uint8Array<ArrayBuffer>> {
 	return new Uint8Array(await (await toFile(grown, format, options)).arrayBuffer());
 }
 
-/** The specimen with the model's own types: it may have come through a message, or from a file. */
-async function heldOf({ specimen }: Grown): Promise<{ model: Model; held: Held }> {
+/** Returns the specimen with the model's own types: it may have come through a message, or from a file. */
+async function typedSpecimenOf({ specimen }: Grown): Promise<{ model: Model; specimen: Held }> {
 	const model = await modelNamed(specimen.model);
-	return { model, held: readTyped(model, specimen) };
+	return { model, specimen: readTyped(model, specimen) };
 }
 
+/**
+ * Checks that a plant has meshes.
+ * @throws SpecimenError where it was grown without
+ */
 function checkMeshes({ meshes }: Grown): void {
 	if (meshes) return;
-	throw new SpecimenError("meshes", "the plant was grown without meshes; grow it again with them");
+	throw new SpecimenError("meshes", text.message("no_meshes"));
 }

@@ -9,6 +9,7 @@ import { quote } from "../specimen/notes";
 import type { Specimen as Held } from "../specimen/specimen";
 import { writtenSpecimen } from "../specimen/written";
 import { reachedInWords } from "../targets/words";
+import { text } from "./messages.generated";
 import { type Read, readSource, readValues, SpecimenError } from "./read_request";
 import { runtime } from "./runtime";
 
@@ -80,7 +81,7 @@ export interface Grown {
 	readonly specimen: Specimen;
 	/** Query and fragment that restore it: `?v=2&…`. */
 	readonly link: string;
-	/** A few plain words: "118 berries, 14 cm long". */
+	/** A few plain words: "14 cm long, with 118 berries". */
 	readonly words: string;
 	/** Counts by name. */
 	readonly counts: Readonly<Record<string, number>>;
@@ -123,10 +124,10 @@ export async function grow(request: PlantRequest, options: GrowOptions = {}): Pr
 	return {
 		specimen: writtenSpecimen(model, found.specimen),
 		link: await encodeLink(model, found.specimen),
-		words: model.words(plant, found.specimen),
+		words: model.summary(plant, found.specimen),
 		counts: plant.counts,
 		measures: measuresOf(model.table, plant).measures ?? {},
-		notes: [...notes.map(({ text }) => text), ...found.notes, ...plant.notes],
+		notes: [...notes.map((note) => note.text), ...found.notes, ...plant.notes],
 		fingerprint: plant.fingerprint,
 		meshes,
 		plant,
@@ -157,10 +158,12 @@ async function aim(model: Model, from: Held, targets: Readonly<Record<string, nu
 		if (!known.includes(measure))
 			throw new SpecimenError(
 				measure,
-				`no measure of this ${model.noun} that can be asked for; there are ${known.join(", ") || "none"}`,
+				known.length > 0
+					? text.message("measure_unknown", { measures: known.join(", ") })
+					: text.message("no_measures"),
 			);
 		if (!(value >= 0 && Number.isFinite(value)))
-			throw new SpecimenError(measure, `${quote(value)} is no number from 0 on`);
+			throw new SpecimenError(measure, text.message("target_not_a_number", { value: quote(value) }));
 	}
 	const answer = await aimed(model, from, aims, (each) =>
 		growHeld(model, each, { meshes: false, measures: true }, signal),

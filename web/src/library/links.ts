@@ -3,6 +3,7 @@ import { encodeLink } from "../specimen/link";
 import { quote } from "../specimen/notes";
 import { writtenSpecimen } from "../specimen/written";
 import { type PlantRequest, readRequest, type Specimen } from "./grow";
+import { text } from "./messages.generated";
 import { linkIn, readLink, SpecimenError } from "./read_request";
 
 /** The contents of a link. */
@@ -21,9 +22,9 @@ export interface ParsedLink {
  */
 export async function parseLink(link: string): Promise<ParsedLink> {
 	const parts = linkIn(link);
-	if (!parts) throw new SpecimenError("link", `${quote(link)} is no link; one looks like ?v=2&preset=merlot&seed=7`);
+	if (!parts) throw new SpecimenError("link", text.message("not_a_link", { link: quote(link) }));
 	const { model, specimen, notes } = await readLink(parts.query, parts.fragment);
-	return { specimen: writtenSpecimen(model, specimen), notes: notes.map(({ text }) => text) };
+	return { specimen: writtenSpecimen(model, specimen), notes: notes.map((note) => note.text) };
 }
 
 /**

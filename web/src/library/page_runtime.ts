@@ -1,38 +1,25 @@
 import type { Block } from "../core/container";
 import type { Answer } from "../core/core";
-import type { Pool } from "../core/pool";
+import { pagePool, type SharedPool } from "../core/page_pool";
 import { addressOf } from "./address_of";
 import type { Runtime } from "./runtime";
 
-/** Milliseconds for which idle workers stay ready. */
-const LINGER = 10_000;
-
-/** Grows in workers, so that the page stays responsive; the workers end after a while without requests. */
+/** Grows in the page's workers, so that the page stays responsive; the workers end after a while without requests. */
 export class PageRuntime implements Runtime {
-	readonly #start: () => Pool;
-	#pool: Pool | undefined;
-	#running = 0;
-	#leaving: ReturnType<typeof setTimeout> | undefined;
+	readonly #pool: SharedPool;
 
-	/** @param start makes the pool of workers, and again after it has ended */
-	constructor(start: () => Pool) {
-		this.#start = start;
+	constructor(pool: SharedPool = pagePool) {
+		this.#pool = pool;
 	}
 
+	/** Grows in a worker of the page's pool, which stays as long as something grows. */
 	async grow(wasm: string, blocks: readonly Block[], signal?: AbortSignal): Promise<Answer> {
-		this.#pool ??= this.#start();
-		this.#running++;
-		clearTimeout(this.#leaving);
+		const request = { wasm: addressOf(wasm), blocks };
+		const { pool, leave } = this.#pool.enter();
 		try {
-			return await this.#pool.run({ wasm: addressOf(wasm), blocks }, signal ? { signal } : {});
+			return await pool.run(request, signal ? { signal } : {});
 		} finally {
-			this.#running--;
-			if (this.#running === 0) this.#leaving = setTimeout(() => this.#close(), LINGER);
+			leave();
 		}
-	}
-
-	#close(): void {
-		this.#pool?.close();
-		this.#pool = undefined;
 	}
 }

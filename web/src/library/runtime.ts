@@ -15,10 +15,15 @@ export interface Runtime {
 
 let current: Runtime | undefined;
 
+/** Sets the runtime; the entry points call it once. */
 export function setRuntime(runtime: Runtime): void {
 	current = runtime;
 }
 
+/**
+ * Returns the runtime.
+ * @throws Error if no entry point has set one
+ */
 export function runtime(): Runtime {
 	if (!current) throw new Error("The library was not entered by its front door; import “panicle”.");
 	return current;

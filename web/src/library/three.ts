@@ -50,6 +50,7 @@ export async function toObject3D(grown: Grown): Promise<Group> {
 class Shade {
 	readonly #known = new Map<PartMesh, PartMesh>();
 
+	/** Returns a part, and its children, with the shade in their colours. */
 	on(part: Part): Part {
 		const { shape, children } = part;
 		return {
@@ -59,6 +60,7 @@ class Shade {
 		};
 	}
 
+	/** Returns a mesh with the shade in its colours, made once. */
 	#mesh({ mesh, material }: Shape): PartMesh {
 		const known = this.#known.get(mesh);
 		if (known) return known;
@@ -83,15 +85,17 @@ class MaterialCache {
 		plain: new Map<Material, MeshStandardMaterial>(),
 	};
 
+	/** Returns the three.js material of a material, made once with vertex colours and once without. */
 	materialOf(material: Material, coloured: boolean): MeshStandardMaterial {
 		const cache = this.#made[coloured ? "coloured" : "plain"];
-		const made = cache.get(material) ?? dressed(material, coloured);
+		const made = cache.get(material) ?? makeMaterial(material, coloured);
 		cache.set(material, made);
 		return made;
 	}
 }
 
-function dressed(material: Material, coloured: boolean): MeshStandardMaterial {
+/** Makes a three.js material with its textures. */
+function makeMaterial(material: Material, coloured: boolean): MeshStandardMaterial {
 	const { colour, normal, repeats } = material.textures ?? {};
 	const maps = {
 		...(colour ? { colour: pictureTexture(colour, true, repeats) } : {}),

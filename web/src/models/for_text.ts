@@ -31,7 +31,7 @@ export async function readText(contents: string, fileName = ""): Promise<ReadTex
 	return { model, text, specimen: model && specimenOf(model, file) };
 }
 
-/** The model that a file names, if that model grows by a text. */
+/** Returns the model that a file names, if that model grows by a text. */
 async function modelNamedIn({ query }: TextFile): Promise<Model | undefined> {
 	const named = query === undefined ? undefined : modelInQuery(query);
 	if (named === undefined || !isModel(named)) return undefined;
@@ -39,7 +39,7 @@ async function modelNamedIn({ query }: TextFile): Promise<Model | undefined> {
 	return model.details.some(({ packed }) => packed?.key === "grammar") ? model : undefined;
 }
 
-/** The model that claims a text, else the one with this suffix of files, else the one that takes any text. */
+/** Returns the model that claims a text, else the one with this suffix of files, else the one that takes any text. */
 export async function modelForText(text: string, fileName = ""): Promise<Model | undefined> {
 	const models = await Promise.all(modelNames().map(modelNamed));
 	const ending = /\.\w+$/.exec(fileName.toLowerCase())?.[0];

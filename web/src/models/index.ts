@@ -34,13 +34,14 @@ export function modelNames(): readonly string[] {
 	return [...loaders.keys()];
 }
 
+/** Returns whether there is a model of a name. */
 export function isModel(name: string): boolean {
 	return loaders.has(name);
 }
 
 /**
- * The model of that name, loaded once; the default model where there is none of that name. The next call after a failed
- * load tries again.
+ * Returns the model of that name, loaded once; the default model where there is none of that name. The next call after
+ * a failed load tries again.
  */
 export function modelNamed(name: string = DEFAULT_MODEL): Promise<PageModel> {
 	const known = isModel(name) ? name : DEFAULT_MODEL;

@@ -9,6 +9,7 @@
 import type { Block } from "../core/container";
 import type { Answer } from "../core/core";
 import type { PointLabels } from "../formats/about";
+import type { Message } from "../locale/texts";
 import type { TraceRequest } from "../plant/derivation_trace";
 import type { Part } from "../plant/part";
 import type { Plant } from "../plant/plant";
@@ -89,10 +90,10 @@ export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> e
 	readonly preview?: true;
 	/** The heading of the model: "Grape bunch". */
 	readonly title: string;
-	/** The gallery's heading for the model's presets, where it differs from `title`. */
+	/** The method by which the model grows plants, as the gallery names it: "Growth grammars"; by default `title`. */
 	readonly shelf?: string;
 	/** The noun for one plant in sentences: "the last bunch stays". */
-	readonly noun: string;
+	readonly plantName: string;
 	/**
 	 * The file of the model's core, beside the others: `bunch.wasm`; or a whole address, for a model from elsewhere.
 	 */
@@ -151,15 +152,15 @@ export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> e
 	instanced?(grown: G): boolean;
 	/** The title of a specimen that no longer carries its preset's title; absent or undefined: the preset's title. */
 	titled?(specimen: S): string | undefined;
-	/** Describes the plant in a few plain words, for readers and screen readers: "73 berries, 22 cm long". */
-	words(grown: G, specimen: S): string;
+	/** Describes the plant in a few plain words, for readers and screen readers: "22 cm long, with 73 berries". */
+	summary(grown: G, specimen: S): string;
 	/** Fields of the JSON document by key, besides segments and organs or in place of them. */
 	record?(grown: G, specimen: S): object;
 	/**
 	 * The reason why the JSON document with its whole topology (`map`) is too large to send, and a way to request less;
 	 * undefined where it is not too large. `grown` has no topology.
 	 */
-	heavy?(grown: G): string | undefined;
+	heavy?(grown: G): Message | undefined;
 	/** Descriptors with classes, besides those of the measures. */
 	readonly descriptors?: readonly Descriptor<S>[];
 	/** Labels of points in point clouds; absent: the kinds of the plant's parts, in their order. */

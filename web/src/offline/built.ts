@@ -12,5 +12,5 @@ export interface Built {
 	readonly specimens: string;
 }
 
-/** Whether a file's name depends on its content: equal paths mean equal files. */
+/** Returns whether a file's name depends on its content: equal paths mean equal files. */
 export const isNamedByContent = (path: string): boolean => path.startsWith("assets/");

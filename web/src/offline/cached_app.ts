@@ -11,6 +11,8 @@ export interface CachedAppOptions {
 
 /** The number of files that are fetched at once. */
 const ABREAST = 6;
+/** The number of times that a file is fetched before the app is left incomplete until the next visit. */
+const TRIES = 3;
 const PAGE = "";
 /** These files do not depend on request headers, even where a host claims so. */
 const MATCHING = { ignoreVary: true } as const;
@@ -27,19 +29,19 @@ export class CachedApp {
 		this.#name = this.#prefix + options.built.id;
 	}
 
-	/** Whether every file of this build is cached. The page is fetched last. */
+	/** Returns whether every file of this build is cached. The page is fetched last. */
 	async isWhole(): Promise<boolean> {
 		const cache = await this.#open();
 		return (await cache.match(this.#address(PAGE), MATCHING)) !== undefined;
 	}
 
-	/** Whether another build is cached completely: pages come from that one. */
+	/** Returns whether another build is cached completely: pages come from that one. */
 	async isOtherWhole(): Promise<boolean> {
 		return (await this.#inOthers(PAGE)) !== undefined;
 	}
 
 	/**
-	 * Fetches every file that is not cached yet.
+	 * Fetches every file that is not cached yet, up to TRIES times each.
 	 * @throws where one cannot be fetched, or differs from this build's, as after a deploy: fetched files stay
 	 */
 	fill(): Promise<void> {
@@ -49,7 +51,7 @@ export class CachedApp {
 		return this.#filling;
 	}
 
-	/** A cached file: of this build, or of a build with open pages where this build has no such file. */
+	/** Returns a cached file: of this build, or of a build with open pages where this build has no such file. */
 	async find(path: string): Promise<Response | undefined> {
 		if (!Object.hasOwn(this.#options.built.files, path))
 			return isNamedByContent(path) ? this.#inOthers(path) : undefined;
@@ -58,7 +60,7 @@ export class CachedApp {
 	}
 
 	/**
-	 * A file of this build, or its script that serves specimens; fetches it if it is not cached yet.
+	 * Returns a file of this build, or its script that serves specimens; fetches it if it is not cached yet.
 	 * @throws as `fill`
 	 */
 	async bring(path: string): Promise<Response> {
@@ -82,23 +84,42 @@ export class CachedApp {
 		}
 	}
 
+	/** Fetches the missing files, some at a time and each up to TRIES times; the page last. */
 	async #fill(): Promise<void> {
-		const waiting = Object.keys(this.#options.built.files).filter((path) => path !== PAGE);
 		const cache = await this.#open();
-		const next = async (): Promise<void> => {
-			for (let path = waiting.pop(); path !== undefined; path = waiting.pop()) await this.#keep(cache, path);
-		};
-		await Promise.all(Array.from({ length: ABREAST }, next));
-		await this.#keep(cache, PAGE);
+		let waiting = Object.keys(this.#options.built.files).filter((path) => path !== PAGE);
+		let failure: unknown;
+		for (let tries = 0; tries < TRIES && waiting.length > 0; tries++) {
+			const failed: string[] = [];
+			const next = async (): Promise<void> => {
+				for (let path = waiting.pop(); path !== undefined; path = waiting.pop()) {
+					try {
+						await this.#store(cache, path);
+					} catch (error) {
+						failed.push(path);
+						failure = error;
+					}
+				}
+			};
+			await Promise.all(Array.from({ length: ABREAST }, next));
+			waiting = failed;
+		}
+		if (waiting.length > 0) throw failure;
+		await this.#store(cache, PAGE);
 	}
 
-	async #keep(cache: Cache, path: string): Promise<void> {
+	/** Adds a file to the cache, copied from another build's cache where its name depends on its content. */
+	async #store(cache: Cache, path: string): Promise<void> {
 		const address = this.#address(path);
 		if (await cache.match(address, MATCHING)) return;
 		const before = isNamedByContent(path) ? await this.#inOthers(path) : undefined;
 		await cache.put(address, before ?? (await this.#fetch(path)));
 	}
 
+	/**
+	 * Fetches a file of the build, and checks it by its hash (subresource integrity).
+	 * @param path within the app's folder; empty for the page
+	 */
 	async #fetch(path: string, priority: "auto" | "low" = "low"): Promise<Response> {
 		const response = await this.#options.fetch(this.#address(path), {
 			integrity: this.#options.built.files[path],
@@ -111,6 +132,7 @@ export class CachedApp {
 		return response.redirected ? new Response(await response.blob(), { headers: response.headers }) : response;
 	}
 
+	/** Returns a file from the caches of other builds; undefined where none has it. */
 	async #inOthers(path: string): Promise<Response | undefined> {
 		for (const name of await this.#others()) {
 			const cache = await this.#options.caches.open(name);
@@ -120,15 +142,18 @@ export class CachedApp {
 		return undefined;
 	}
 
+	/** Returns the names of the other builds' caches. */
 	async #others(): Promise<string[]> {
 		const names = await this.#options.caches.keys();
 		return names.filter((name) => name.startsWith(this.#prefix) && name !== this.#name);
 	}
 
+	/** Opens the cache of this build. */
 	#open(): Promise<Cache> {
 		return this.#options.caches.open(this.#name);
 	}
 
+	/** Returns the address of a file by its path in the app's folder. */
 	#address(path: string): string {
 		return this.#options.scope + path;
 	}

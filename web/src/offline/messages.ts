@@ -13,6 +13,8 @@ export type ToServiceWorker =
  */
 export const GROWTH_NEEDED = "panicle specimen";
 export const FREE = "free";
+/** Sent by the service worker on that port after the request: the answer is no longer needed. */
+export const CANCEL = "cancel";
 
 /** A request for a specimen's file, with the addresses of the scripts and cores that grow it. */
 export interface SpecimenRequest {
@@ -37,10 +39,9 @@ export type SpecimenAnswer =
 	| { readonly type: "unable" };
 
 /** The most waiting requests in a page, and in the service worker. */
-export const MOST_WAITING = 16;
-export const TOO_MANY = "too many requests; try again in a moment";
+export const MAX_WAITING = 16;
 
-/** A response of status 503 with its reason. */
+/** Returns a response of status 503 with its reason. */
 export function refusal(message: string): Extract<SpecimenAnswer, { type: "answer" }> {
 	const headers = {
 		"content-type": "text/plain; charset=utf-8",

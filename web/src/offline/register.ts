@@ -29,6 +29,7 @@ export function reportOpened({ active }: ServiceWorkerRegistration, keep: boolea
 	active?.postMessage({ type: "opened", keep } satisfies ToServiceWorker);
 }
 
+/** Returns whether the host has no such script any more; false where the host cannot be reached. */
 async function isGone(script: string): Promise<boolean> {
 	try {
 		const { status } = await fetch(script, { method: "HEAD", cache: "no-store" });

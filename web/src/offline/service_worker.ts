@@ -5,7 +5,8 @@
 import type { Service } from "../service/service";
 import { type Built, isNamedByContent } from "./built";
 import { CachedApp } from "./cached_app";
-import { MOST_WAITING, refusal, type SpecimenRequest, TOO_MANY, type ToServiceWorker } from "./messages";
+import { MAX_WAITING, refusal, type SpecimenRequest, type ToServiceWorker } from "./messages";
+import { text } from "./messages.generated";
 import { grownByPage, responseOf } from "./page_growth";
 import type { MakeSpecimens } from "./specimens";
 import { wantedBy } from "./wanted";
@@ -40,6 +41,7 @@ worker.addEventListener("fetch", (event) => {
 		event.respondWith(answerFile(request, wanted.file));
 });
 
+/** Stores the script that serves specimens, and this build where another one is stored already. */
 async function install(): Promise<void> {
 	// The browser stores imports with the worker, and allows only these later.
 	worker.importScripts(scope + built.specimens);
@@ -48,6 +50,9 @@ async function install(): Promise<void> {
 	await app.fill();
 }
 
+/**
+ * Handles a page that has been opened: stores the whole app where `keep` is set, and deletes builds that no page uses.
+ */
 async function opened(keep: boolean): Promise<void> {
 	// Claims pages that were loaded without the worker.
 	await worker.clients.claim();
@@ -64,6 +69,7 @@ async function sweep(): Promise<void> {
 	await app.sweep(held.flatMap(({ name }) => (name?.startsWith(scope) ? [name] : [])));
 }
 
+/** Answers a request for a file of the app: from the cache, or else from the network. */
 async function answerFile(request: Request, path: string): Promise<Response> {
 	return (await app.find(path).catch(() => undefined)) ?? fetch(request);
 }
@@ -73,11 +79,13 @@ async function answerGrowth(request: Request, path: string): Promise<Response> {
 	return (await app.find(path).catch(() => undefined)) ?? app.bring(path).catch(() => fetch(request));
 }
 
+/** Answers a request for a specimen's file: an open page grows it, or else this worker. */
 async function answerSpecimen(request: Request): Promise<Response> {
 	const pages = await worker.clients.matchAll({ type: "window" });
-	return (await grownByPage(pages, requestOf(request))) ?? answerHere(request);
+	return (await grownByPage(pages, requestOf(request), { signal: request.signal })) ?? answerHere(request);
 }
 
+/** Converts a request for a specimen to a message for the worker that grows it. */
 function requestOf({ url, method, headers }: Request): SpecimenRequest {
 	const tag = headers.get("if-none-match");
 	const cores = Object.entries(built.cores).map(([wasm, path]) => [wasm, scope + path]);
@@ -93,18 +101,19 @@ function requestOf({ url, method, headers }: Request): SpecimenRequest {
 
 /** Answers on this thread, which blocks it, where no page grows specimens. */
 async function answerHere(request: Request): Promise<Response> {
-	if (growingHere >= MOST_WAITING) return responseOf(refusal(TOO_MANY));
+	if (growingHere >= MAX_WAITING) return responseOf(refusal(text("too_many_requests")));
 	growingHere++;
 	try {
 		service ??= startService();
 		return await service(request);
 	} catch {
-		return new Response("specimens cannot be grown here\n", { status: 500 });
+		return new Response(`${text("not_here")}\n`, { status: 500 });
 	} finally {
 		growingHere--;
 	}
 }
 
+/** Creates the service that grows specimens in this worker. */
 function startService(): Service {
 	if (!worker.panicleSpecimens) worker.importScripts(scope + built.specimens);
 	const make = worker.panicleSpecimens as MakeSpecimens;

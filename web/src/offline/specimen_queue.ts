@@ -1,5 +1,6 @@
 /** Grows specimens one after the other in a worker, which is ended when a growth takes too long. */
-import { MOST_WAITING, refusal, type SpecimenAnswer, type SpecimenRequest, TOO_MANY } from "./messages";
+import { MAX_WAITING, refusal, type SpecimenAnswer, type SpecimenRequest } from "./messages";
+import { text } from "./messages.generated";
 
 /** Milliseconds after which a growth is ended. */
 const LONGEST_GROWTH = 30_000;
@@ -32,18 +33,41 @@ export class SpecimenQueue {
 		this.#start = start;
 	}
 
-	/** Never rejects: where too many requests wait, or a growth takes too long, the answer is 503 with the reason. */
-	request(request: SpecimenRequest): Promise<SpecimenAnswer> {
+	/**
+	 * Grows a specimen in the worker, after those before it. Never rejects: where too many requests wait, or a growth
+	 * takes too long, the answer is 503 with the reason.
+	 * @param signal cancels: a running growth ends with its worker, and the answer is "unable"
+	 */
+	request(request: SpecimenRequest, signal?: AbortSignal): Promise<SpecimenAnswer> {
 		return new Promise((resolve) => {
-			if (this.#waiting.length >= MOST_WAITING) {
-				resolve(refusal(TOO_MANY));
+			if (signal?.aborted) {
+				resolve({ type: "unable" });
 				return;
 			}
-			this.#waiting.push({ request, resolve });
+			if (this.#waiting.length >= MAX_WAITING) {
+				resolve(refusal(text("too_many_requests")));
+				return;
+			}
+			const job = { request, resolve };
+			signal?.addEventListener("abort", () => this.#cancel(job), { once: true });
+			this.#waiting.push(job);
 			this.#next();
 		});
 	}
 
+	/** Ends a job that runs or waits. */
+	#cancel(job: Job): void {
+		const at = this.#waiting.indexOf(job);
+		if (at >= 0) {
+			this.#waiting.splice(at, 1);
+			job.resolve({ type: "unable" });
+		} else if (this.#running === job) this.#break({ type: "unable" });
+	}
+
+	/**
+	 * Starts the next request. A growth that takes longer than LONGEST_GROWTH (ms) is refused; without requests for REST
+	 * (ms), the worker ends.
+	 */
 	#next(): void {
 		if (this.#running) return;
 		clearTimeout(this.#timer);
@@ -53,7 +77,7 @@ export class SpecimenQueue {
 			return;
 		}
 		this.#running = job;
-		const late = `it took more than ${LONGEST_GROWTH / 1000} s; request a smaller plant or a smaller file`;
+		const late = text("growth_too_long", { seconds: LONGEST_GROWTH / 1000 });
 		this.#timer = setTimeout(() => this.#break(refusal(late)), LONGEST_GROWTH);
 		try {
 			this.#workerFor(job.request.script).postMessage(job.request);
@@ -62,6 +86,7 @@ export class SpecimenQueue {
 		}
 	}
 
+	/** Returns the worker of a build's script; the worker of another build is ended first. */
 	#workerFor(script: string): Thread {
 		if (this.#thread?.script === script) return this.#thread.worker;
 		this.#end();
@@ -85,6 +110,7 @@ export class SpecimenQueue {
 		this.#answer(answer);
 	}
 
+	/** Settles the running job and starts the next one. */
 	#answer(answer: SpecimenAnswer): void {
 		const job = this.#running;
 		this.#running = undefined;
@@ -92,6 +118,7 @@ export class SpecimenQueue {
 		this.#next();
 	}
 
+	/** Ends the worker, if there is one. */
 	#end(): void {
 		this.#thread?.worker.terminate();
 		this.#thread = undefined;

@@ -24,6 +24,7 @@ const scope = globalThis as unknown as Scope;
 scope.panicleSpecimens = makeSpecimens;
 if (scope.DedicatedWorkerGlobalScope) answerThePage();
 
+/** Answers messages in a page's worker; the service is created with the first request. */
 function answerThePage(): void {
 	let service: Service | undefined;
 	scope.onmessage = async ({ data: { url, method, headers, cores, release } }) => {
@@ -39,6 +40,7 @@ function answerThePage(): void {
 	};
 }
 
+/** Fetches the bytes of a core; throws where the host refuses. */
 async function fetchCore(address: string): Promise<ArrayBuffer> {
 	const response = await fetch(address);
 	if (!response.ok) throw new Error(`${address} could not be fetched: ${response.status}`);

@@ -5,6 +5,7 @@
 export type WantedFile = { readonly file: string } | "specimen" | undefined;
 
 /**
+ * Returns the file of the app, or "specimen", that a request is for.
  * @param scope the app's folder, as a whole address that ends in a slash
  * @returns undefined where the request is left to the network
  */

@@ -48,14 +48,14 @@ export interface ModuleAnswer {
 	readonly asked?: readonly string[];
 	/** Parameters afterwards. */
 	readonly answered: readonly string[];
-	/** The environment's reason, if any. */
+	/** The environment's reasons, if any. */
 	readonly words?: string;
 }
 
 /** A production that does not rewrite a module, with the reason. */
 export interface Refusal {
 	readonly production: TextPlace;
-	/** "its condition is false with x = 3" */
+	/** "the condition is false with x = 3" */
 	readonly why: string;
 }
 
@@ -114,12 +114,13 @@ export function traceBlocks({ step, first, count, module }: TraceRequest): Block
 	return [...word("step", step), ...word("first", first), ...word("count", count), ...word("module", module)];
 }
 
-/** The derivation trace in a response; undefined if not requested. */
+/** Returns the derivation trace in a response; undefined if not requested. */
 export function readTrace(columns: Columns): DerivationTrace | undefined {
 	if (!columns.has("chronicle.counts")) return undefined;
 	const [step, first, count] = columns.uint32("chronicle.window");
 	const pairs = (name: string, index: number) => columns.uint32(`chronicle.${name}`).subarray(2 * index, 2 * index + 2);
 	const lines = (name: string) => columns.text(`chronicle.${name}`).split("\n");
+	// Texts have one line per module of the window; numbers have one row.
 	const [texts, values, answers, refused] = [lines("modules"), lines("values"), lines("answers"), lines("refusals")];
 	const parents = columns.uint32("chronicle.parent");
 	const chances = columns.floats("chronicle.chance");
@@ -153,11 +154,12 @@ export function readTrace(columns: Columns): DerivationTrace | undefined {
 	};
 }
 
+/** Reads a line and a column; undefined where there is none, which the core writes as line 0. */
 function placeOf([line, column]: Uint32Array): TextPlace | undefined {
 	return line === 0 ? undefined : { line, column };
 }
 
-/** Reads `3:1 its condition is false` for each production, separated by tabs. */
+/** Reads `3:1 the condition is false` for each production, separated by tabs. */
 function refusalsOf(line: string): Refusal[] {
 	return line
 		.split("\t")
@@ -169,16 +171,21 @@ function refusalsOf(line: string): Refusal[] {
 		});
 }
 
+/** Reads a range of modules: the first and their count. */
 function spanOf([first, count]: Uint32Array): ModuleSpan {
 	return { first, count };
 }
 
+/** Reads `name=value`. */
 function assignment(pair: string): { name: string; value: string } {
-	const at = pair.indexOf("=");
-	return { name: pair.slice(0, at), value: pair.slice(at + 1) };
+	const equals = pair.indexOf("=");
+	return { name: pair.slice(0, equals), value: pair.slice(equals + 1) };
 }
 
-/** Reads `asked 1 0 → 1 3; because`, or `written 0 1 0`. */
+/**
+ * Reads the environment's response to a module; undefined for an empty line, which means no response. The line is
+ * `asked 1 0 → 1 3; because; and because` after a query, or `written 0 1 0` where the module has no input.
+ */
 function answerOf(line: string): ModuleAnswer | undefined {
 	if (line === "") return undefined;
 	const numbers = (text: string) => text.split(" ").filter(Boolean);
@@ -186,7 +193,10 @@ function answerOf(line: string): ModuleAnswer | undefined {
 	const arrow = line.indexOf("→");
 	const semicolon = line.indexOf(";", arrow);
 	const end = semicolon < 0 ? line.length : semicolon;
-	const words = line.slice(end + 1).trim();
+	const words = line
+		.slice(end + 1)
+		.trim()
+		.replaceAll("; ", " ");
 	return {
 		asked: numbers(line.slice("asked".length, arrow)),
 		answered: numbers(line.slice(arrow + 1, end)),

@@ -29,7 +29,7 @@ export interface DrawnGeometry {
 }
 
 /**
- * The drawn geometry of any plant.
+ * Returns the drawn geometry of any plant: its segments, and a surface per organ that has one.
  * @param runs for meshes whose runs are organs, by the mesh's name: the organ of each run
  */
 export function drawnOf(
@@ -57,7 +57,7 @@ export function drawnOf(
 	};
 }
 
-/** The corners of a surface's triangles after its transform: 9 × triangles. */
+/** Returns the corners of a surface's triangles after its transform: 9 × triangles. */
 export function trianglesOf({ positions, indices, run, transform }: DrawnSurface): Float32Array {
 	const { firstIndex = 0, indexCount = indices.length } = run ?? {};
 	const corners = new Float32Array(3 * indexCount);

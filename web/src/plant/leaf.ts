@@ -36,22 +36,25 @@ export interface LeafFile {
 }
 
 /**
- * Scales of the container's columns: `uvs` (int32 × 2, in STEPS to the square), `between` (uint8, in STEEPS), `indices`
- * (uint32 × 3), `square` (float32: left, bottom and size of the square of the uvs, in lengths of the midrib), `petiole`
- * (float32: length, width), and `veins` (uint8, rows of pixels).
+ * Scales of the container's columns: `uvs` (int32 × 2, in UV_STEPS to the square), `between` (uint8, in BETWEEN_STEPS),
+ * `indices` (uint32 × 3), `square` (float32: left, bottom and size of the square of the uvs, in lengths of the midrib),
+ * `petiole` (float32: length, width), and `veins` (uint8, rows of pixels).
  */
-export const [STEPS, STEEPS] = [1024, 32];
+export const [UV_STEPS, BETWEEN_STEPS] = [1024, 32];
 
-/** @throws where the data is damaged */
+/**
+ * Reads a leaf from its file.
+ * @throws where the data is damaged
+ */
 export async function readLeaf({ data }: LeafFile): Promise<AttachedLeaf> {
 	const packed = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
 	const unpacking = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
 	const columns = new Columns(new Uint8Array(await new Response(unpacking).arrayBuffer()));
 	const [left, bottom, size] = columns.floats("square");
-	const uvs = Float32Array.from(columns.ints("uvs"), (value) => value / STEPS);
+	const uvs = Float32Array.from(columns.ints("uvs"), (value) => value / UV_STEPS);
 	const leaf = {
 		points: uvs.map((value, at) => (at % 2 === 0 ? left + size * value : bottom + size * (1 - value))),
-		between: Float32Array.from(columns.uint8("between"), (value) => value / STEEPS),
+		between: Float32Array.from(columns.uint8("between"), (value) => value / BETWEEN_STEPS),
 		uvs,
 		indices: columns.uint32("indices"),
 		...(columns.has("petiole") ? { petiole: columns.floats("petiole") } : {}),
@@ -60,7 +63,7 @@ export async function readLeaf({ data }: LeafFile): Promise<AttachedLeaf> {
 	return { ...leaf, veins: { side: columns.width("veins"), shares: columns.uint8("veins") } };
 }
 
-/** The leaf as columns of a request (wasm-core/src/foliage/flat_leaf.hpp). */
+/** Returns the leaf as columns of a request (wasm-core/src/foliage/flat_leaf.hpp). */
 export function leafBlocks({ points, between, uvs, indices, petiole }: AttachedLeaf): Block[] {
 	return [
 		{ name: "leaf.points", data: points, width: 2 },

@@ -22,7 +22,7 @@ export interface LeafLook {
 }
 
 /**
- * The colour of a leaf.
+ * Returns the colour of a leaf.
  * @param ahead share of the year by which it is ahead of the others
  */
 export function leafColour({ leaf, autumn, season }: LeafLook, ahead = 0): Colour {
@@ -42,7 +42,7 @@ export function leafColour({ leaf, autumn, season }: LeafLook, ahead = 0): Colou
 }
 
 /**
- * One material per tint, by how far ahead its leaves are.
+ * Returns one material per tint, by how far ahead its leaves are.
  * @param veins veins of all leaves; without them leaves are plain
  */
 export function leafTints(look: LeafLook, veins?: Veins): Material[] {
@@ -66,7 +66,7 @@ export function leafTints(look: LeafLook, veins?: Veins): Material[] {
 	});
 }
 
-/** The colour of veins, paler than the blade. */
+/** Returns the colour of veins, paler than the blade. */
 function veinColour(blade: Colour): Colour {
 	const { lightness, chroma, hue } = toLch(blade);
 	return fromLch({ lightness: Math.min(0.95, lightness + 0.16), chroma: 0.9 * chroma, hue: hue - 0.08 });

@@ -4,16 +4,17 @@ import type { Veins } from "./leaf";
 import type { Picture } from "./material";
 
 /** The largest share of the veins' colour. */
-const MOST_VEIN = 0.85;
+const MAX_VEIN = 0.85;
 
 /**
+ * Draws the picture: each pixel's share of a vein mixes the two colours.
  * @param blade between veins, linear
  * @param vein on a vein's axis, linear
  */
 export function leafPicture({ side, shares }: Veins, blade: Colour, vein: Colour): Picture {
 	const shades = new Uint8Array(3 * 256);
 	for (let share = 0; share < 256; share++) {
-		const shade = encoded(mixed(blade, vein, (MOST_VEIN * share) / 255));
+		const shade = encoded(mixed(blade, vein, (MAX_VEIN * share) / 255));
 		for (let k = 0; k < 3; k++) shades[3 * share + k] = Math.round(255 * Math.min(1, shade[k]));
 	}
 	const pixels = new Uint8Array(3 * side * side);

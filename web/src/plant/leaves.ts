@@ -13,5 +13,5 @@ export async function fetchBakedLeaf(name: string): Promise<void> {
 	fetched.set(name, await readLeaf(await file()));
 }
 
-/** The leaf, or undefined before it has been fetched. */
+/** Returns the leaf; undefined before it has been fetched. */
 export const fetchedLeaf = (name: string): AttachedLeaf | undefined => fetched.get(name);

@@ -88,15 +88,15 @@ const STANDARD: Readonly<Record<string, Material>> = {
 };
 const PLAIN: Omit<Material, "name"> = { colour: linear("86a046"), roughness: 0.75 };
 
-/** The material of a kind for which a model has none of its own; an unknown kind is a leaf's matt green. */
+/** Returns the material of a kind for which a model has none of its own; an unknown kind is a leaf's matt green. */
 export function standardMaterial(kind: string): Material {
 	if (Object.hasOwn(STANDARD, kind)) return STANDARD[kind];
 	return { name: kind.charAt(0).toUpperCase() + kind.slice(1), ...PLAIN };
 }
 
 /**
- * Light through a sheet as a share of the reflected light, by channel: paler colours let more pass. The view does the
- * same pixel by pixel.
+ * Returns the light through a sheet as a share of the reflected light, by channel: paler colours let more pass. The
+ * view does the same pixel by pixel.
  */
 export function lightThrough({ sheet, colour }: Material): Colour {
 	return (sheet?.through ?? [0, 0, 0]).map((share, k) => share * Math.sqrt(colour[k])) as Colour;

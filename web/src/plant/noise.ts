@@ -1,6 +1,6 @@
 /** Pseudo-random numbers that are the same on every machine: hashes of whole numbers, and smooth noise made of them. */
 
-/** A well-mixed hash of two integers (the finaliser of MurmurHash3) as a fraction of 1. */
+/** Returns a well-mixed hash of two integers (the finaliser of MurmurHash3) as a fraction of 1. */
 export function hashFraction(id: number, stream: number): number {
 	let h = Math.imul(id + 1, 0x9e3779b1) ^ Math.imul(stream + 1, 0x85ebca6b);
 	h = Math.imul(h ^ (h >>> 16), 0x85ebca6b);
@@ -8,7 +8,7 @@ export function hashFraction(id: number, stream: number): number {
 	return ((h ^ (h >>> 16)) >>> 0) / 4294967296;
 }
 
-/** Smooth noise of one octave, 0 … 1, that changes over about one unit: the same as `noise` in NOISE_CHUNK. */
+/** Computes smooth noise of one octave, 0 … 1, that changes over about one unit: the same as `noise` in NOISE_CHUNK. */
 export function noise(x: number, y: number, z: number): number {
 	const cx = Math.floor(x);
 	const cy = Math.floor(y);
@@ -29,6 +29,7 @@ function plane(cx: number, cy: number, cz: number, fx: number, fy: number): numb
 	return low + fy * (high - low);
 }
 
+/** Returns a random number, 0 … 1, for a corner of the grid: a hash of its whole coordinates. */
 function corner(x: number, y: number, z: number): number {
 	const a = Math.imul(x, 0x9e3779b1);
 	const b = Math.imul(y, 0x85ebca6b);
@@ -38,6 +39,7 @@ function corner(x: number, y: number, z: number): number {
 	return (h >>> 16) / 65535;
 }
 
+/** Returns a smooth transition from 0 to 1 for t in 0 … 1. */
 function eased(t: number): number {
 	return t * t * (3 - 2 * t);
 }

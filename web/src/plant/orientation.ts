@@ -9,8 +9,8 @@ export interface Quaternion {
 }
 
 /**
- * The rotation from +Y to the unit vector (x, y, z): half a turn about X, then the shortest way from −Y. Most fruits
- * hang, so the one direction with an undetermined roll is at +Y, where few point; there it is the identity.
+ * Returns the rotation from +Y to the unit vector (x, y, z): half a turn about X, then the shortest way from −Y. Most
+ * fruits hang, so the one direction with an undetermined roll is at +Y, where few point; there it is the identity.
  */
 export function fromUp(x: number, y: number, z: number): Quaternion {
 	const across = x * x + z * z;
@@ -24,7 +24,7 @@ export function fromUp(x: number, y: number, z: number): Quaternion {
 /** A 3 × 3 matrix, row by row. */
 export type Matrix3 = [number, number, number, number, number, number, number, number, number];
 
-/** The rotation as a matrix. */
+/** Returns the rotation as a matrix. */
 export function rotationMatrix({ x, y, z, w }: Quaternion): Matrix3 {
 	return [
 		1 - 2 * (y * y + z * z),

@@ -22,7 +22,7 @@ export interface PackedMesh {
 	readonly indices: Uint16Array<ArrayBuffer> | Uint32Array<ArrayBuffer>;
 }
 
-/** The largest coordinate of meshes along the axes, metres. */
+/** Returns the largest coordinate of meshes along the axes, metres; above 0 even without meshes. */
 export function reachOf(meshes: Iterable<Pick<PartMesh, "positions">>): number {
 	let reach = 1e-6;
 	for (const { positions } of meshes) for (const value of positions) reach = Math.max(reach, Math.abs(value));

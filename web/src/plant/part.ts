@@ -75,7 +75,7 @@ export interface Shape {
 	 */
 	pose?: Float32Array;
 	/** For files that hold detail in pictures; loads its sampler. */
-	finer?: () => Promise<SurfaceDetail>;
+	loadDetail?: () => Promise<SurfaceDetail>;
 	/**
 	 * For readers without vertex colours: parts of one material and one variant are written in the mean of their
 	 * colours. Without it they have the material's.
@@ -86,7 +86,7 @@ export interface Shape {
 /** Numbers of one transform. */
 export const TRANSFORM = 8;
 
-/** Every part, parents before their children. */
+/** Yields every part, parents before their children. */
 export function* everyPart(parts: Iterable<Part>): Generator<Part> {
 	for (const part of parts) {
 		yield part;
@@ -102,7 +102,7 @@ export interface VertexRun {
 	indexCount: number;
 }
 
-/** A run of a mesh as a mesh of its own; its indices count from its first vertex. */
+/** Returns a run of a mesh as a mesh of its own; its indices count from its first vertex. */
 export function cut(mesh: PartMesh, { firstVertex, vertexCount, firstIndex, indexCount }: VertexRun): PartMesh {
 	const lastVertex = firstVertex + vertexCount;
 	const colours = mesh.colours?.subarray(3 * firstVertex, 3 * lastVertex);
@@ -118,7 +118,9 @@ export function cut(mesh: PartMesh, { firstVertex, vertexCount, firstIndex, inde
 }
 
 /**
- * Indices that count from another vertex. A plain loop: `map` takes ten times as long, and a plant may have millions.
+ * Returns indices that count from another vertex. A plain loop: `map` takes ten times as long, and a plant may have
+ * millions.
+ * @param first number of the vertex that becomes 0
  */
 function countedFrom(first: number, indices: Uint32Array): Uint32Array {
 	if (first === 0) return indices;

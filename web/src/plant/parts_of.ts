@@ -4,8 +4,8 @@ import { cut, type Part, TRANSFORM } from "./part";
 import type { Organs, Plant, PlantMesh } from "./plant";
 
 /**
- * Each run of a mesh is a part; a mesh without runs is one part; a mesh of organs is a group with one part per organ,
- * named by the tags.
+ * Yields the parts of a plant's meshes. Each run of a mesh is a part; a mesh without runs is one part; a mesh of organs
+ * is a group with one part per organ, named by the tags.
  * @param materials the model's own, by kind; others come from `standardMaterial`
  */
 export function* partsOf(
@@ -23,6 +23,7 @@ export function* partsOf(
 	}
 }
 
+/** Yields the runs of a mesh with triangles as parts; a mesh without runs is one part. */
 function* runsOf(mesh: PlantMesh, material: Material, names: Names): Generator<Part> {
 	const runs = mesh.runs.filter(({ indexCount }) => indexCount > 0);
 	if (mesh.indices.length === 0) return;
@@ -30,6 +31,10 @@ function* runsOf(mesh: PlantMesh, material: Material, names: Names): Generator<P
 	for (const run of runs) yield { name: names.plain(run.name), shape: { mesh: cut(mesh, run), material } };
 }
 
+/**
+ * Returns organs that share a mesh as one part with an instance per organ.
+ * @param members indices of the organs
+ */
 function organsOf(organs: Organs, members: number[], mesh: PlantMesh, material: Material, names: Names): Part {
 	const transforms = new Float32Array(TRANSFORM * members.length);
 	members.forEach((organ, i) => {
@@ -42,7 +47,10 @@ function organsOf(organs: Organs, members: number[], mesh: PlantMesh, material: 
 	return { name: names.plain(mesh.name), shape: { mesh, material, instances } };
 }
 
-/** The organs drawn with mesh `mesh`. */
+/**
+ * Returns the indices of the organs that are drawn with a mesh.
+ * @param mesh index of the mesh
+ */
 function membersOf({ count, mesh: meshOf }: Organs, mesh: number): number[] {
 	return Array.from({ length: count }, (_, organ) => organ).filter((organ) => meshOf[organ] === mesh);
 }
@@ -52,7 +60,7 @@ class Names {
 	readonly #used = new Set<string>();
 	readonly #numbers = new Map<string, number>();
 
-	/** `Trunk`; the second one `Trunk 2`. */
+	/** Returns the name, or a numbered one if it is used: `Trunk`; the second one `Trunk 2`. */
 	plain(name: string): string {
 		const title = titled(name);
 		for (let number = 1; ; number++) {
@@ -61,7 +69,7 @@ class Names {
 		}
 	}
 
-	/** `Leaf 001`, `Leaf 002` …: for names with many parts. */
+	/** Returns the next numbered name, for names with many parts: `Leaf 001`, `Leaf 002` …. */
 	numbered(name: string): string {
 		const title = titled(name);
 		const number = (this.#numbers.get(title) ?? 0) + 1;
@@ -70,12 +78,14 @@ class Names {
 		return this.#used.has(tried) ? this.numbered(name) : this.#take(tried);
 	}
 
+	/** Marks a name as used, and returns it. */
 	#take(name: string): string {
 		this.#used.add(name);
 		return name;
 	}
 }
 
+/** Returns a name with a capital first letter. */
 function titled(name: string): string {
 	return name.charAt(0).toUpperCase() + name.slice(1);
 }

@@ -2,7 +2,10 @@
 import { type Colour, clamp, encoded, linear } from "./colour";
 import type { Picture } from "./material";
 
-/** Four numbers per pixel, the last one 255: graphics cards make smaller copies of sRGB only with four channels. */
+/**
+ * Returns a picture with four numbers per pixel, the last one 255: graphics cards make smaller copies of sRGB only with
+ * four channels.
+ */
 export function rgbaPicture(picture: Picture): Picture {
 	const { width, height, pixels } = picture;
 	if (pixels.length === 4 * width * height) return picture;
@@ -16,7 +19,7 @@ export function rgbaPicture(picture: Picture): Picture {
 	return { width, height, pixels: four };
 }
 
-/** The picture multiplied by a colour; the same picture where that is white. */
+/** Returns the picture multiplied by a colour; the same picture where that is white. */
 export function tinted(picture: Picture, by: Colour): Picture {
 	if (by.every((channel) => channel === 1)) return picture;
 	const shades = by.map((channel) =>

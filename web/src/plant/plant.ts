@@ -1,5 +1,6 @@
 /** The plant that every model returns, for scene, exporters and panels. Metres, +Y up. */
 
+import type { Message } from "../locale/texts";
 import type { DerivationTrace } from "./derivation_trace";
 
 /** Triangles; normals are of unit length, indices go counter-clockwise seen from outside. */
@@ -88,6 +89,8 @@ export interface Plant {
 	measures?: Float32Array;
 	/** Messages of the core about the request, in plain words. */
 	notes: string[];
+	/** Those notes that have codes, with their arguments; absent where none has. */
+	noteMessages?: readonly Message[];
 	/** The limit that ended growth early: one of the core, or the caller's time limit. Absent for a whole plant. */
 	cutShort?: "limit" | "time";
 	/** 16 hexadecimal digits over segments and organs (docs/fingerprint.md). */

@@ -31,6 +31,7 @@ export function readPlant({ columns, milliseconds }: Answer): Plant {
 	return plant;
 }
 
+/** Reads the segments: `ends` has 6 values each (start, end), `radii` 2. */
 function readSegments(columns: Columns): Segments {
 	const parent = columns.ints("segments.parent");
 	return {
@@ -43,6 +44,7 @@ function readSegments(columns: Columns): Segments {
 	};
 }
 
+/** Reads the organs: attached shapes, each with its mesh and its place. */
 function readOrgans(columns: Columns): Organs {
 	if (!columns.has("organs.tag")) return EMPTY_PLANT.organs;
 	const tag = columns.uint32("organs.tag");
@@ -57,6 +59,7 @@ function readOrgans(columns: Columns): Organs {
 	};
 }
 
+/** Reads a mesh with its material and its runs of triangles. */
 function readPlantMesh(columns: Columns, name: string): PlantMesh {
 	const prefix = `mesh.${name}.`;
 	const mesh = readMesh(columns, prefix);
@@ -69,13 +72,13 @@ function readPlantMesh(columns: Columns, name: string): PlantMesh {
 	};
 }
 
-/** The column `sky`, if requested. */
+/** Reads the column `sky` of a mesh; nothing where it was not requested. */
 export function readSky(columns: Columns, prefix: string): { sky?: Uint8Array } {
 	const name = `${prefix}sky`;
 	return columns.has(name) ? { sky: columns.uint8(name) } : {};
 }
 
-/** The arrays of a mesh whose columns begin with `prefix`. */
+/** Reads the arrays of a mesh whose columns begin with `prefix`. */
 export function readMesh(columns: Columns, prefix: string): Mesh {
 	return {
 		positions: columns.floats(`${prefix}positions`),
@@ -85,6 +88,7 @@ export function readMesh(columns: Columns, prefix: string): Mesh {
 	};
 }
 
+/** Reads the named runs of a mesh whose columns begin with `prefix`. */
 function readRuns(columns: Columns, prefix: string): MeshRun[] {
 	const names = columns.lines(`${prefix}runs.names`);
 	const ranges = names.length > 0 ? columns.uint32(`${prefix}runs`) : new Uint32Array(0);
@@ -94,6 +98,7 @@ function readRuns(columns: Columns, prefix: string): MeshRun[] {
 	});
 }
 
+/** Formats a 64-bit number, given as its low and high half, as 16 hexadecimal digits. */
 function hexadecimal([low, high]: Uint32Array): string {
 	return [high, low].map((word) => word.toString(16).padStart(8, "0")).join("");
 }

@@ -13,7 +13,7 @@ export const BOUNCE = [
 ] as const;
 
 /**
- * The share of ambient light that a surface reflects, relative to an open sky.
+ * Returns the share of ambient light that a surface reflects, relative to an open sky.
  * @param visible share of the sky that it sees, 0 … 1
  */
 export function bounced(visible: number, albedo: number): number {
@@ -23,7 +23,7 @@ export function bounced(visible: number, albedo: number): number {
 }
 
 /**
- * Colours (3 × vertices) in the shade of the sky that each vertex sees (255: all).
+ * Returns colours (3 × vertices) in the shade of the sky that each vertex sees (255: all).
  * @param under mean of the picture that the colours multiply
  */
 export function shaded(colours: Float32Array, sky: Uint8Array, under: Colour = [1, 1, 1]): Float32Array {
@@ -35,7 +35,7 @@ export function shaded(colours: Float32Array, sky: Uint8Array, under: Colour = [
 	return dimmed;
 }
 
-/** One colour, repeated for all vertices. */
+/** Returns one colour, repeated for all vertices. */
 export function repeatedColour(colour: Colour, vertices: number): Float32Array {
 	const colours = new Float32Array(3 * vertices);
 	for (let i = 0; i < vertices; i++) colours.set(colour, 3 * i);

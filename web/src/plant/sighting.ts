@@ -29,7 +29,7 @@ interface BoundingSphere {
 const known = new WeakMap<DrawnGeometry, (BoundingSphere | undefined)[]>();
 
 /**
- * The first hit of a ray.
+ * Returns the first hit of a ray.
  * @param slack tolerance for segments per unit of distance: thin ones are hard to hit
  */
 export function castRay(drawn: DrawnGeometry, { origin, direction }: Ray, slack: number): RayHit | undefined {
@@ -49,6 +49,7 @@ export function castRay(drawn: DrawnGeometry, { origin, direction }: Ray, slack:
 	return found;
 }
 
+/** Returns a bounding sphere for each drawn organ, cached by geometry. */
 function ballsOf(drawn: DrawnGeometry): (BoundingSphere | undefined)[] {
 	let balls = known.get(drawn);
 	if (!balls) {
@@ -78,6 +79,7 @@ function transformedSphere(
 	return { x, y, z, radius: 1.0001 * Math.abs(transform[7]) * ball.radius + 1e-6 * Math.hypot(x, y, z) };
 }
 
+/** Returns a sphere about the mean of the corners (3 × corners) that contains all of them; not the smallest one. */
 function ballAbout(corners: Float32Array): BoundingSphere | undefined {
 	if (corners.length === 0) return undefined;
 	let [x, y, z] = [0, 0, 0];
@@ -97,7 +99,10 @@ function ballAbout(corners: Float32Array): BoundingSphere | undefined {
 
 type Direction = readonly [number, number, number];
 
-/** Whether a ray meets a sphere nearer than the nearest hit so far. */
+/**
+ * Returns whether a ray meets a sphere nearer than the nearest hit so far.
+ * @param along unit direction of the ray
+ */
 function hitsSphere(ball: BoundingSphere, origin: ArrayLike<number>, along: Direction, nearest: number): boolean {
 	const [x, y, z] = [ball.x - origin[0], ball.y - origin[1], ball.z - origin[2]];
 	const middle = x * along[0] + y * along[1] + z * along[2];
@@ -105,7 +110,9 @@ function hitsSphere(ball: BoundingSphere, origin: ArrayLike<number>, along: Dire
 	return x * x + y * y + z * z - middle * middle <= ball.radius * ball.radius;
 }
 
-/** The distance of the first triangle that is nearer than the nearest hit so far; undefined where there is none. */
+/**
+ * Returns the distance of the first triangle that is nearer than the nearest hit so far; undefined where there is none.
+ */
 function hitTriangles(
 	corners: Float32Array,
 	origin: ArrayLike<number>,
@@ -120,7 +127,14 @@ function hitTriangles(
 	return best;
 }
 
-/** Intersection with a triangle from both sides (Möller and Trumbore 1997). */
+/**
+ * Returns the distance along a ray of its intersection with a triangle, from either side (Möller and Trumbore 1997);
+ * undefined if they do not meet.
+ * @param c corners, nine numbers per triangle
+ * @param i index of the triangle's first number
+ * @param o origin of the ray
+ * @param d unit direction of the ray
+ */
 function hitTriangle(c: Float32Array, i: number, o: ArrayLike<number>, d: Direction): number | undefined {
 	const [ax, ay, az] = [c[i + 3] - c[i], c[i + 4] - c[i + 1], c[i + 5] - c[i + 2]];
 	const [bx, by, bz] = [c[i + 6] - c[i], c[i + 7] - c[i + 1], c[i + 8] - c[i + 2]];
@@ -136,7 +150,9 @@ function hitTriangle(c: Float32Array, i: number, o: ArrayLike<number>, d: Direct
 	return at > 0 ? at : undefined;
 }
 
-/** The distance along the ray of the point nearest to a segment, where that is within its radius and the slack. */
+/**
+ * Returns the distance along the ray of the point nearest to a segment, where that is within its radius and the slack.
+ */
 function hitSegment(
 	{ ends, radii }: DrawnGeometry,
 	segment: number,

@@ -2,7 +2,7 @@
  * Motion of a plant in calm wind. A point's motion depends on its position, so that touching parts stay together, in
  * any mesh; parts with a fixed point (leaves) move with it, and turn a little about it. All motion has
  * one period, so that a sine and a cosine of time describe it. This file has the numbers of a plant; the view's shader
- * (render/wind.ts) and files (swing.ts) move points by them.
+ * (render/wind_shader.ts) and files (point_sway.ts) move points by them.
  */
 import type { Vector } from "./part";
 import type { Plant } from "./plant";
@@ -32,19 +32,23 @@ export interface Sway {
 	readonly reach: number;
 }
 
-/** Undefined for a plant without extent. */
+/**
+ * Computes how a plant sways in wind: its fixed point, direction, height and horizontal reach. Undefined for a plant
+ * without height.
+ */
 export function swayOf({ segments, organs }: Pick<Plant, "segments" | "organs">): Sway | undefined {
 	const { ends, parent, count } = segments;
 	if (count === 0) return undefined;
 	const [x, first, z] = ends;
 	let [low, high, reach] = [first, first, 0];
-	const hold = (at: ArrayLike<number>, i: number) => {
+	// Extends the bounds by the point whose x is at index i.
+	const extend = (at: ArrayLike<number>, i: number) => {
 		low = Math.min(low, at[i + 1]);
 		high = Math.max(high, at[i + 1]);
 		reach = Math.max(reach, Math.hypot(at[i] - x, at[i + 2] - z));
 	};
-	for (let i = 0; i < ends.length; i += 3) hold(ends, i);
-	for (let i = 0; i < organs.transforms.length; i += 8) hold(organs.transforms, i);
+	for (let i = 0; i < ends.length; i += 3) extend(ends, i);
+	for (let i = 0; i < organs.transforms.length; i += 8) extend(organs.transforms, i);
 	const up = high - first >= first - low ? 1 : -1;
 	let foot = first;
 	for (let i = 0; i < count; i++) if (parent[i] < 0) foot = up * Math.min(up * foot, up * ends[6 * i + 1]);

@@ -50,6 +50,7 @@ export class Backdrop {
 	/** Whether the background is a flat colour. */
 	#flat = false;
 
+	/** @param shadowMap the plant's shadow as the camera sees it; red is the share of light that passes */
 	constructor(shadowMap: Texture) {
 		this.#paper = new FullScreen({
 			name: "backdrop",
@@ -73,10 +74,12 @@ export class Backdrop {
 		this.mesh.renderOrder = 2;
 	}
 
+	/** The triangle behind the plant, which the stage adds to its scene. */
 	get mesh(): Mesh {
 		return this.#paper.mesh;
 	}
 
+	/** Takes the colours of the paper and the sky, and the depth of the shadow, from a light rig; ends `setFlat`. */
 	setRig(rig: LightRig): void {
 		const { uniforms } = this.#paper;
 		uniforms.edge.value.fromArray(linear(rig.paper.edge));
@@ -108,10 +111,12 @@ export class Backdrop {
 		rise.value.set(up * camera.aspect * elements[1], up * elements[5], -elements[9]);
 	}
 
+	/** Sets the view's aspect ratio (width / height). */
 	setAspect(aspect: number): void {
 		this.#paper.uniforms.aspect.value = aspect;
 	}
 
+	/** Releases the graphics memory. */
 	dispose(): void {
 		this.#paper.dispose();
 	}

@@ -57,6 +57,8 @@ export class CameraController {
 		readonly changed: () => void,
 	) {
 		this.controls = new OrbitControls(this.camera, canvas);
+		// Style sheets choose the cursor; the controls set it on the canvas itself.
+		canvas.style.cursor = "";
 		this.controls.dampingFactor = 0.12;
 		this.controls.rotateSpeed = 0.85;
 		this.controls.minPolarAngle = 0.12;
@@ -83,12 +85,25 @@ export class CameraController {
 		return this.distance + 1.2 * (breadth * Math.cos(elevation) + radius * Math.abs(Math.sin(elevation)));
 	}
 
-	/** Elevation of the camera over the target's horizon, radians. */
+	/**
+	 * Elevation of the camera over the target's horizon, radians; negative below it. `phi` is the angle from straight up.
+	 */
 	get #elevation(): number {
 		const arm = this.camera.position.clone().sub(this.controls.target);
 		return Math.PI / 2 - new Spherical().setFromVector3(arm).phi;
 	}
 
+	/**
+	 * Returns the height of the view at the depth of a point, metres; undefined for points behind the eye, and while the
+	 * eye is placed by `look`, among the plants.
+	 */
+	spanAt(point: readonly [x: number, y: number, z: number]): number | undefined {
+		if (this.#walking) return undefined;
+		const depth = new Vector3(...point).sub(this.camera.position).dot(this.camera.getWorldDirection(new Vector3()));
+		return depth > 0 ? 2 * depth * Math.tan(MathUtils.degToRad(this.camera.fov) / 2) : undefined;
+	}
+
+	/** Sets the view's aspect ratio (width / height). */
 	setAspect(aspect: number): void {
 		const before = this.#fit;
 		this.camera.aspect = aspect;
@@ -119,7 +134,10 @@ export class CameraController {
 			this.#glideTo(now);
 	}
 
-	/** The next plant is of another model: the view fits it at once, as the first one, without gliding. */
+	/**
+	 * Forgets the plant shown, because the next one is of another model: the view fits that one at once, without gliding.
+	 * @param elevation of its first view, degrees above the horizon
+	 */
 	forget(elevation = ELEVATION): void {
 		this.look(undefined);
 		this.#firstElevation = elevation;
@@ -177,10 +195,10 @@ export class CameraController {
 	orbit(right: number, down: number): void {
 		if (this.#walking) return;
 		const arm = this.camera.position.clone().sub(this.controls.target);
-		const at = new Spherical().setFromVector3(arm);
-		at.theta -= right;
-		at.phi = MathUtils.clamp(at.phi - down, this.controls.minPolarAngle, this.controls.maxPolarAngle);
-		this.camera.position.setFromSpherical(at).add(this.controls.target);
+		const angles = new Spherical().setFromVector3(arm);
+		angles.theta -= right;
+		angles.phi = MathUtils.clamp(angles.phi - down, this.controls.minPolarAngle, this.controls.maxPolarAngle);
+		this.camera.position.setFromSpherical(angles).add(this.controls.target);
 		this.#moved();
 	}
 
@@ -204,7 +222,8 @@ export class CameraController {
 	}
 
 	/**
-	 * Advances the view by one frame.
+	 * Advances the view by one frame: moves a step along a glide, and lets the damping of the pointer controls act.
+	 * @param now time stamp of the animation frame, ms
 	 * @returns whether it is still moving
 	 */
 	advance(now: number): boolean {
@@ -228,20 +247,28 @@ export class CameraController {
 		return moved || this.#glide !== undefined;
 	}
 
+	/** Ends the control of the camera and its listeners. */
 	dispose(): void {
 		this.controls.dispose();
 	}
 
+	/** Returns the view that fits a plant, with the camera's present lens. */
 	#fitOf(profile: BoundingProfile): ViewFit {
 		return fitView(profile, MathUtils.degToRad(FOV), this.camera.aspect, MARGIN, this.#fitElevation);
 	}
 
+	/**
+	 * Glides back to a distance that shows all of the plant, if the plant extends beyond its view; else does nothing.
+	 * @param shown the present view
+	 * @param now the view that fits the plant as it is now
+	 */
 	#keepWhole(shown: ViewFit, now: ViewFit): void {
 		const lens = { fov: MathUtils.degToRad(FOV), aspect: this.camera.aspect, elevation: this.#fitElevation };
 		if (this.#profile && !showsWhole(shown, this.#profile, lens))
 			this.#glideTo({ ...now, distance: Math.max(now.distance, shown.distance) });
 	}
 
+	/** Starts a glide to the view that fits a plant; the user's zoom relative to the fit stays. */
 	#glideTo(fit: ViewFit): void {
 		// During a glide, the zoom of its destination counts.
 		const aimed = this.#glide?.toDistance ?? this.distance;
@@ -262,17 +289,22 @@ export class CameraController {
 		this.changed();
 	}
 
+	/** Places the camera in a direction from the target, degrees, at a distance of 1. */
 	#place({ azimuth, elevation }: { azimuth: number; elevation: number }): void {
-		const at = new Spherical(1, MathUtils.degToRad(90 - elevation), MathUtils.degToRad(azimuth));
-		this.camera.position.setFromSpherical(at).add(this.controls.target);
+		const angles = new Spherical(1, MathUtils.degToRad(90 - elevation), MathUtils.degToRad(azimuth));
+		this.camera.position.setFromSpherical(angles).add(this.controls.target);
 	}
 
+	/** Moves the camera along its line of sight to a distance from the target. */
 	#setDistance(distance: number): void {
 		const arm = this.camera.position.clone().sub(this.controls.target).setLength(distance);
 		this.camera.position.copy(arm.add(this.controls.target));
 	}
 
-	/** From inside the outermost twigs to a plant as small as a stamp. */
+	/**
+	 * Limits zooming to 0.25 to 4 times the fitted distance: from inside the outermost twigs to a plant as small as a
+	 * stamp.
+	 */
 	#setLimits(): void {
 		const fit = this.#fit;
 		if (!fit) return;
@@ -298,19 +330,20 @@ export class CameraController {
 		this.camera.updateProjectionMatrix();
 	}
 
-	/** Limits panning, so that the plant stays in sight. */
+	/** Limits panning: moves the target back into the plant's bounding sphere, and the camera with it. */
 	#keepInReach(): void {
 		const fit = this.#fit;
 		if (!fit || this.#glide || this.#walking) return;
 		const centre = new Vector3(...fit.target);
-		const away = this.controls.target.clone().sub(centre);
-		const excess = away.length() - fit.radius;
+		const fromCentre = this.controls.target.clone().sub(centre);
+		const excess = fromCentre.length() - fit.radius;
 		if (excess <= 0) return;
-		const back = away.setLength(-excess);
-		this.controls.target.add(back);
-		this.camera.position.add(back);
+		const correction = fromCentre.setLength(-excess);
+		this.controls.target.add(correction);
+		this.camera.position.add(correction);
 	}
 
+	/** Looks at the target from the camera's new position. */
 	#moved(): void {
 		this.camera.lookAt(this.controls.target);
 		this.changed();

@@ -32,15 +32,17 @@ const AROUND = Array.from({ length: TURNS }, (_, turn) => {
 });
 
 /** Above this number of bodies, only the outermost ring at each of `LEVELS` heights is stored. */
-const MOST_RINGS = 2000;
+const MAX_RINGS = 2000;
 const LEVELS = 400;
 
-/** Returns the bounding profile of a plant. */
+/**
+ * Returns the bounding profile of a plant: its centre, and rings about the vertical axis that the camera must show.
+ */
 export function boundingProfileOf({ spheres, points }: Bodies): BoundingProfile {
 	const low: BoundingProfile["centre"] = [Infinity, Infinity, Infinity];
 	const high: BoundingProfile["centre"] = [-Infinity, -Infinity, -Infinity];
-	stretch(low, high, points, 3);
-	stretch(low, high, spheres, 4);
+	extendBox(low, high, points, 3);
+	extendBox(low, high, spheres, 4);
 	if (!(low[0] <= high[0])) return { centre: [0, 0, 0], rings: new Float32Array([0.05, 0, 0]) };
 	const centre: BoundingProfile["centre"] = [
 		0.5 * (low[0] + high[0]),
@@ -48,13 +50,25 @@ export function boundingProfileOf({ spheres, points }: Bodies): BoundingProfile 
 		0.5 * (low[2] + high[2]),
 	];
 	const rings = new Float32Array((spheres.length / 4 + points.length / 3) * 3);
-	const rest = spin(centre, spheres, 4, rings);
-	spin(centre, points, 3, rest);
+	const rest = writeRings(centre, spheres, 4, rings);
+	writeRings(centre, points, 3, rest);
 	return { centre, rings: outermost(rings, high[1] - low[1]) };
 }
 
-/** Extends a box to contain points, or spheres of four numbers. */
-function stretch(
+/** Returns the height of the lowest point of a profile, metres. */
+export function lowestOf({ centre, rings }: BoundingProfile): number {
+	let low = Infinity;
+	for (let at = 0; at < rings.length; at += 3) low = Math.min(low, rings[at + 1] - rings[at + 2]);
+	return centre[1] + low;
+}
+
+/**
+ * Extends a box, in place, to contain points or spheres.
+ * @param low corner with the least coordinates
+ * @param high corner with the greatest coordinates
+ * @param bodies `stride` numbers each: x y z, and with a stride of 4 the radius
+ */
+function extendBox(
 	low: BoundingProfile["centre"],
 	high: BoundingProfile["centre"],
 	bodies: Float32Array,
@@ -76,23 +90,25 @@ function stretch(
 }
 
 /**
- * Writes the rings of points, or of spheres of four numbers.
- * @returns the rest of `rings`
+ * Writes the ring that each point or sphere describes as the plant turns about its vertical axis: distance from the
+ * axis, height over the centre, thickness.
+ * @param bodies `stride` numbers each: x y z, and with a stride of 4 the radius
+ * @returns the part of `rings` behind the last number written
  */
-function spin(
+function writeRings(
 	[x, y, z]: BoundingProfile["centre"],
 	bodies: Float32Array,
 	stride: 3 | 4,
 	rings: Float32Array,
 ): Float32Array {
-	let at = 0;
+	let written = 0;
 	for (let i = 0; i + stride <= bodies.length; i += stride) {
-		const [across, along] = [bodies[i] - x, bodies[i + 2] - z];
-		rings[at++] = Math.sqrt(across * across + along * along);
-		rings[at++] = bodies[i + 1] - y;
-		rings[at++] = stride === 4 ? bodies[i + 3] : 0;
+		const [dx, dz] = [bodies[i] - x, bodies[i + 2] - z];
+		rings[written++] = Math.sqrt(dx * dx + dz * dz);
+		rings[written++] = bodies[i + 1] - y;
+		rings[written++] = stride === 4 ? bodies[i + 3] : 0;
 	}
-	return rings.subarray(at);
+	return rings.subarray(written);
 }
 
 /**
@@ -100,19 +116,19 @@ function spin(
  * farthest out.
  */
 function outermost(rings: Float32Array, height: number): Float32Array {
-	if (rings.length <= 3 * MOST_RINGS) return rings;
-	const best = new Int32Array(LEVELS + 1).fill(-1);
-	const reach = new Float32Array(LEVELS + 1).fill(-1);
+	if (rings.length <= 3 * MAX_RINGS) return rings;
+	const outermostRing = new Int32Array(LEVELS + 1).fill(-1);
+	const greatestReach = new Float32Array(LEVELS + 1).fill(-1);
 	const perLevel = height > 0 ? LEVELS / height : 0;
 	for (let i = 0; i < rings.length; i += 3) {
 		const level = Math.min(LEVELS, Math.max(0, (rings[i + 1] * perLevel + 0.5 * LEVELS) | 0));
-		const out = rings[i] + rings[i + 2];
-		if (out > reach[level]) {
-			best[level] = i;
-			reach[level] = out;
+		const reach = rings[i] + rings[i + 2];
+		if (reach > greatestReach[level]) {
+			outermostRing[level] = i;
+			greatestReach[level] = reach;
 		}
 	}
-	const widest = best.filter((ring) => ring >= 0);
+	const widest = outermostRing.filter((ring) => ring >= 0);
 	const few = new Float32Array(3 * widest.length);
 	widest.forEach((ring, k) => {
 		few.set(rings.subarray(ring, ring + 3), 3 * k);
@@ -148,52 +164,60 @@ export function fitView(
 	let radius = 0;
 	let breadth = 0;
 	for (let i = 0; i < rings.length; i += 3) {
-		const [out, height, thick] = [rings[i], rings[i + 1], rings[i + 2]];
-		radius = Math.max(radius, Math.hypot(out, height) + thick);
-		breadth = Math.max(breadth, out + thick);
+		const [distanceFromAxis, height, thickness] = [rings[i], rings[i + 1], rings[i + 2]];
+		radius = Math.max(radius, Math.hypot(distanceFromAxis, height) + thickness);
+		breadth = Math.max(breadth, distanceFromAxis + thickness);
 	}
-	const distance = wholeFrom(profile, centre, { fov, aspect, elevation }, margin);
+	const distance = nearestWholeDistance(profile, centre, { fov, aspect, elevation }, margin);
 	return { target: centre, distance, radius, breadth };
 }
 
 /** Returns whether a view fitted to another plant shows all of this one, from all sides. */
 export function showsWhole(view: ViewFit, profile: BoundingProfile, lens: Lens): boolean {
-	return wholeFrom(profile, view.target, lens, 0) <= view.distance;
+	return nearestWholeDistance(profile, view.target, lens, 0) <= view.distance;
 }
 
 /**
- * Returns the nearest distance to a target from which a plant is completely visible from all sides; `margin` as in
- * `fitView`.
+ * Returns the nearest distance to a target from which a plant is completely visible from all sides: each ring is tested
+ * at several angles about the axis, as seen by a camera at the lens's elevation.
+ * @param margin share of the view's height and width that stays free on each side
  */
-function wholeFrom({ centre, rings }: BoundingProfile, target: ViewFit["target"], lens: Lens, margin: number): number {
+function nearestWholeDistance(
+	{ centre, rings }: BoundingProfile,
+	target: ViewFit["target"],
+	lens: Lens,
+	margin: number,
+): number {
 	const { fov, aspect, elevation } = lens;
-	const tall = Math.tan(fov / 2) * (1 - 2 * margin);
-	const wide = Math.tan(fov / 2) * aspect * (1 - 2 * margin);
+	const halfHeight = Math.tan(fov / 2) * (1 - 2 * margin);
+	const halfWidth = Math.tan(fov / 2) * aspect * (1 - 2 * margin);
 	const sine = Math.sin(elevation);
 	const cosine = Math.cos(elevation);
 	const offset = Math.hypot(centre[0] - target[0], centre[2] - target[2]);
 	const above = centre[1] - target[1];
 	let distance = 1e-3;
 	for (let i = 0; i < rings.length; i += 3) {
-		const [out, height, thick] = [rings[i] + offset, rings[i + 1] + above, rings[i + 2]];
+		const [distanceFromAxis, height, thickness] = [rings[i] + offset, rings[i + 1] + above, rings[i + 2]];
 		for (const [turnCosine, turnSine] of AROUND) {
-			const forth = out * turnCosine;
-			const near = forth * cosine + height * sine;
-			const up = Math.abs(height * cosine - forth * sine) + thick;
-			const across = Math.abs(out * turnSine) + thick;
-			distance = Math.max(distance, near + up / tall, near + across / wide);
+			const forwards = distanceFromAxis * turnCosine;
+			const nearness = forwards * cosine + height * sine;
+			const vertical = Math.abs(height * cosine - forwards * sine) + thickness;
+			const horizontal = Math.abs(distanceFromAxis * turnSine) + thickness;
+			distance = Math.max(distance, nearness + vertical / halfHeight, nearness + horizontal / halfWidth);
 		}
 	}
 	return distance;
 }
 
-/** Returns whether a plant has outgrown, shrunk from or left its view, so that the view should follow. */
+/**
+ * Returns whether a plant has outgrown its view, shrunk to under 75 % of it, or moved by over a quarter of its radius.
+ */
 export function needsRefit(shown: ViewFit, now: ViewFit): boolean {
 	const moved = Math.hypot(...now.target.map((value, k) => value - shown.target[k]));
 	return hasOutgrown(shown, now) || now.distance < 0.75 * shown.distance || moved > 0.25 * shown.radius;
 }
 
-/** Returns whether a plant extends beyond its view. */
+/** Returns whether a plant extends beyond its view: whether the fitting distance has grown by over 12 %. */
 export function hasOutgrown(shown: ViewFit, now: ViewFit): boolean {
 	return now.distance > 1.12 * shown.distance;
 }

@@ -9,7 +9,7 @@ import {
 } from "three";
 import type { PaperShadow } from "./paper_shadow";
 import { fillInstances } from "./streams";
-import { WIND_CHUNK, type WindUniforms } from "./wind";
+import { WIND_CHUNK, type WindUniforms } from "./wind_shader";
 
 /** Capsules: cylinders with round ends. Metres. */
 export interface Capsules {
@@ -66,6 +66,10 @@ void main() {
 export class CapsuleShadow {
 	readonly #mesh: Mesh<InstancedBufferGeometry, ShaderMaterial>;
 
+	/**
+	 * Adds a mesh to the shadow's scene: one square per capsule, whose shader multiplies the light that passes (blending
+	 * by destination × (1 − source alpha)).
+	 */
 	constructor(shadow: PaperShadow, wind: WindUniforms) {
 		const geometry = new InstancedBufferGeometry();
 		const corners = new Float32Array([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0]);
@@ -97,6 +101,7 @@ export class CapsuleShadow {
 		this.#mesh.visible = count > 0;
 	}
 
+	/** Removes the mesh from the shadow's scene and frees its GPU resources. */
 	dispose(): void {
 		this.#mesh.removeFromParent();
 		this.#mesh.geometry.dispose();

@@ -1,14 +1,23 @@
 /** Separates a plant from its background by two pictures, over black and over white (Porter & Duff 1984, "matting"). */
 
-/** Computes the cut-out from two opaque pictures, 4 × pixels each; alpha is the coverage of the background, 0 … 255. */
+/**
+ * Computes a picture with a transparent background from two opaque ones of the same scene, RGBA bytes each. The
+ * difference of both is the visible share of the background; 255 minus that is the alpha, which divides the colours.
+ */
 export function cutOut(onBlack: Uint8ClampedArray, onWhite: Uint8ClampedArray): Uint8ClampedArray<ArrayBuffer> {
 	const cut = new Uint8ClampedArray(onBlack.length);
-	for (let at = 0; at < cut.length; at += 4) {
+	for (let pixel = 0; pixel < cut.length; pixel += 4) {
 		const ground =
-			(onWhite[at] - onBlack[at] + onWhite[at + 1] - onBlack[at + 1] + onWhite[at + 2] - onBlack[at + 2]) / 3;
+			(onWhite[pixel] -
+				onBlack[pixel] +
+				onWhite[pixel + 1] -
+				onBlack[pixel + 1] +
+				onWhite[pixel + 2] -
+				onBlack[pixel + 2]) /
+			3;
 		const cover = Math.min(255, Math.max(0, 255 - ground));
-		for (let k = 0; k < 3; k++) cut[at + k] = cover > 0 ? (255 * onBlack[at + k]) / cover : 0;
-		cut[at + 3] = cover;
+		for (let k = 0; k < 3; k++) cut[pixel + k] = cover > 0 ? (255 * onBlack[pixel + k]) / cover : 0;
+		cut[pixel + 3] = cover;
 	}
 	return cut;
 }

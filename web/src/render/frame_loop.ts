@@ -36,11 +36,12 @@ export class FrameLoop {
 		this.#ratio = new PixelRatio(device, slow);
 	}
 
-	/** Sets the pixel ratio of another screen. */
+	/** Sets `devicePixelRatio`, which changes with the screen. */
 	setDevice(device: number): void {
 		this.#ratio = new PixelRatio(device, this.slow);
 	}
 
+	/** Pixels per CSS pixel of a picture at rest. */
 	get rest(): number {
 		return this.#ratio.rest;
 	}
@@ -61,6 +62,7 @@ export class FrameLoop {
 		return new Promise((resolve) => this.#waiting.push(resolve));
 	}
 
+	/** Cancels all frames, now and later, and resolves all waiting `whenIdle`. */
 	stop(): void {
 		this.#stopped = true;
 		cancelAnimationFrame(this.#scheduled);
@@ -70,6 +72,11 @@ export class FrameLoop {
 		this.#wake();
 	}
 
+	/**
+	 * Draws one frame. While objects move, the resolution follows the duration of frames; after the last movement,
+	 * `#settle` requests a frame at full resolution.
+	 * @param now time of the frame, ms
+	 */
 	#frame(now: number): void {
 		this.#scheduled = 0;
 		const moving = this.#moving;
@@ -84,6 +91,7 @@ export class FrameLoop {
 		if (this.#scheduled === 0 && this.#settling === undefined) this.#wake();
 	}
 
+	/** Requests a frame at full resolution some time after the last movement, if the movement was drawn coarser. */
 	#settle(): void {
 		this.#settling = setTimeout(() => {
 			this.#settling = undefined;
@@ -93,6 +101,7 @@ export class FrameLoop {
 		}, SETTLE);
 	}
 
+	/** Resolves all waiting `whenIdle`. */
 	#wake(): void {
 		const waiting = this.#waiting;
 		this.#waiting = [];

@@ -32,6 +32,7 @@ export class FullScreen {
 	readonly #camera = new Camera();
 	#scene: Scene | undefined;
 
+	/** Makes one triangle that covers the view in clip coordinates; it casts no shadow and is never culled. */
 	constructor({ name, fragmentShader, uniforms, behind = false }: FullScreenOptions) {
 		const geometry = new BufferGeometry();
 		geometry.setAttribute("position", new BufferAttribute(new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), 3));
@@ -48,6 +49,7 @@ export class FullScreen {
 		this.mesh.frustumCulled = false;
 	}
 
+	/** Uniforms of the fragment shader, by name. */
 	get uniforms(): Record<string, IUniform> {
 		return this.mesh.material.uniforms;
 	}
@@ -58,6 +60,7 @@ export class FullScreen {
 		renderer.render(this.#scene, this.#camera);
 	}
 
+	/** Releases the graphics memory. */
 	dispose(): void {
 		this.mesh.geometry.dispose();
 		this.mesh.material.dispose();

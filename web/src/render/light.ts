@@ -40,6 +40,7 @@ export interface LightRig {
 	sky: { horizon: string; zenith: string };
 }
 
+/** Returns the unit vector of a direction. */
 const toward = (x: number, y: number, z: number) => new Vector3(x, y, z).normalize();
 
 const RIGS: Record<Theme, LightRig> = {
@@ -71,6 +72,7 @@ const RIGS: Record<Theme, LightRig> = {
 	},
 };
 
+/** Returns the light of a colour scheme of the page. */
 export function rigOf(theme: Theme): LightRig {
 	return RIGS[theme];
 }
@@ -80,7 +82,10 @@ export const COSINE_SHARPNESS = 2.133;
 /** Sharpness of the mirror lobe of a taut skin: GGX roughness of about 0.25 (Wang et al. 2009, equation 21: 2/α²). */
 export const GLOSS_SHARPNESS = 32;
 
-/** ∫ exp(s (cos γ − 1)) dω over the sphere. */
+/**
+ * Returns the integral of a lobe of height 1 over the sphere: ∫ exp(s (cos γ − 1)) dω = 2π (1 − exp(−2 s)) / s, s the
+ * sharpness.
+ */
 function integral(sharpness: number): number {
 	return (2 * Math.PI * (1 - Math.exp(-2 * sharpness))) / sharpness;
 }
@@ -90,18 +95,20 @@ function integral(sharpness: number): number {
  * integral stays the same.
  */
 export function blurred(lobe: Lobe, sharpness: number): Lobe {
-	const wide = (lobe.sharpness * sharpness) / (lobe.sharpness + sharpness);
-	const gain = integral(lobe.sharpness) / integral(wide);
+	const combined = (lobe.sharpness * sharpness) / (lobe.sharpness + sharpness);
+	const gain = integral(lobe.sharpness) / integral(combined);
 	const [red, green, blue] = lobe.colour;
-	return { axis: lobe.axis, sharpness: wide, colour: [red * gain, green * gain, blue * gain] };
+	return { axis: lobe.axis, sharpness: combined, colour: [red * gain, green * gain, blue * gain] };
 }
 
-/** Tangent of the apparent radius of a round lamp as large as the window. */
+/** Returns the tangent of the apparent radius of a round lamp with the window's area. */
 export function spreadOf(window: WindowLight): number {
 	return 2 * Math.sqrt((window.half[0] * window.half[1]) / Math.PI) * 0.5;
 }
 
-/** Returns the rotation into a window's frame: across, along (as upright as possible), towards it. */
+/**
+ * Returns the rotation from view space into a window's frame: x across, y along (as upright as possible), z towards it.
+ */
 export function frameOf(window: WindowLight): Matrix3 {
 	const across = new Vector3(0, 1, 0).cross(window.direction).normalize();
 	const along = window.direction.clone().cross(across);

@@ -14,10 +14,11 @@ import {
 
 const LOBES = 4;
 
+/** Returns the GLSL sum of all lobes in direction `d`; `set` is the prefix of the uniforms, "diffuse" or "gloss". */
 const sum = (set: string) =>
 	Array.from({ length: LOBES }, (_, i) => `lobe(d, ${set}Lobes[${i}]) * ${set}Colours[${i}]`).join(" + ");
 
-/** Uniform values of one window. */
+/** Returns empty uniform values of one window, which `setWindow` fills. */
 function windowUniforms(): {
 	toFrame: Matrix3;
 	extent: Vector3;
@@ -55,6 +56,7 @@ export function lightUniforms() {
 
 export type LightUniforms = ReturnType<typeof lightUniforms>;
 
+/** Fills a window's uniforms from the window of a rig. */
 function setWindow(to: ReturnType<typeof windowUniforms>, window: WindowLight): void {
 	to.toFrame.copy(frameOf(window));
 	to.extent.set(window.half[0], window.half[1], window.bars);
@@ -64,7 +66,10 @@ function setWindow(to: ReturnType<typeof windowUniforms>, window: WindowLight): 
 	to.spread = spreadOf(window);
 }
 
-/** exp(s (cos γ − 1)) as (1 + s (cos γ − 1) / 8)⁸, which a GPU without fast exponentials draws in half the time. */
+/**
+ * Writes a lobe's uniforms. The shader computes exp(s (cos γ − 1)) as (1 + s (cos γ − 1) / 8)⁸, which a GPU without
+ * fast exponentials draws in half the time: the vector holds axis · s / 8, and the constant 1 − s / 8.
+ */
 function setLobe(lobe: Vector4, colour: Vector3, { axis, sharpness, colour: rgb }: Lobe): void {
 	const scale = sharpness / 8;
 	lobe.set(axis.x * scale, axis.y * scale, axis.z * scale, 1 - scale);

@@ -20,8 +20,8 @@ import { type DrawnGeometry, trianglesOf } from "../plant/drawn";
 /** Drawn after the plant. */
 const ORDER = 8;
 /** Above these numbers, highlights are thinned out evenly. */
-const MOST_SEGMENTS = 20_000;
-const MOST_ORGANS = 4_000;
+const MAX_SEGMENTS = 20_000;
+const MAX_ORGANS = 4_000;
 /** Radius of a highlight, relative to the part that it covers. */
 const WIDER = 1.25;
 const UP = new Vector3(0, 1, 0);
@@ -37,6 +37,7 @@ export class LitRenderer {
 	}
 
 	/**
+	 * Replaces the highlights.
 	 * @param segments indices of highlighted segments
 	 * @param organs indices of highlighted organs
 	 * @param thin least visible radius of a segment, metres
@@ -51,8 +52,8 @@ export class LitRenderer {
 	): void {
 		this.#clear();
 		for (const each of this.#materials) each.color.set(colour);
-		const lines = thinned(segments, MOST_SEGMENTS);
-		const surfaces = thinned(organs, MOST_ORGANS).flatMap((organ) => {
+		const lines = thinOut(segments, MAX_SEGMENTS);
+		const surfaces = thinOut(organs, MAX_ORGANS).flatMap((organ) => {
 			const surface = drawn.surface(organ);
 			return surface ? [trianglesOf(surface)] : [];
 		});
@@ -67,12 +68,14 @@ export class LitRenderer {
 		}
 	}
 
+	/** Frees the highlights and the materials; the caller removes `object` from its scene. */
 	dispose(): void {
 		this.#clear();
 		this.#tube.dispose();
 		for (const each of this.#materials) each.dispose();
 	}
 
+	/** Removes all highlights and frees their geometries, except the shared tube. */
 	#clear(): void {
 		for (const part of this.object.children) {
 			if (part instanceof InstancedMesh) part.dispose();
@@ -82,6 +85,10 @@ export class LitRenderer {
 	}
 }
 
+/**
+ * Creates a highlight's material. With `tested`, parts in front of the highlight cover it; without, it is drawn over
+ * them.
+ */
 function material(opacity: number, tested: boolean): MeshBasicMaterial {
 	return new MeshBasicMaterial({
 		transparent: true,
@@ -97,19 +104,25 @@ function material(opacity: number, tested: boolean): MeshBasicMaterial {
 	});
 }
 
-function thinned(all: readonly number[], most: number): readonly number[] {
-	if (all.length <= most) return all;
-	return Array.from({ length: most }, (_, index) => all[Math.floor((index * all.length) / most)]);
+/** Returns at most `limit` of the items, evenly spaced. */
+function thinOut(items: readonly number[], limit: number): readonly number[] {
+	if (items.length <= limit) return items;
+	return Array.from({ length: limit }, (_, index) => items[Math.floor((index * items.length) / limit)]);
 }
 
+/**
+ * Returns one cylinder per segment in `lines` (indices), a little thicker than the segment and at least `thin` in
+ * radius, in metres.
+ * @param tube cylinder of unit radius and height along +Y
+ */
 function tubes(
 	tube: BufferGeometry,
-	worn: MeshBasicMaterial,
+	highlight: MeshBasicMaterial,
 	{ ends, radii }: DrawnGeometry,
 	lines: readonly number[],
 	thin: number,
 ): InstancedMesh {
-	const mesh = new InstancedMesh(tube, worn, lines.length);
+	const mesh = new InstancedMesh(tube, highlight, lines.length);
 	const [start, end, middle, size] = [new Vector3(), new Vector3(), new Vector3(), new Vector3()];
 	const [turn, matrix] = [new Quaternion(), new Matrix4()];
 	lines.forEach((line, index) => {
@@ -125,12 +138,16 @@ function tubes(
 	return mesh;
 }
 
+/**
+ * Returns one geometry of triangles without indices: the surfaces' corners, nine numbers per triangle, one after
+ * another.
+ */
 function sheetOf(surfaces: readonly Float32Array[]): BufferGeometry {
 	const corners = new Float32Array(surfaces.reduce((sum, { length }) => sum + length, 0));
-	let at = 0;
+	let written = 0;
 	for (const each of surfaces) {
-		corners.set(each, at);
-		at += each.length;
+		corners.set(each, written);
+		written += each.length;
 	}
 	return new BufferGeometry().setAttribute("position", new BufferAttribute(corners, 3));
 }

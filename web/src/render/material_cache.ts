@@ -3,7 +3,7 @@ import type { Material, Picture } from "../plant/material";
 import type { LightUniforms } from "./light_shader";
 import { pictureTexture } from "./picture_texture";
 import { standardMaterial } from "./standard_material";
-import type { WindUniforms } from "./wind";
+import type { WindUniforms } from "./wind_shader";
 
 /** Property of a three.js material for each kind of texture. */
 const TEXTURE_SLOTS = { colour: "map", normal: "normalMap" } as const;
@@ -14,7 +14,7 @@ const KINDS = Object.keys(TEXTURE_SLOTS) as TextureKind[];
  * Unused materials that stay cached: during a life, plants alternate between having leaves or particles and having
  * none.
  */
-const MOST_UNUSED = 24;
+const MAX_UNUSED = 24;
 
 interface CachedMaterial {
 	made: MeshStandardMaterial;
@@ -50,7 +50,7 @@ export class MaterialCache {
 		this.#textured.clear();
 		const unused = [...this.#cached].filter(([, { lastUsed }]) => lastUsed < this.#plant - 2);
 		unused.sort(([, one], [, other]) => other.lastUsed - one.lastUsed);
-		for (const [key, cached] of unused.slice(MOST_UNUSED)) {
+		for (const [key, cached] of unused.slice(MAX_UNUSED)) {
 			disposeOf(cached);
 			this.#cached.delete(key);
 		}
@@ -81,11 +81,13 @@ export class MaterialCache {
 			if (cached.made === made && cached.shows[kind]) showPicture(cached, kind, picture);
 	}
 
+	/** Releases the graphics memory of all materials. */
 	dispose(): void {
 		for (const cached of this.#cached.values()) disposeOf(cached);
 		this.#cached.clear();
 	}
 
+	/** Creates the three.js material of a material, with its textures. */
 	#make(material: Material, coloured: boolean): CachedMaterial {
 		const { repeats, ...shows } = material.textures ?? {};
 		const maps = Object.fromEntries(
@@ -105,7 +107,9 @@ export class MaterialCache {
 	}
 }
 
-/** Replaces a picture. */
+/**
+ * Replaces the texture of a kind by one of another picture; does nothing if the material shows that picture already.
+ */
 function showPicture({ made, shows }: CachedMaterial, kind: TextureKind, picture: Picture): void {
 	if (shows[kind] === picture) return;
 	(made[TEXTURE_SLOTS[kind]] as Texture).dispose();
@@ -117,6 +121,7 @@ function showPicture({ made, shows }: CachedMaterial, kind: TextureKind, picture
 	shows[kind] = picture;
 }
 
+/** Frees a material and its textures on the graphics card. */
 function disposeOf({ made }: CachedMaterial): void {
 	for (const kind of KINDS) made[TEXTURE_SLOTS[kind]]?.dispose();
 	made.dispose();

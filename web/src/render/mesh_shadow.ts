@@ -10,7 +10,7 @@ import {
 	ShaderMaterial,
 } from "three";
 import type { PaperShadow } from "./paper_shadow";
-import { WIND_CHUNK, type WindUniforms, windUniforms } from "./wind";
+import { WIND_CHUNK, type WindUniforms, windUniforms } from "./wind_shader";
 
 const VERTEX = /* glsl */ `
 uniform float paper;
@@ -47,8 +47,8 @@ export class MeshShadow {
 
 	constructor(shadow: PaperShadow, wind: WindUniforms) {
 		this.#shadow = shadow;
-		this.#blown = casting(shadow, wind);
-		this.#still = casting(shadow, windUniforms());
+		this.#blown = castingMaterial(shadow, wind);
+		this.#still = castingMaterial(shadow, windUniforms());
 	}
 
 	/**
@@ -58,26 +58,29 @@ export class MeshShadow {
 	set(meshes: readonly Mesh<BufferGeometry, Material>[], blown: (material: Material) => boolean = () => true): void {
 		this.#clear();
 		for (const mesh of meshes) {
-			const cast = sharing(mesh, blown(mesh.material) ? this.#blown : this.#still);
+			const cast = shadowMesh(mesh, blown(mesh.material) ? this.#blown : this.#still);
 			cast.frustumCulled = false;
 			this.#shadow.hard.add(cast);
 			this.#cast.push(cast);
 		}
 	}
 
+	/** Releases the graphics memory. */
 	dispose(): void {
 		this.#clear();
 		this.#blown.dispose();
 		this.#still.dispose();
 	}
 
+	/** Removes all casting meshes from the scene of the shadow. */
 	#clear(): void {
 		for (const cast of this.#cast) cast.removeFromParent();
 		this.#cast.length = 0;
 	}
 }
 
-function casting(shadow: PaperShadow, wind: WindUniforms): ShaderMaterial {
+/** Creates the material that draws meshes into the shadow texture: the greatest value wins where meshes overlap. */
+function castingMaterial(shadow: PaperShadow, wind: WindUniforms): ShaderMaterial {
 	return new ShaderMaterial({
 		name: "mesh-shadow",
 		vertexShader: VERTEX,
@@ -95,7 +98,7 @@ function casting(shadow: PaperShadow, wind: WindUniforms): ShaderMaterial {
 }
 
 /** Returns a mesh with the same geometry and instances, and another material. */
-function sharing(mesh: Mesh | InstancedMesh, material: ShaderMaterial): Mesh {
+function shadowMesh(mesh: Mesh | InstancedMesh, material: ShaderMaterial): Mesh {
 	if (!(mesh instanceof InstancedMesh)) return new Mesh(mesh.geometry, material);
 	const shared = new InstancedMesh(mesh.geometry, material, 0);
 	shared.instanceMatrix = mesh.instanceMatrix;

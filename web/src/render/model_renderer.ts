@@ -4,7 +4,7 @@ import type { Sway } from "../plant/sway";
 import type { Bodies } from "./camera_fit";
 import type { PaperShadow } from "./paper_shadow";
 import type { StageLight } from "./stage_light";
-import type { WindUniforms } from "./wind";
+import type { WindUniforms } from "./wind_shader";
 
 export type SceneVector = readonly [x: number, y: number, z: number];
 

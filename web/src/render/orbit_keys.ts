@@ -1,16 +1,16 @@
+import { text } from "./messages.generated";
 import type { Viewer } from "./viewer";
 
 const ORBIT_STEP = 0.12;
 const PAN_STEP = 0.05;
 const ZOOM_STEP = 1.15;
 
-/** Help on the keys of the focused view, for screen readers. */
-export const ORBIT_KEYS =
-	"Arrow keys orbit, with Shift they move; plus and minus go nearer and further, 0 resets the view.";
+/** Returns the help on the keys of the focused view, for screen readers. */
+export const orbitKeys = (): string => text("orbit_keys");
 
 /**
- * Turns, moves and zooms the view by keys.
- * @returns whether the key was one of them
+ * Turns the view by the arrow keys, moves it by Shift and the arrow keys, and zooms it by + − 0.
+ * @returns whether the key was one of these; false with Ctrl, Alt or Meta
  */
 export function turnedBy(
 	view: Pick<Viewer<never, never>, "orbit" | "pan" | "zoom" | "resetView">,

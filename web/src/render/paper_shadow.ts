@@ -41,6 +41,7 @@ export class PaperShadow {
 		this.root.visible = this.hard.visible = visible;
 	}
 
+	/** Sets the direction of the shadow's light and its softness from a light rig. */
 	setRig({ shadow, key }: LightRig): void {
 		this.uniforms.lamp.value.copy(shadow.direction);
 		this.uniforms.spread.value = spreadOf(key);
@@ -63,6 +64,7 @@ export class PaperShadow {
 		renderer.setRenderTarget(null);
 	}
 
+	/** Releases the graphics memory. */
 	dispose(): void {
 		this.#target.dispose();
 		this.#soft.dispose();

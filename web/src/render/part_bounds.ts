@@ -18,15 +18,15 @@ export function boundsOf(parts: Iterable<Part>): Bodies {
 	return { spheres: joined(balls), points: Float32Array.from(points) };
 }
 
-/** Returns the bounding box; empty if there are no bodies. */
+/** Returns the bounding box of points and spheres; empty if there are none. */
 export function boxOf({ spheres, points }: Bodies): Box3 {
 	const { min, max } = new Box3();
-	const hold = (x: number, y: number, z: number, reach: number) => {
+	const extend = (x: number, y: number, z: number, reach: number) => {
 		min.set(Math.min(min.x, x - reach), Math.min(min.y, y - reach), Math.min(min.z, z - reach));
 		max.set(Math.max(max.x, x + reach), Math.max(max.y, y + reach), Math.max(max.z, z + reach));
 	};
-	for (let i = 0; i < points.length; i += 3) hold(points[i], points[i + 1], points[i + 2], 0);
-	for (let i = 0; i < spheres.length; i += 4) hold(spheres[i], spheres[i + 1], spheres[i + 2], spheres[i + 3]);
+	for (let i = 0; i < points.length; i += 3) extend(points[i], points[i + 1], points[i + 2], 0);
+	for (let i = 0; i < spheres.length; i += 4) extend(spheres[i], spheres[i + 1], spheres[i + 2], spheres[i + 3]);
 	return new Box3(min, max);
 }
 
@@ -47,15 +47,20 @@ function reachOf(positions: Float32Array): number {
 	return Math.sqrt(square);
 }
 
+/**
+ * Returns a bounding sphere per instance (x y z radius): its origin, and `reach` times its scale.
+ * @param transforms position, quaternion and scale of each instance
+ * @param reach greatest distance of the mesh's points from its origin
+ */
 function ballsOf(transforms: Float32Array, reach: number): Float32Array {
 	const count = transforms.length / TRANSFORM;
 	const balls = new Float32Array(4 * count);
 	for (let i = 0; i < count; i++) {
-		const at = TRANSFORM * i;
-		balls[4 * i] = transforms[at];
-		balls[4 * i + 1] = transforms[at + 1];
-		balls[4 * i + 2] = transforms[at + 2];
-		balls[4 * i + 3] = reach * transforms[at + 7];
+		const first = TRANSFORM * i;
+		balls[4 * i] = transforms[first];
+		balls[4 * i + 1] = transforms[first + 1];
+		balls[4 * i + 2] = transforms[first + 2];
+		balls[4 * i + 3] = reach * transforms[first + 7];
 	}
 	return balls;
 }
@@ -63,15 +68,17 @@ function ballsOf(transforms: Float32Array, reach: number): Float32Array {
 /** Concatenates arrays. */
 export function joined(arrays: readonly Float32Array[]): Float32Array {
 	const whole = new Float32Array(arrays.reduce((length, array) => length + array.length, 0));
-	let at = 0;
+	let written = 0;
 	for (const array of arrays) {
-		whole.set(array, at);
-		at += array.length;
+		whole.set(array, written);
+		written += array.length;
 	}
 	return whole;
 }
 
+/** Adds at most about `POINTS` points of a mesh, evenly spaced among its vertices. */
 function addPoints(points: number[], positions: Float32Array): void {
 	const step = 3 * Math.max(1, Math.floor(positions.length / 3 / POINTS));
-	for (let at = 0; at < positions.length; at += step) points.push(positions[at], positions[at + 1], positions[at + 2]);
+	for (let index = 0; index < positions.length; index += step)
+		points.push(positions[index], positions[index + 1], positions[index + 2]);
 }

@@ -15,13 +15,22 @@ import type { MaterialCache } from "./material_cache";
 
 export type PartObject = Mesh<BufferGeometry, MeshStandardMaterial>;
 
-/** The transform of instance `index` as a matrix. */
+/**
+ * Returns the transform of instance `index` as a matrix.
+ * @param matrix matrix to write to
+ */
 export function matrixOf(transforms: Float32Array, index: number, matrix = new Matrix4()): Matrix4 {
 	writeMatrix(transforms, TRANSFORM * index, matrix.elements, 0);
 	return matrix;
 }
 
-/** Writes position, rotation and scale as a column-major 4 × 4 matrix, without an object for each instance. */
+/**
+ * Writes one transform as a column-major 4 × 4 matrix, without an object for each instance.
+ * @param transforms position (3), quaternion (4) and scale (1) of each instance
+ * @param from index of the transform's first number
+ * @param into array of the matrix
+ * @param at index in `into` of the matrix's first number
+ */
 function writeMatrix(transforms: Float32Array, from: number, into: { [index: number]: number }, at: number): void {
 	const qx = transforms[from + 3];
 	const qy = transforms[from + 4];
@@ -62,7 +71,7 @@ export class PartMeshes {
 			if (shape.material.textures) geometry.setAttribute("uv", new BufferAttribute(mesh.uvs, 2));
 			const coloured = mesh.colours !== undefined;
 			const material = materials.materialOf(shape.material, coloured);
-			const object = instances ? instanced(geometry, material, instances.transforms) : new Mesh(geometry, material);
+			const object = instances ? instancedMesh(geometry, material, instances.transforms) : new Mesh(geometry, material);
 			object.name = name;
 			object.userData.pickIds = mesh.pickIds;
 			object.castShadow = true;
@@ -73,11 +82,16 @@ export class PartMeshes {
 		}
 	}
 
+	/** Frees all geometries and instance buffers; the cache owns the materials. */
 	dispose(): void {
 		for (const geometry of [...this.#geometries.values(), ...this.#own]) geometry.dispose();
 		for (const object of this.objects) if (object instanceof InstancedMesh) object.dispose();
 	}
 
+	/**
+	 * Returns a mesh's geometry, created once. Instances with a share of the sky of their own get a second geometry that
+	 * shares all attributes but `sky`.
+	 */
 	#geometryOf(mesh: PartMesh, instances?: Instances): BufferGeometry {
 		const known = this.#geometries.get(mesh) ?? geometryOf(mesh);
 		this.#geometries.set(mesh, known);
@@ -93,15 +107,16 @@ export class PartMeshes {
 }
 
 /**
- * Attribute with a fully visible sky for all vertices of all instances, for parts without computed sky: previews then
- * use the programs of the final parts. Each call makes an attribute of its own, because disposing of a geometry frees
- * its attributes on the graphics card.
+ * Returns an attribute with a fully visible sky for all vertices of all instances, for parts without computed sky:
+ * previews then use the programs of the final parts. Each call makes an attribute of its own, because disposing of a
+ * geometry frees its attributes on the graphics card.
  */
 function openSky(instances?: Instances): InstancedBufferAttribute {
 	const count = (instances?.transforms.length ?? 0) / TRANSFORM;
 	return new InstancedBufferAttribute(Uint8Array.of(255), 1, true, Math.max(1, count));
 }
 
+/** Creates a geometry with three's attribute names; without computed sky, `sky` is fully visible. */
 function geometryOf({ positions, normals, colours, sky, indices }: PartMesh): BufferGeometry {
 	const geometry = new BufferGeometry();
 	geometry.setAttribute("position", new BufferAttribute(positions, 3));
@@ -109,16 +124,18 @@ function geometryOf({ positions, normals, colours, sky, indices }: PartMesh): Bu
 	if (colours) geometry.setAttribute("color", new BufferAttribute(colours, 3));
 	geometry.setAttribute("sky", sky ? new BufferAttribute(sky, 1, true) : openSky());
 	geometry.setIndex(new BufferAttribute(indices, 1));
-	geometry.boundingSphere = sphereAbout(positions, 3 * Math.max(1, Math.floor(positions.length / 3 / MOST_SAMPLED)));
+	geometry.boundingSphere = sphereAbout(positions, 3 * Math.max(1, Math.floor(positions.length / 3 / MAX_SAMPLED)));
 	return geometry;
 }
 
 /** Largest number of vertices sampled for the size of a mesh. */
-const MOST_SAMPLED = 20_000;
+const MAX_SAMPLED = 20_000;
 
 /**
- * Returns a bounding sphere of points, the first three of every `stride` numbers, about the middle of their box: ten
- * times as fast as three's own.
+ * Returns a bounding sphere about the middle of the points' box, ten times as fast as three's own; of radius −1 if
+ * there are no points.
+ * @param points x y z at the start of every `stride` numbers
+ * @param reach added to the radius: how far bodies extend from their points
  */
 function sphereAbout(points: Float32Array, stride: number, reach = 0): Sphere {
 	let [lowX, lowY, lowZ, highX, highY, highZ] = [Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity];
@@ -138,14 +155,16 @@ function sphereAbout(points: Float32Array, stride: number, reach = 0): Sphere {
 	return new Sphere(centre, reach + 0.5 * Math.hypot(highX - lowX, highY - lowY, highZ - lowZ));
 }
 
-/** Returns the greatest reach of an instance from its position. */
+/** Returns how far any instance extends from its position: the mesh's bounding sphere times the largest scale. */
 function reachOf({ boundingSphere }: BufferGeometry, transforms: Float32Array): number {
 	let largest = 0;
-	for (let at = 7; at < transforms.length; at += TRANSFORM) largest = Math.max(largest, transforms[at]);
+	for (let scaleAt = 7; scaleAt < transforms.length; scaleAt += TRANSFORM)
+		largest = Math.max(largest, transforms[scaleAt]);
 	return largest * (boundingSphere ? boundingSphere.radius + boundingSphere.center.length() : 0);
 }
 
-function instanced(geometry: BufferGeometry, material: MeshStandardMaterial, transforms: Float32Array): PartObject {
+/** Creates an InstancedMesh from transforms (position, quaternion, scale; TRANSFORM numbers per instance). */
+function instancedMesh(geometry: BufferGeometry, material: MeshStandardMaterial, transforms: Float32Array): PartObject {
 	const count = transforms.length / TRANSFORM;
 	const matrices = new Float32Array(16 * count);
 	for (let i = 0; i < count; i++) writeMatrix(transforms, TRANSFORM * i, matrices, 16 * i);

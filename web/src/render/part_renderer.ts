@@ -82,6 +82,7 @@ export class PartRenderer<S, G> implements ModelRenderer<S, G> {
 		stage.root.add(this.#lights.group);
 	}
 
+	/** Replaces the drawn plant by another. */
 	show(grown: G, specimen: S): void {
 		this.#clear();
 		const parts = [...this.#parts(grown, specimen)];
@@ -99,23 +100,31 @@ export class PartRenderer<S, G> implements ModelRenderer<S, G> {
 		this.#lights.shade(ballOf(this.#bounds));
 	}
 
+	/** Returns the bounds of the drawn parts. */
 	bounds(): Bodies {
 		const { spheres, points } = this.#bounds;
 		return { spheres, points: joined([points, this.#about]) };
 	}
 
+	/** Returns the movement in the wind; undefined where there is none. */
 	sway(): Sway | undefined {
 		return this.#sway;
 	}
 
+	/** Draws the shadow again, which a lost graphics context has erased. */
 	restored(): void {
 		this.#lights.restored();
 	}
 
+	/** Prepares the next frame for a camera. */
 	prepare(camera: PerspectiveCamera): void {
 		this.#lights.aim(this.#stage.light, camera, this.#stage.wind);
 	}
 
+	/**
+	 * Returns the number of the part under a ray. Meshes with pick ids are numbered first, by their ids; then each other
+	 * mesh or instance, in the order of drawing.
+	 */
 	pick({ origin, direction }: ViewRay): number | undefined {
 		const ray = new Raycaster(new Vector3(...origin), new Vector3(...direction).normalize());
 		const [hit] = ray.intersectObjects(this.#shown.objects, false);
@@ -130,6 +139,10 @@ export class PartRenderer<S, G> implements ModelRenderer<S, G> {
 		return before + (hit.instanceId ?? 0);
 	}
 
+	/**
+	 * Highlights a part by its number from `pick`; undefined removes the highlight.
+	 * @param whole pick ids that belong to the same part, highlighted more faintly
+	 */
 	mark(picked: number | undefined, whole: ReadonlySet<number> = new Set()): void {
 		this.#unmark();
 		if (picked === undefined) return;
@@ -139,11 +152,15 @@ export class PartRenderer<S, G> implements ModelRenderer<S, G> {
 			if (pickIds) {
 				this.#markTriangles(object, pickIds, (id) => id === picked, CELL);
 				this.#markTriangles(object, pickIds, (id) => id !== picked && whole.has(id), WHOLE);
-			} else if (left >= 0 && left < countOf(object)) this.#light(instanceOf(object, left));
+			} else if (left >= 0 && left < countOf(object)) this.#addMark(highlightOf(object, left));
 			if (!pickIds) left -= countOf(object);
 		}
 	}
 
+	/**
+	 * Draws a copy of the triangles whose pick ids satisfy `which` over the mesh.
+	 * @param by options of the overlay's material
+	 */
 	#markTriangles(
 		{ geometry }: PartObject,
 		pickIds: Uint32Array,
@@ -153,10 +170,11 @@ export class PartRenderer<S, G> implements ModelRenderer<S, G> {
 		if (!pickIds.some(which)) return;
 		const mark = new Mesh(onlyOf(geometry, pickIds, which), new MeshBasicMaterial(by));
 		mark.userData.own = true;
-		this.#light(mark);
+		this.#addMark(mark);
 	}
 
-	#light(mark: Mesh<BufferGeometry, Material>): void {
+	/** Adds a mark to the scene. */
+	#addMark(mark: Mesh<BufferGeometry, Material>): void {
 		this.#marks.push(mark);
 		this.#stage.root.add(mark);
 	}
@@ -167,8 +185,10 @@ export class PartRenderer<S, G> implements ModelRenderer<S, G> {
 		if (found) this.#materials.setPicture(found.material, kind, picture);
 	}
 
+	/** Does nothing: there is one mode. */
 	setMode(): void {}
 
+	/** Removes the parts from the scene and releases their graphics memory. */
 	dispose(): void {
 		this.#clear();
 		this.#materials.dispose();
@@ -177,6 +197,7 @@ export class PartRenderer<S, G> implements ModelRenderer<S, G> {
 		this.#lights.dispose();
 	}
 
+	/** Removes the plant and its marks from the scene. */
 	#clear(): void {
 		this.#unmark();
 		for (const object of this.#shown.objects) object.removeFromParent();
@@ -184,6 +205,7 @@ export class PartRenderer<S, G> implements ModelRenderer<S, G> {
 		this.#shadow.set([]);
 	}
 
+	/** Removes all marks; only overlays own their geometry, marked instances share it. */
 	#unmark(): void {
 		for (const mark of this.#marks) {
 			mark.removeFromParent();
@@ -194,6 +216,7 @@ export class PartRenderer<S, G> implements ModelRenderer<S, G> {
 	}
 }
 
+/** Returns the pick id of each triangle of a part; undefined if its mesh has none. */
 const pickIdsOf = ({ userData }: PartObject): Uint32Array | undefined => userData.pickIds;
 
 /** Returns one more than the largest pick id of any mesh. */
@@ -203,18 +226,23 @@ function countPickIds(objects: readonly PartObject[]): number {
 	return count;
 }
 
-function lightened(of: PartObject["material"]): PartObject["material"] {
-	const material = of.clone();
-	material.emissive.copy(MARK);
-	material.polygonOffset = true;
-	material.polygonOffsetFactor = -1;
-	material.polygonOffsetUnits = -1;
-	return material;
+/** Returns a copy of a material that glows and is drawn in front of the original. */
+function lightenedMaterial(material: PartObject["material"]): PartObject["material"] {
+	const lightened = material.clone();
+	lightened.emissive.copy(MARK);
+	lightened.polygonOffset = true;
+	lightened.polygonOffsetFactor = -1;
+	lightened.polygonOffsetUnits = -1;
+	return lightened;
 }
 
-/** Returns a mesh of one instance of an object. */
-function instanceOf(object: PartObject, index: number): PartObject {
-	const mark: PartObject = new Mesh(object.geometry, lightened(object.material));
+/**
+ * Returns a lightened copy of an object, drawn over it as a highlight; of an object with instances, a copy of one
+ * instance.
+ * @param index of the instance
+ */
+function highlightOf(object: PartObject, index: number): PartObject {
+	const mark: PartObject = new Mesh(object.geometry, lightenedMaterial(object.material));
 	if (object instanceof InstancedMesh) {
 		object.getMatrixAt(index, mark.matrix);
 		mark.matrix.decompose(mark.position, mark.quaternion, mark.scale);
@@ -223,8 +251,8 @@ function instanceOf(object: PartObject, index: number): PartObject {
 }
 
 /**
- * Returns the triangles with some pick ids, with vertices of their own: three.js deletes a geometry's buffers with it,
- * even if another geometry shares its attributes.
+ * Returns the triangles whose pick ids satisfy `which`, with vertices of their own: three.js deletes a geometry's
+ * buffers with it, even if another geometry shares its attributes.
  */
 function onlyOf(geometry: BufferGeometry, pickIds: Uint32Array, which: (id: number) => boolean): BufferGeometry {
 	const indices = geometry.index?.array ?? [];
@@ -249,11 +277,16 @@ function onlyOf(geometry: BufferGeometry, pickIds: Uint32Array, which: (id: numb
 	return only;
 }
 
+/** Returns the number of instances of a part; 1 for a single mesh. */
 function countOf(object: PartObject): number {
 	return object instanceof InstancedMesh ? object.count : 1;
 }
 
-/** Returns the renderer of a model that consists of parts. */
+/**
+ * Returns the renderer of a model that consists of parts.
+ * @param room returns additional points that the view must contain, metres
+ * @param swayOf returns a plant's motion in wind
+ */
 export function partRenderer<S, G>(
 	parts: (grown: G, specimen: S) => Iterable<Part>,
 	room?: (specimen: S) => Float32Array,

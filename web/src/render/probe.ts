@@ -4,7 +4,10 @@ import type { Lobe } from "./light";
 /** Steps of the integral over a lobe. */
 const STEPS = 64;
 
-/** Integral of a lobe in the bands l = 0, 1, 2: ∫ P_l(x) exp(s (x − 1)) dx · 2π, with s the sharpness. */
+/**
+ * Computes the integral of a lobe in the bands l = 0, 1, 2 by the midpoint rule: 2π ∫ P_l(x) exp(s (x − 1)) dx over −1
+ * … 1, with s the sharpness and P_l the Legendre polynomial.
+ */
 function bandsOf(sharpness: number): [number, number, number] {
 	const bands: [number, number, number] = [0, 0, 0];
 	for (let i = 0; i < STEPS; i++) {

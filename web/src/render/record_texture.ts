@@ -41,7 +41,7 @@ export class RecordTexture {
 	}
 
 	/** The same memory as words. */
-	get words(): Uint32Array {
+	get uint32(): Uint32Array {
 		return new Uint32Array(this.data.buffer);
 	}
 
@@ -50,10 +50,12 @@ export class RecordTexture {
 		this.texture.needsUpdate = true;
 	}
 
+	/** Releases the graphics memory. */
 	dispose(): void {
 		this.texture.dispose();
 	}
 
+	/** Creates the texture for a number of rows; shaders read its texels without interpolation. */
 	#make(rows: number): DataTexture {
 		this.#capacity = rows * this.perRow;
 		const width = this.perRow * this.texels;

@@ -6,6 +6,7 @@ import { SmoothEdges } from "./smooth_edges";
 
 /** Something that a renderer draws: a `Stage`. */
 export interface Drawable {
+	/** Draws itself. @param paper distance of the paper from the eye */
 	draw(renderer: WebGLRenderer, camera: PerspectiveCamera, paper: number): void;
 }
 
@@ -70,7 +71,7 @@ export class Renderer {
 		this.#edges?.draw(this.#three, size);
 	}
 
-	/** Resizes the canvas for a picture. */
+	/** Resizes the canvas for a picture: to its size if the canvas has one view only, else at least to its size. */
 	fit({ width, height }: Size): void {
 		const { canvas } = this;
 		const [across, up] = this.#fits
@@ -80,7 +81,12 @@ export class Renderer {
 		this.#three.setViewport(0, 0, width, height);
 	}
 
-	/** Copies the last picture; call it in the same task, before the browser clears the canvas. */
+	/** Runs a function with three's renderer, for drawings that are not on the canvas. */
+	use<Result>(draw: (renderer: WebGLRenderer) => Result): Result {
+		return draw(this.#three);
+	}
+
+	/** Copies the last picture onto a view's canvas; call it in the same task, before the browser clears the canvas. */
 	copy(onto: CanvasRenderingContext2D, { width, height }: Size): void {
 		const { canvas } = onto;
 		if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
@@ -105,7 +111,9 @@ export class Renderer {
 let software: boolean | undefined;
 
 /**
- * Checks this once with a context of its own, because antialiasing must be chosen before the drawing context exists.
+ * Returns whether WebGL 2 runs in software. Checks this once with a context of its own, because antialiasing must be
+ * chosen before the drawing context exists.
+ * @throws NoWebGL2Error
  */
 function drawsBySoftware(): boolean {
 	if (software !== undefined) return software;

@@ -29,8 +29,8 @@ export interface Shell {
 const known = new WeakMap<readonly number[], number[]>();
 
 /**
- * Returns the points that edges join. Finding edges takes longer than showing a plant, so a body that is only moved or
- * stretched reuses its edges.
+ * Returns the indices of the points that edges join, two per edge. Finding edges takes longer than showing a plant, so
+ * a body that is only moved or stretched reuses its edges.
  */
 function edgesOf(faces: BufferGeometry, triangles: readonly number[]): number[] {
 	const before = known.get(triangles);
@@ -66,7 +66,10 @@ export class ShellRenderer {
 		this.#markedEdges.opacity = 1;
 	}
 
-	/** @param colour any CSS colour */
+	/**
+	 * Replaces the shells.
+	 * @param colour any CSS colour
+	 */
 	show(shells: readonly Shell[], colour: string): void {
 		this.#clear();
 		for (const material of [this.#faces, this.#edges]) material.color.set(colour);
@@ -81,18 +84,21 @@ export class ShellRenderer {
 	}
 
 	/**
+	 * Draws some shells more strongly, and all others normally.
 	 * @param marked indices of the marked shells
 	 * @param colour any CSS colour
 	 */
 	mark(marked: ReadonlySet<number>, colour: string): void {
 		for (const material of [this.#markedFaces, this.#markedEdges]) material.color.set(colour);
-		this.object.children.forEach((part, at) => {
-			const its = marked.has(at >> 1);
-			if (part instanceof Mesh) part.material = its ? this.#markedFaces : this.#faces;
-			else (part as LineSegments).material = its ? this.#markedEdges : this.#edges;
+		this.object.children.forEach((part, index) => {
+			// Each shell has two children: faces and edges.
+			const isMarked = marked.has(index >> 1);
+			if (part instanceof Mesh) part.material = isMarked ? this.#markedFaces : this.#faces;
+			else (part as LineSegments).material = isMarked ? this.#markedEdges : this.#edges;
 		});
 	}
 
+	/** Frees the shells and all materials; the caller removes `object` from its scene. */
 	dispose(): void {
 		this.#clear();
 		this.#faces.dispose();
@@ -101,6 +107,7 @@ export class ShellRenderer {
 		this.#markedEdges.dispose();
 	}
 
+	/** Removes all shells and frees their geometries. */
 	#clear(): void {
 		for (const part of this.object.children) (part as Mesh).geometry.dispose();
 		this.object.clear();

@@ -68,11 +68,13 @@ export class SmoothEdges {
 		this.#screen.draw(renderer);
 	}
 
+	/** Releases the graphics memory. */
 	dispose(): void {
 		this.#picture?.dispose();
 		this.#screen.dispose();
 	}
 
+	/** Returns the texture that holds the drawn picture, recreated when the size changes. */
 	#pictureOf({ width, height }: Size): FramebufferTexture {
 		const { image } = this.#picture ?? {};
 		if (this.#picture && image?.width === width && image.height === height) return this.#picture;

@@ -81,6 +81,7 @@ export class SoftShadow {
 		this.#screen.draw(renderer);
 	}
 
+	/** Releases the graphics memory. */
 	dispose(): void {
 		this.#target.dispose();
 		this.#screen.dispose();

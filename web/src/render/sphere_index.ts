@@ -13,6 +13,7 @@ export class SphereIndex {
 	readonly #starts: Uint32Array;
 	readonly #order: Uint32Array;
 
+	/** @param spheres 4 × count: centre x y z, radius, in metres; not copied */
 	constructor(readonly spheres: Float32Array) {
 		this.count = Math.floor(spheres.length / 4);
 		const low = [Infinity, Infinity, Infinity];
@@ -38,20 +39,22 @@ export class SphereIndex {
 		this.#sort();
 	}
 
-	#along(axis: number, value: number): number {
+	/** Returns the cell of a coordinate along one axis (0 … 2), limited to the grid. */
+	#cellAlong(axis: number, value: number): number {
 		const cell = Math.floor((value - this.#low[axis]) / this.#size);
 		return Math.min(this.#cells[axis] - 1, Math.max(0, cell));
 	}
 
+	/** Returns the number of the cell in which the centre of sphere `i` is: x fastest, z slowest. */
 	#cellOf(i: number): number {
 		const s = this.spheres;
-		const x = this.#along(0, s[4 * i]);
-		const y = this.#along(1, s[4 * i + 1]);
-		const z = this.#along(2, s[4 * i + 2]);
+		const x = this.#cellAlong(0, s[4 * i]);
+		const y = this.#cellAlong(1, s[4 * i + 1]);
+		const z = this.#cellAlong(2, s[4 * i + 2]);
 		return x + this.#cells[0] * (y + this.#cells[1] * z);
 	}
 
-	/** Counting sort: two passes, no lists. */
+	/** Fills `#starts` and `#order` by a counting sort: two passes, no lists. */
 	#sort(): void {
 		for (let i = 0; i < this.count; i++) this.#starts[this.#cellOf(i) + 1]++;
 		for (let c = 1; c < this.#starts.length; c++) this.#starts[c] += this.#starts[c - 1];
@@ -60,18 +63,19 @@ export class SphereIndex {
 	}
 
 	/**
-	 * Writes the indices of spheres whose centres may be within `distance` of the point into `found`.
+	 * Writes the indices of spheres whose centres may be within `distance` of the point into `found`, at most as many as
+	 * it has room for.
 	 * @returns their number
 	 */
 	near(x: number, y: number, z: number, distance: number, found: Uint32Array): number {
 		const [nx, ny] = this.#cells;
-		const fromX = this.#along(0, x - distance);
-		const toX = this.#along(0, x + distance);
-		const toY = this.#along(1, y + distance);
-		const toZ = this.#along(2, z + distance);
+		const fromX = this.#cellAlong(0, x - distance);
+		const toX = this.#cellAlong(0, x + distance);
+		const toY = this.#cellAlong(1, y + distance);
+		const toZ = this.#cellAlong(2, z + distance);
 		let count = 0;
-		for (let cz = this.#along(2, z - distance); cz <= toZ; cz++) {
-			for (let cy = this.#along(1, y - distance); cy <= toY; cy++) {
+		for (let cz = this.#cellAlong(2, z - distance); cz <= toZ; cz++) {
+			for (let cy = this.#cellAlong(1, y - distance); cy <= toY; cy++) {
 				const row = nx * (cy + ny * cz);
 				const end = this.#starts[row + toX + 1];
 				for (let at = this.#starts[row + fromX]; at < end && count < found.length; at++)

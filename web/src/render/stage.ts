@@ -1,4 +1,4 @@
-import { Group, type PerspectiveCamera, Scene, type WebGLRenderer } from "three";
+import { Group, type Object3D, type PerspectiveCamera, Scene, type WebGLRenderer } from "three";
 import { Backdrop } from "./backdrop";
 import type { Bodies } from "./camera_fit";
 import type { Theme } from "./light";
@@ -6,11 +6,13 @@ import type { ModelRenderer, RendererFactory, ViewRay } from "./model_renderer";
 import { PaperShadow } from "./paper_shadow";
 import type { Drawable } from "./renderer";
 import { StageLight } from "./stage_light";
-import { Wind } from "./wind";
+import { Wind } from "./wind_shader";
 
 /** The renderer of a model, its light and the paper behind it: the whole scene, for any canvas. */
 export class Stage<S, G> implements Drawable {
 	readonly scene = new Scene();
+	/** Editing aids beside the plant, such as handles and boundaries. */
+	readonly aids = new Group();
 	readonly wind = new Wind();
 	readonly #light = new StageLight();
 	readonly #shadow = new PaperShadow();
@@ -19,7 +21,7 @@ export class Stage<S, G> implements Drawable {
 	#renderer: ModelRenderer<S, G> | undefined;
 	#mode = "";
 	#marked: number | undefined;
-	#whole: ReadonlySet<number> | undefined;
+	#markedGroup: ReadonlySet<number> | undefined;
 	#filled = false;
 
 	readonly #changed: () => void;
@@ -27,7 +29,7 @@ export class Stage<S, G> implements Drawable {
 	/** @param changed called when the renderer's drawing has changed by itself */
 	constructor(changed: () => void = () => {}) {
 		this.#changed = changed;
-		this.scene.add(this.#backdrop.mesh);
+		this.scene.add(this.#backdrop.mesh, this.aids);
 	}
 
 	/** Replaces the renderer. */
@@ -44,16 +46,16 @@ export class Stage<S, G> implements Drawable {
 			changed: this.#changed,
 		});
 		this.#mode = this.#renderer.modes[0];
-		this.#empty();
+		this.#hidePlant();
 	}
 
 	/** Draws the paper alone, and compiles all programs while the first plant is still growing. */
 	readonly warmUp: Drawable = {
 		draw: (renderer, camera, paper) => {
 			this.#renderer?.warmUp?.();
-			this.#fill();
+			this.#showPlant();
 			this.draw(renderer, camera, paper);
-			this.#empty();
+			this.#hidePlant();
 		},
 	};
 
@@ -67,34 +69,59 @@ export class Stage<S, G> implements Drawable {
 		return this.#filled;
 	}
 
-	/** @returns bounds that the view must contain */
+	/**
+	 * Shows a plant in place of the last one.
+	 * @returns bounds that the view must contain
+	 */
 	show(grown: G, specimen: S): Bodies {
 		if (!this.#renderer) throw new Error("There is no figure to show a plant with: give the viewer one to use.");
 		this.#renderer.show(grown, specimen);
 		this.#marked = undefined;
 		this.wind.fit(this.#renderer.sway?.());
-		this.#fill();
+		this.#showPlant();
 		return this.#renderer.bounds();
 	}
 
+	/** Returns the pick id of the first part along a ray; undefined if there is no plant or the ray hits nothing. */
 	pick(ray: ViewRay): number | undefined {
 		return this.#filled ? this.#renderer?.pick(ray) : undefined;
 	}
 
-	/** @returns whether anything changed */
-	mark(picked: number | undefined, whole?: ReadonlySet<number>): boolean {
-		if (picked === this.#marked && (picked === undefined || whole === this.#whole)) return false;
+	/**
+	 * Marks a part, and softly its `group`, as `ModelRenderer.mark`.
+	 * @returns whether anything changed
+	 */
+	mark(picked: number | undefined, group?: ReadonlySet<number>): boolean {
+		if (picked === this.#marked && (picked === undefined || group === this.#markedGroup)) return false;
 		this.#marked = picked;
-		this.#whole = whole;
-		this.#renderer?.mark(picked, whole);
+		this.#markedGroup = group;
+		this.#renderer?.mark(picked, group);
 		return true;
 	}
 
+	/** Calls a function while the plant is shown without editing aids and marks. */
+	plantAlone<Taken>(take: () => Taken): Taken {
+		const [marked, group] = [this.#marked, this.#markedGroup];
+		const { visible } = this.aids;
+		this.mark(undefined);
+		this.aids.visible = false;
+		try {
+			return take();
+		} finally {
+			this.aids.visible = visible;
+			this.mark(marked, group);
+		}
+	}
+
+	/** Modes of the renderer, the default first; empty without a renderer. */
 	get modes(): readonly string[] {
 		return this.#renderer?.modes ?? [];
 	}
 
-	/** @returns whether anything changed */
+	/**
+	 * Sets one of `modes`; other values are ignored.
+	 * @returns whether anything changed
+	 */
 	setMode(mode: string): boolean {
 		if (mode === this.#mode || !this.modes.includes(mode)) return false;
 		this.#mode = mode;
@@ -102,6 +129,7 @@ export class Stage<S, G> implements Drawable {
 		return true;
 	}
 
+	/** Sets the light and the background of a colour scheme. */
 	setTheme(theme: Theme): void {
 		this.#light.setTheme(theme);
 		this.#backdrop.setRig(this.#light.rig);
@@ -128,8 +156,28 @@ export class Stage<S, G> implements Drawable {
 	}
 
 	/**
-	 * After a restored context, three.js uploads buffers, textures and programs again with the next draw, if the page
-	 * still has them.
+	 * Draws the plant at rest in the user's room, without paper, shadow, aids and marks.
+	 * @param mark object that is drawn, too
+	 * @param withPlant false draws the mark alone
+	 */
+	drawInRoom(renderer: WebGLRenderer, camera: PerspectiveCamera, mark: Object3D, withPlant: boolean): void {
+		this.#light.aim(camera);
+		if (this.#filled) this.#renderer?.prepare(camera);
+		this.#backdrop.mesh.visible = false;
+		this.#root.visible = this.#filled && withPlant;
+		this.scene.add(mark);
+		try {
+			this.plantAlone(() => this.wind.calm(() => renderer.render(this.scene, camera)));
+		} finally {
+			mark.removeFromParent();
+			this.#backdrop.mesh.visible = true;
+			this.#root.visible = this.#filled;
+		}
+	}
+
+	/**
+	 * Restores GPU resources after a lost context. three.js itself uploads buffers, textures and programs again with the
+	 * next draw, if the page still has them.
 	 */
 	restored(): void {
 		this.#renderer?.restored?.();
@@ -140,19 +188,22 @@ export class Stage<S, G> implements Drawable {
 		await this.#renderer?.whenFinished?.();
 	}
 
+	/** Releases the graphics memory of everything on the stage. */
 	dispose(): void {
 		this.#renderer?.dispose();
 		this.#backdrop.dispose();
 		this.#shadow.dispose();
 	}
 
-	#fill(): void {
+	/** Makes the plant and its shadow visible. */
+	#showPlant(): void {
 		this.#filled = true;
 		this.#root.visible = true;
 		this.#shadow.visible = true;
 	}
 
-	#empty(): void {
+	/** Hides the plant and its shadow, and removes the mark. */
+	#hidePlant(): void {
 		this.#filled = false;
 		this.#root.visible = false;
 		this.#shadow.visible = false;

@@ -12,10 +12,12 @@ export class StageLight {
 		setRig(this.uniforms, this.#rig);
 	}
 
+	/** The present light rig. */
 	get rig(): LightRig {
 		return this.#rig;
 	}
 
+	/** Sets the light of a colour scheme of the page. */
 	setTheme(theme: Theme): void {
 		this.#rig = rigOf(theme);
 		setRig(this.uniforms, this.#rig);

@@ -1,7 +1,7 @@
 import { DirectionalLight, Group, LightProbe, type PerspectiveCamera, Vector2, Vector3 } from "three";
 import { probeOf } from "./probe";
 import type { StageLight } from "./stage_light";
-import type { WindUniforms } from "./wind";
+import type { WindUniforms } from "./wind_shader";
 
 /** Size of the shadow map and radius of its blur, in pixels: the window is a large lamp. */
 const SHADOW_PIXELS = 1024;
@@ -50,7 +50,7 @@ export class StandardLights {
 		camera.updateProjectionMatrix();
 	}
 
-	/** The graphics card has lost the shadow. */
+	/** Requests a new shadow map, because the graphics card has lost it. */
 	restored(): void {
 		this.#key.shadow.needsUpdate = true;
 	}
@@ -70,6 +70,11 @@ export class StandardLights {
 		this.#sky.sh.copy(probeOf(rig.surroundings, camera.matrixWorld));
 	}
 
+	/**
+	 * Places the key lamp in a direction from the shaded ball, at twice its radius; the shadow map is drawn again only if
+	 * the lamp has moved.
+	 * @param towards unit vector to the light
+	 */
 	#aimKey(towards: Vector3): void {
 		const { position, target, shadow } = this.#key;
 		const { centre, radius } = this.#shaded ?? NOWHERE;
@@ -83,6 +88,7 @@ export class StandardLights {
 		target.updateMatrixWorld();
 	}
 
+	/** Removes the lights from their scene and frees the shadow map. */
 	dispose(): void {
 		this.group.removeFromParent();
 		this.#key.dispose();

@@ -15,11 +15,13 @@ import {
 import type { Material } from "../plant/material";
 import { LIGHT_CHUNK, type LightUniforms } from "./light_shader";
 import { pictureTexture } from "./picture_texture";
-import { WIND_CHUNK, type WindUniforms } from "./wind";
+import { WIND_CHUNK, type WindUniforms } from "./wind_shader";
 
 /** Share of both lamps' light that reaches a vertex, for renderers that compute it better than a shadow map. */
 export interface LampShares {
-	/** For the vertex shader, after LIGHT_CHUNK: a function `vec2 lamp_shares(vec3 point)` of key and rim light, 0 … 1. */
+	/**
+	 * For the vertex shader, after LIGHT_CHUNK: a function `vec2 lamp_shares(vec3 point)` of key and rim light, 0 … 1.
+	 */
 	chunk: string;
 	uniforms: Record<string, { value: unknown }>;
 }
@@ -75,12 +77,16 @@ export function standardMaterial(material: Material, options: StandardOptions): 
 	made.userData.blown = options.wind !== undefined;
 	setSheet(made, material);
 	setPicture(made, material);
-	made.onBeforeCompile = (shader) => lit(shader, sheet, options);
+	made.onBeforeCompile = (shader) => addLight(shader, sheet, options);
 	const { sky = false, shares, wind } = options;
 	made.customProgramCacheKey = () => JSON.stringify([sky, shares?.chunk, sheet !== undefined, wind !== undefined]);
 	return made;
 }
 
+/**
+ * Returns the uniforms of a thin surface: the light that it transmits, and the colour of its reverse side relative to
+ * the front.
+ */
 function sheetUniforms() {
 	return { sheetThrough: { value: new Vector3() }, sheetReverse: { value: new Vector3() } };
 }
@@ -108,10 +114,15 @@ export function setPicture(made: MeshStandardMaterial, { textures }: Material): 
 	made.map = picture ? pictureTexture(picture, true, textures?.repeats) : null;
 }
 
+/**
+ * Returns whether three's `MeshStandardMaterial` suffices: no sheen, index of refraction, specular factor or clear
+ * coat.
+ */
 function isPlain({ sheen, ior, specular, clearcoat }: Material): boolean {
 	return !sheen && ior === undefined && specular === undefined && !clearcoat;
 }
 
+/** Returns a `MeshPhysicalMaterial` with the properties that `MeshStandardMaterial` lacks. */
 function physical({ sheen, ior, specular, clearcoat }: Material): MeshPhysicalMaterial {
 	return new MeshPhysicalMaterial({
 		...(sheen ? { sheen: 1, sheenColor: new Color(...sheen.colour), sheenRoughness: sheen.roughness } : {}),
@@ -155,14 +166,19 @@ reflectedLight.indirectSpecular *= openSky;
 #endif
 `;
 
-function lit(
+/**
+ * Extends one of three's programs by the stage's light: reflections of the surroundings, light through sheets, visible
+ * sky, shares of both lamps, and wind. Replaces `#include` lines of three's shader chunks.
+ * @param sheet uniforms of a thin surface, if it is one
+ */
+function addLight(
 	shader: WebGLProgramParametersWithUniforms,
 	sheet: SheetUniforms | undefined,
 	options: StandardOptions,
 ): void {
 	const { light, sky, shares, wind } = options;
 	Object.assign(shader.uniforms, light, shares?.uniforms, sheet);
-	if (wind) blow(shader, wind);
+	if (wind) addWind(shader, wind);
 	const varyings = `${sky ? "varying float openSky;" : ""}\n${shares ? "varying vec2 lampShares;" : ""}\n`;
 	shader.vertexShader = shader.vertexShader
 		.replace(
@@ -185,8 +201,10 @@ function lit(
 		.replace("#include <aomap_fragment>", sky ? SHADED : "");
 }
 
-/** Moves every vertex of one of three's programs by the wind, and looks up its shadow there. */
-function blow(shader: WebGLProgramParametersWithUniforms, wind: WindUniforms): void {
+/**
+ * Extends one of three's programs so that the wind moves every vertex, and shadows are looked up where it then is.
+ */
+function addWind(shader: WebGLProgramParametersWithUniforms, wind: WindUniforms): void {
 	Object.assign(shader.uniforms, wind);
 	shader.vertexShader = shader.vertexShader
 		.replace("#include <common>", `#include <common>\n${WIND_CHUNK}`)
@@ -197,7 +215,7 @@ function blow(shader: WebGLProgramParametersWithUniforms, wind: WindUniforms): v
 /** Returns the shadow map's material for objects with `standardMaterial` and a wind. */
 export function windyDepth(wind: WindUniforms): MeshDepthMaterial {
 	const made = new MeshDepthMaterial();
-	made.onBeforeCompile = (shader) => blow(shader, wind);
+	made.onBeforeCompile = (shader) => addWind(shader, wind);
 	made.customProgramCacheKey = () => "wind";
 	return made;
 }

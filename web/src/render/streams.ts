@@ -27,15 +27,21 @@ export function fillStreams(geometry: BufferGeometry, streams: readonly Stream[]
 	geometry.setDrawRange(0, index.length);
 }
 
+/** Returns a geometry's attribute; undefined if it has none of that name. */
 function attributeOf(geometry: BufferGeometry, name: string): BufferAttribute | undefined {
 	const attribute = geometry.getAttribute(name);
 	return attribute instanceof BufferAttribute ? attribute : undefined;
 }
 
+/** Returns whether an existing buffer has room for an array. */
 function fits(old: BufferAttribute | undefined, array: TypedArray): boolean {
 	return (old?.array.length ?? -1) >= array.length;
 }
 
+/**
+ * Creates an empty attribute of the same number type with room for half as many numbers again. Bytes are normalised.
+ * @param size numbers per item
+ */
 function roomyAttribute(like: TypedArray, size: number): BufferAttribute {
 	const length = Math.ceil((1.5 * like.length) / size) * size;
 	if (like instanceof Uint8Array)
@@ -44,7 +50,7 @@ function roomyAttribute(like: TypedArray, size: number): BufferAttribute {
 	return new BufferAttribute(array, size).setUsage(DynamicDrawUsage);
 }
 
-/** Fills an instanced attribute, with `size` numbers per instance, in the same way. */
+/** Writes content into an instanced attribute, as `fillStreams` does; `size` is the count of numbers per instance. */
 export function fillInstances(
 	geometry: InstancedBufferGeometry,
 	name: string,
@@ -60,7 +66,7 @@ export function fillInstances(
 	fill(attributeOf(geometry, name), values);
 }
 
-/** Writes an attribute's first items and uploads only these to the GPU. */
+/** Writes an attribute's first items and uploads only these to the GPU; does nothing without an attribute. */
 function fill(attribute: BufferAttribute | undefined, array: ArrayLike<number>): void {
 	if (!attribute) return;
 	attribute.array.set(array);

@@ -1,9 +1,9 @@
 import { type Object3D, type PerspectiveCamera, Vector3 } from "three";
 import { CameraController, type Gaze, type ViewName } from "./camera_controller";
-import { type BoundingProfile, boundingProfileOf } from "./camera_fit";
+import { type BoundingProfile, boundingProfileOf, lowestOf } from "./camera_fit";
 import { type Frame, FrameLoop } from "./frame_loop";
 import type { Theme } from "./light";
-import type { RendererFactory, ViewRay } from "./model_renderer";
+import type { RendererFactory, SceneVector, ViewRay } from "./model_renderer";
 import { type Drawable, Renderer } from "./renderer";
 import type { Size } from "./size";
 import { Stage } from "./stage";
@@ -50,6 +50,8 @@ export class Viewer<S, G> {
 	readonly #loop: FrameLoop;
 	#profile: BoundingProfile | undefined;
 	#held = false;
+	/** Whether the plant is shown in the user's room instead. */
+	#isInRoom = false;
 	#rendered = 0;
 	#size = { width: 1, height: 1 };
 
@@ -76,7 +78,7 @@ export class Viewer<S, G> {
 		this.#profile = undefined;
 		this.#cameraController.forget(this.#stage.elevation);
 		this.camera.updateMatrixWorld();
-		if (!this.#renderer.lost) this.#submit(this.#stage.warmUp, this.#loop.rest);
+		if (this.#canDraw) this.#submit(this.#stage.warmUp, this.#loop.rest);
 		this.#loop.request();
 	}
 
@@ -97,6 +99,7 @@ export class Viewer<S, G> {
 		if (this.#stage.setMode(mode)) this.#loop.request();
 	}
 
+	/** Sets the light and the background of a colour scheme of the page. */
 	setTheme(theme: Theme): void {
 		this.#stage.setTheme(theme);
 		this.#loop.request();
@@ -110,8 +113,8 @@ export class Viewer<S, G> {
 	}
 
 	/**
-	 * While a control is held, the view follows the plant only if the plant outgrows it; after release, it always
-	 * follows.
+	 * Sets whether a control is held: while it is, the view follows the plant only if the plant outgrows it; after
+	 * release, it always follows.
 	 */
 	holdView(held: boolean): void {
 		if (!held && this.#held && this.#profile) this.#cameraController.follow(this.#profile, false);
@@ -138,10 +141,12 @@ export class Viewer<S, G> {
 		this.#cameraController.fit(view);
 	}
 
+	/** The camera, whose position and lens overlays may read. */
 	get camera(): PerspectiveCamera {
 		return this.#cameraController.camera;
 	}
 
+	/** Disables gliding and damping. */
 	set reducedMotion(on: boolean) {
 		this.#cameraController.reducedMotion = on;
 	}
@@ -162,14 +167,24 @@ export class Viewer<S, G> {
 		this.#cameraController.keepsWhole = on;
 	}
 
-	/** Adds an object to the scene, in the plant's metres. */
-	addOverlay(object: Object3D): void {
-		this.#stage.scene.add(object);
+	/**
+	 * Adds an object to the scene, in the plant's metres.
+	 * @param isPictured whether pictures show it; they leave out editing aids
+	 */
+	addOverlay(object: Object3D, isPictured = false): void {
+		(isPictured ? this.#stage.scene : this.#stage.aids).add(object);
 		this.#loop.request();
 	}
 
+	/** Removes an object that `addOverlay` added. */
 	removeOverlay(object: Object3D): void {
-		this.#stage.scene.remove(object);
+		object.removeFromParent();
+		this.#loop.request();
+	}
+
+	/** Sets whether editing aids are drawn. */
+	set showsAids(on: boolean) {
+		this.#stage.aids.visible = on;
 		this.#loop.request();
 	}
 
@@ -181,6 +196,15 @@ export class Viewer<S, G> {
 	}
 
 	/**
+	 * Metres per CSS pixel at the depth of the plant's centre; undefined without a plant, and while the eye is among the
+	 * plants.
+	 */
+	get pixelSize(): number | undefined {
+		const span = this.#profile && this.#cameraController.spanAt(this.#profile.centre);
+		return span && span / this.#size.height;
+	}
+
+	/**
 	 * Returns the pick id at a point of the canvas (CSS pixels from its top left corner); undefined if there is
 	 * nothing.
 	 */
@@ -188,9 +212,21 @@ export class Viewer<S, G> {
 		return this.#stage.pick(this.rayThrough(x, y));
 	}
 
-	/** Marks the part with a pick id; undefined removes the mark. A new plant has no mark. */
-	mark(picked: number | undefined, whole?: ReadonlySet<number>): void {
-		if (this.#stage.mark(picked, whole)) this.#loop.request();
+	/**
+	 * Returns the visible point of the scene, metres, at a point of the canvas (CSS pixels from its top left corner), or
+	 * nearest to it within a radius; undefined if nothing is there.
+	 */
+	async surfaceAt(x: number, y: number, reach: number): Promise<SceneVector | undefined> {
+		const { surfacePoint } = await import("./surface_point");
+		if (!this.#canDraw || !this.#stage.filled) return undefined;
+		this.camera.updateMatrixWorld();
+		const { scene } = this.#stage;
+		return this.#renderer.use((three) => surfacePoint(three, scene, this.camera, this.#size, { x, y, reach }));
+	}
+
+	/** Marks the part with a pick id, and softly the ids of its group; undefined removes the mark. A new plant has no mark. */
+	mark(picked: number | undefined, group?: ReadonlySet<number>): void {
+		if (this.#stage.mark(picked, group)) this.#loop.request();
 	}
 
 	/** Places the eye at a position; undefined shows the whole plant again. */
@@ -203,6 +239,7 @@ export class Viewer<S, G> {
 		this.#loop.request();
 	}
 
+	/** Number of pictures drawn so far, for tests and measurements. */
 	get rendersCount(): number {
 		return this.#rendered;
 	}
@@ -214,7 +251,7 @@ export class Viewer<S, G> {
 		await this.#renderer.done();
 	}
 
-	/** Returns the current view as a PNG of the given size in pixels. */
+	/** Returns the current view as a PNG of the given size in pixels, without editing aids and marks. */
 	async snapshot(width: number, height: number): Promise<Blob> {
 		await this.#stage.whenFinished();
 		return this.#inSize({ width, height }, () => {
@@ -241,13 +278,35 @@ export class Viewer<S, G> {
 		);
 	}
 
-	/** Resizes the view during a callback. */
+	/**
+	 * Shows the plant in the user's room until a session of augmented reality ends; then the view is as before.
+	 * @param placed called when the plant is placed for the first time
+	 * @throws Error if the session cannot be drawn; it is then ended
+	 */
+	async showInRoom(session: XRSession, placed: () => void): Promise<void> {
+		this.#isInRoom = true;
+		const low = this.#profile ? lowestOf(this.#profile) : 0;
+		try {
+			const { showInRoom } = await import("./room_session");
+			const draw = this.#stage.drawInRoom.bind(this.#stage);
+			await this.#renderer.use((three) => showInRoom(session, three, { low, draw, placed }));
+		} finally {
+			this.#isInRoom = false;
+			this.resize();
+		}
+	}
+
+	/**
+	 * Runs a callback while the view has another size and no wind blows, then restores the view.
+	 * @throws Error if the graphics context is lost
+	 */
 	#inSize<Taken>({ width, height }: Size, take: () => Taken): Taken {
 		if (this.#renderer.lost) throw new Error("The GPU has been lost; try again when the picture is back.");
+		if (this.#isInRoom) throw new Error("The plant is being shown in your room; try again when that view is closed.");
 		const { width: shownWidth, height: shownHeight } = this.#size;
 		this.#setSize(width, height);
 		try {
-			return this.#stage.wind.calm(take);
+			return this.#stage.plantAlone(() => this.#stage.wind.calm(take));
 		} finally {
 			this.#setSize(shownWidth, shownHeight);
 			this.#draw(this.#loop.rest);
@@ -264,11 +323,13 @@ export class Viewer<S, G> {
 		if (!this.#copied) this.#renderer.dispose();
 	}
 
+	/** Reports that the graphics context was lost; preventing the default lets the browser restore it. */
 	readonly #onLost = (event: Event) => {
 		event.preventDefault();
 		this.#events.contextLost?.();
 	};
 
+	/** Draws everything again after the graphics context was restored, and reports that. */
 	readonly #onRestored = () => {
 		this.#stage.restored();
 		this.#loop.request();
@@ -284,19 +345,33 @@ export class Viewer<S, G> {
 		return { origin: eye.toArray(), direction: through.toArray() };
 	}
 
+	/** Sets the size of the view in CSS pixels, at least 1 × 1. */
 	#setSize(width: number, height: number): void {
 		this.#size = { width: Math.max(1, width), height: Math.max(1, height) };
 		this.#cameraController.setAspect(this.#size.width / this.#size.height);
 	}
 
+	/**
+	 * Draws one frame of the loop, after advancing camera and wind.
+	 * @returns whether a movement continues
+	 */
 	#frame({ ratio, now }: Frame): boolean {
 		const moves = [this.#cameraController.advance(now), this.#stage.wind.blow(now)];
 		this.#draw(ratio);
 		return moves.includes(true);
 	}
 
+	/** Whether the canvas can be drawn on now. */
+	get #canDraw(): boolean {
+		return !this.#renderer.lost && !this.#isInRoom;
+	}
+
+	/**
+	 * Draws the stage and reports it to the viewer's events.
+	 * @param ratio pixels per CSS pixel
+	 */
 	#draw(ratio: number): void {
-		if (this.#renderer.lost) return;
+		if (!this.#canDraw) return;
 		this.camera.updateMatrixWorld();
 		this.#submit(this.#stage, ratio);
 		this.#rendered++;
@@ -305,6 +380,10 @@ export class Viewer<S, G> {
 		this.#drawnFirst ||= this.#stage.filled;
 	}
 
+	/**
+	 * Draws a stage in the view's size and copies the picture, if the renderer is shared.
+	 * @param ratio pixels per CSS pixel
+	 */
 	#submit(stage: Drawable, ratio: number): void {
 		const { width, height } = this.#size;
 		const size: Size = { width: Math.ceil(width * ratio), height: Math.ceil(height * ratio) };

@@ -2,11 +2,12 @@
  * Answers HTTP requests for specimens by their addresses. It stores nothing: the same address gives the same plant on a
  * server, in a service worker or in a test.
  */
-import { crc32 } from "../batch/crc32";
+
 import type { Core } from "../core/core";
 import { CoreCache } from "../core/cores";
-import { CoreError, CoreTrap } from "../core/errors";
+import { CoreError } from "../core/errors";
 import { aboutPlant } from "../formats/about_plant";
+import { crc32Digits } from "../formats/crc32";
 import { EmptyPlantError, FileTooLargeError } from "../formats/file_error";
 import { writeJson } from "../formats/json";
 import { writeObj } from "../formats/obj";
@@ -15,10 +16,13 @@ import { hasAges } from "../generate/files/aged";
 import type { GrowSpecimen } from "../generate/files/levelled";
 import { makeFile } from "../generate/files/make";
 import { growPlant, untimed } from "../generate/growth";
+import { messageOf } from "../locale/message_error";
+import type { Message } from "../locale/texts";
 import type { Plant } from "../plant/plant";
 import { encodeLink } from "../specimen/link";
 import { type AddressedFile, readAddress } from "./address";
-import { Refused } from "./refused";
+import { text } from "./messages.generated";
+import { ERROR_HEADERS, errorBody, Refused } from "./refused";
 import { TagCache } from "./tag_cache";
 
 /** The environment of the service. */
@@ -50,35 +54,44 @@ const OF_OBJ = "png-obj";
 const OF_MATERIAL = /-(?:colour|normal)$/;
 const encoder = new TextEncoder();
 
+/**
+ * Creates the service. It remembers ETags of the last addresses, so that an unchanged plant need not be grown again.
+ */
 export function makeService({ loadCore, release }: ServiceEnvironment): Service {
 	const cores = new CoreCache(loadCore);
 	const known = new TagCache(4096);
 	const run = cores.grow.bind(cores);
 
+	/** Grows a plant with its members; errors that the core reports are refused with status 422. */
 	async function grow(
 		{ model, specimen, notes }: AddressedFile,
 		options: { meshes: boolean; measures: boolean; map: boolean },
 	): Promise<Plant> {
 		try {
 			const grown = untimed(await growPlant(model, specimen, options, run));
-			return { ...grown, notes: [...grown.notes, ...notes.map(({ text }) => text)] };
+			return { ...grown, notes: [...grown.notes, ...notes.map((note) => note.text)] };
 		} catch (error) {
 			if (error instanceof CoreError) throw new Refused(422, placed(error));
 			throw error;
 		}
 	}
 
+	/**
+	 * Answers one request.
+	 * @throws Refused with the status to send
+	 */
 	async function answer(request: Request): Promise<Response> {
 		const { method } = request;
 		if (method === "OPTIONS")
 			return new Response(null, { status: 204, headers: { ...FOR_ALL, allow: METHODS.join(", ") } });
 		if (!METHODS.includes(method))
-			throw new Refused(405, `method ${method} is not allowed`, { allow: METHODS.join(", ") });
+			throw new Refused(405, text.message("method_not_allowed", { method }), { allow: METHODS.join(", ") });
 		const target = await readAddress(new URL(request.url));
 		const format = await formatOf(target);
 		const link = await encodeLink(target.model, target.specimen);
 		const address = JSON.stringify([link, format, target.options, target.measures, target.map, release]);
 		const before = known.tag(address);
+		// Without a growth, if the client has the file and the tag of this address is still known.
 		if (before && matches(request, before)) return unchanged(before);
 		const json = format === "json";
 		const map = target.map && json;
@@ -88,14 +101,15 @@ export function makeService({ loadCore, release }: ServiceEnvironment): Service 
 			if (heavy !== undefined) throw new Refused(413, heavy);
 		}
 		const plant = await grow(target, { meshes: !json, measures: target.measures, map });
-		const tag = `"${plant.fingerprint}-${crc32(encoder.encode(address))}"`;
+		// The tag depends on the plant and on the way it is written.
+		const tag = `"${plant.fingerprint}-${crc32Digits(encoder.encode(address))}"`;
 		known.keep(address, tag);
 		if (matches(request, tag)) return unchanged(tag);
 		const file = await fileOf(target, format, plant, (other, wanted) =>
 			growPlant(target.model, other, { measures: false, ...wanted }, run),
 		).catch((error: unknown) => {
-			if (error instanceof EmptyPlantError) throw new Refused(422, error.message);
-			throw error instanceof FileTooLargeError ? new Refused(413, error.message) : error;
+			if (error instanceof EmptyPlantError) throw new Refused(422, messageOf(error));
+			throw error instanceof FileTooLargeError ? new Refused(413, messageOf(error)) : error;
 		});
 		const headers = {
 			...FOR_ALL,
@@ -116,25 +130,25 @@ export function makeService({ loadCore, release }: ServiceEnvironment): Service 
 	};
 }
 
-/** The key of the kind of file for a suffix: `low.glb` is `glb-low`. */
+/** Returns the key of the kind of file for a suffix: `low.glb` is `glb-low`. */
 async function formatOf({ model, specimen, name, ending, neighbours }: AddressedFile): Promise<string> {
 	const key = ending.split(".").reverse().join("-");
 	const all = [...PLANT_FILES.map((file) => file.key), ...OTHERS, ...(model.formats ?? []).map((each) => each.key)];
 	const file = PLANT_FILES.find((each) => each.key === key);
 	if (file?.life) await model.prepare?.(specimen);
-	if (file?.life && !hasAges(model, specimen)) throw new Refused(404, "this plant has no ages to show");
-	if (file?.levelled && !model.levels) throw new Refused(404, `there are no levels of a ${model.noun}`);
+	if (file?.life && !hasAges(model, specimen)) throw new Refused(404, text.message("no_ages"));
+	if (file?.levelled && !model.levels) throw new Refused(404, text.message("no_levels"));
 	if (all.includes(key)) return key;
 	if (ending === "png" && neighbours && OF_MATERIAL.test(name)) return OF_OBJ;
-	if (/^(png|jpe?g|webp|avif|gif)$/.test(ending))
-		throw new Refused(
-			501,
-			"pictures are drawn by graphics cards, and there is none here; the page’s Download has them",
-		);
-	const endings = all.map((each) => `.${each.split("-").reverse().join(".")}`).join(", ");
-	throw new Refused(404, `there is no .${ending.slice(0, 20)} of a ${model.noun}; there are ${endings}`);
+	if (/^(png|jpe?g|webp|avif|gif)$/.test(ending)) throw new Refused(501, text.message("no_pictures"));
+	const files = all.map((each) => `.${each.split("-").reverse().join(".")}`).join(", ");
+	throw new Refused(404, text.message("file_unknown", { file: `.${ending.slice(0, 20)}`, model: model.name, files }));
 }
 
+/**
+ * Makes the file of a format; OBJ consists of several files, each of which can be requested.
+ * @param growing grows other specimens that a format needs
+ */
 async function fileOf(
 	{ model, specimen, name, neighbours, options }: AddressedFile,
 	format: string,
@@ -155,36 +169,41 @@ async function fileOf(
 	return makeFile(model, request, growing);
 }
 
-/** The picture of an MTL of any name, by the end of its name: material and kind. */
+/**
+ * Returns the picture of an MTL of any name, by the end of its name: material and kind.
+ * @param name the requested file's name without suffix
+ * @throws Refused where there is no such picture
+ */
 function picture({ pictures }: ReturnType<typeof writeObj>, name: string): Blob {
 	const meant = pictures.filter((each) => `${name}.png`.endsWith(each.name));
 	const [found] = meant.sort((one, other) => other.name.length - one.name.length);
-	if (!found) throw new Refused(404, `no material has the picture “${name.slice(0, 60)}.png”`);
+	if (!found) throw new Refused(404, text.message("picture_unknown", { picture: `${name.slice(0, 60)}.png` }));
 	return new Blob([found.bytes], { type: "image/png" });
 }
 
-/** The core's error message with its position, in the form of compilers. */
-function placed({ line, column, message }: CoreError): string {
-	return line > 0 ? `grammar:${line}:${column}: ${message}` : message;
+/** Returns the core's error message with its position in the grammar, in the form of compilers. */
+function placed(error: CoreError): Message {
+	const message = messageOf(error);
+	if (error.line === 0) return message;
+	const place = { line: String(error.line), column: String(error.column), problem: message.text };
+	return { ...message, text: text("at_grammar", place) };
 }
 
+/** Returns whether the client already has the file with this entity tag (`If-None-Match`). */
 function matches(request: Request, tag: string): boolean {
 	const tags = request.headers.get("if-none-match")?.split(",") ?? [];
 	return tags.some((each) => ["*", tag].includes(each.trim().replace(/^W\//, "")));
 }
 
+/** Returns the answer that the client's own copy is still valid. */
 function unchanged(tag: string): Response {
 	return new Response(null, { status: 304, headers: { ...FOR_ALL, etag: tag, "cache-control": CACHING } });
 }
 
+/** Returns the answer to a request that is refused; any other error than `Refused` is an internal one. */
 function refusal(error: unknown): Response {
 	const refused = error instanceof Refused ? error : undefined;
-	const broke = error instanceof CoreTrap ? "the core broke over this plant" : "something here broke over this plant";
-	const headers = {
-		...FOR_ALL,
-		"content-type": "text/plain; charset=utf-8",
-		"cache-control": "no-store",
-		...refused?.headers,
-	};
-	return new Response(`${refused?.message ?? broke}\n`, { status: refused?.status ?? 500, headers });
+	const headers = { ...FOR_ALL, ...ERROR_HEADERS, ...refused?.headers };
+	const message = refused ? messageOf(refused) : text.message("internal_error");
+	return new Response(errorBody(message), { status: refused?.status ?? 500, headers });
 }

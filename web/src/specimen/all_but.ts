@@ -1,7 +1,7 @@
 import type { Specimen } from "./specimen";
 
 /**
- * The fields of a specimen without some of its parameters: the values that stay the same while a plant ages.
+ * Returns the fields of a specimen without some of its parameters: the values that stay the same while a plant ages.
  * @param keys keys of the parameters left out
  */
 export function allBut({ parameters, ...fields }: Specimen, keys: readonly string[]): unknown[] {

@@ -7,7 +7,7 @@ const SHARE = 0.5;
 /** The last result: titles are computed at every frame of a drag. */
 let last: { readonly text: string; readonly from: string; readonly isVariant: boolean } | undefined;
 
-/** Whether a text contains most lines of `from`, ignoring numbers. */
+/** Returns whether a text contains most lines of `from`, ignoring numbers. */
 export function isVariantOf(text: string, from: string): boolean {
 	if (last?.text === text && last.from === from) return last.isVariant;
 	const own = new Set(linesOf(text));
@@ -17,6 +17,7 @@ export function isVariantOf(text: string, from: string): boolean {
 	return isVariant;
 }
 
+/** Returns a text's lines that are not empty, without blanks and with 0 for every number. */
 const linesOf = (text: string): string[] =>
 	text
 		.split("\n")

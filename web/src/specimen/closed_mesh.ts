@@ -1,6 +1,7 @@
 /**
  * A closed mesh from a user's file: the boundary of a plant or a part of it. Files hold it; it is too long for a link.
  */
+import { text } from "./messages.generated";
 import { type Notes, quote } from "./notes";
 import { isRecord, readNumbers } from "./read_values";
 
@@ -13,9 +14,9 @@ export interface ClosedMesh {
 }
 
 /** The largest mesh that import/mesh_file/closed.ts makes. */
-export const MOST_TRIANGLES = 4000;
+export const MAX_TRIANGLES = 4000;
 
-/** Whether two meshes are equal, number by number. */
+/** Returns whether two meshes are equal, number by number. */
 export function sameMesh(one: ClosedMesh, other: ClosedMesh | undefined): boolean {
 	const same = (a: number[], b: number[]) => a.length === b.length && a.every((value, i) => value === b[i]);
 	return other !== undefined && same(one.points, other.points) && same(one.triangles, other.triangles);
@@ -31,8 +32,8 @@ export function readClosedMesh(key: string, value: unknown, notes: Notes): Close
 		triangles?.every((index) => Number.isInteger(index) && index >= 0 && index < corners) &&
 		triangles.length > 0 &&
 		triangles.length % 3 === 0 &&
-		triangles.length <= 3 * MOST_TRIANGLES;
+		triangles.length <= 3 * MAX_TRIANGLES;
 	if (sound && points && triangles) return { points, triangles };
-	notes.add(key, `${quote(value)} is not a mesh of at most ${MOST_TRIANGLES} triangles`, "it is left out");
+	notes.add(key, text.message("mesh_unreadable", { value: quote(value), most: MAX_TRIANGLES }), text("left_out"));
 	return undefined;
 }

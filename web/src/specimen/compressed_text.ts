@@ -2,7 +2,7 @@
 
 /** Compresses a text. A byte-order mark and every line end are preserved. */
 export async function compressText(text: string): Promise<string> {
-	const packed = await pipe(
+	const packed = await transformed(
 		new TextEncoder().encode(text),
 		new CompressionStream("deflate-raw"),
 		Number.POSITIVE_INFINITY,
@@ -17,14 +17,15 @@ export async function compressText(text: string): Promise<string> {
  */
 export async function expandText(packed: string, longest: number): Promise<string | undefined> {
 	try {
-		const bytes = await pipe(fromBase64(packed), new DecompressionStream("deflate-raw"), longest);
+		const bytes = await transformed(fromBase64(packed), new DecompressionStream("deflate-raw"), longest);
 		return bytes && new TextDecoder("utf-8", { fatal: true, ignoreBOM: true }).decode(bytes);
 	} catch {
 		return undefined;
 	}
 }
 
-async function pipe(
+/** Compresses or expands bytes; undefined if the result is longer than `longest` bytes. */
+async function transformed(
 	input: Uint8Array<ArrayBuffer>,
 	through: CompressionStream | DecompressionStream,
 	longest: number,
@@ -41,20 +42,22 @@ async function pipe(
 		chunks.push(next.value);
 	}
 	const output = new Uint8Array(length);
-	let at = 0;
+	let written = 0;
 	for (const chunk of chunks) {
-		output.set(chunk, at);
-		at += chunk.length;
+		output.set(chunk, written);
+		written += chunk.length;
 	}
 	return output;
 }
 
+/** Encodes bytes in the alphabet for URLs, without padding. */
 function toBase64(bytes: Uint8Array): string {
 	let binary = "";
 	for (const byte of bytes) binary += String.fromCharCode(byte);
 	return btoa(binary).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
 }
 
+/** Decodes base64 in the alphabet for URLs; throws where it is damaged. */
 function fromBase64(text: string): Uint8Array<ArrayBuffer> {
 	const binary = atob(text.replaceAll("-", "+").replaceAll("_", "/"));
 	return Uint8Array.from(binary, (letter) => letter.charCodeAt(0));

@@ -5,8 +5,8 @@ import { SPECIMEN_VERSION, type Specimen } from "./specimen";
 export const DEFAULT_SEED = 1;
 
 /**
- * A fresh, complete specimen: the table's defaults with the preset's changes. An unknown name, or none, gives the
- * model's standard preset.
+ * Returns a fresh, complete specimen: the table's defaults with the preset's changes. An unknown name, or none, gives
+ * the model's standard preset.
  * @param version of the link that names the preset: parameters younger than the link get the value for such links
  */
 export function fromPreset<S extends Specimen>(

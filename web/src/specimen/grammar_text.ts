@@ -1,5 +1,6 @@
 /** The field of models that grow by a grammar: a text in place of the built-in one. */
 import { GRAMMAR_BYTES, textLengthProblem } from "./limits";
+import { text } from "./messages.generated";
 import type { Field } from "./model_schema";
 import { type Notes, quote } from "./notes";
 import type { Specimen } from "./specimen";
@@ -10,9 +11,8 @@ export interface WithGrammar {
 	grammar?: string;
 }
 
-const BUILT_IN = "the built-in grammar is used";
-
 /**
+ * Creates the field.
  * @param claims whether a text without a model's name is for this model; "any": each that no other model claims;
  * absent: none
  */
@@ -25,16 +25,22 @@ export function grammarText<S extends Specimen & WithGrammar>(claims?: ((text: s
 			link: "g",
 			key: "grammar",
 			longest: GRAMMAR_BYTES,
-			otherwise: BUILT_IN,
+			get otherwise() {
+				return text("built_in_grammar_used");
+			},
 			textOf: ({ grammar }) => grammar,
 		},
 	};
 }
 
-/** Line ends become those of the page, because the text is compared with texts that the page writes. */
+/**
+ * Reads a text into a specimen, with line ends as the page writes them; an empty text removes the specimen's own. Notes
+ * an unusable value, which changes nothing.
+ */
 function readGrammar(specimen: WithGrammar, value: unknown, notes: Notes): void {
-	const problem = typeof value === "string" ? textLengthProblem(value) : `${quote(value)} is not text`;
-	if (problem) notes.add("grammar", problem, specimen.grammar ? "the one before is used" : BUILT_IN);
+	const problem =
+		typeof value === "string" ? textLengthProblem(value) : text.message("not_text", { value: quote(value) });
+	if (problem) notes.add("grammar", problem, text(specimen.grammar ? "grammar_kept" : "built_in_grammar_used"));
 	else if (value === "") delete specimen.grammar;
 	else specimen.grammar = wellFormed(value as string).replaceAll("\r\n", "\n");
 }

@@ -23,6 +23,7 @@ export interface SpecimenHistory<S extends Specimen = Specimen> {
 /** The most steps that can be undone; the oldest are dropped. */
 export const LONGEST_HISTORY = 200;
 
+/** Returns a history without steps. */
 export function startHistory<S extends Specimen>(present: S): SpecimenHistory<S> {
 	return { past: [], present, future: [] };
 }
@@ -55,15 +56,17 @@ export function settle<S extends Specimen>(history: SpecimenHistory<S>): Specime
 	return { past, present, future: [], run };
 }
 
+/** Returns whether there is a step to undo; a drag that ended where it began is none. */
 export function canUndo(history: SpecimenHistory): boolean {
 	return settle(history).past.length > 0;
 }
 
+/** Returns whether there is a step to redo. */
 export function canRedo(history: SpecimenHistory): boolean {
 	return settle(history).future.length > 0;
 }
 
-/** One step back, or the same history at its beginning. */
+/** Goes one step back; returns an equal history at its beginning. */
 export function undo<S extends Specimen>(history: SpecimenHistory<S>): SpecimenHistory<S> {
 	const { past, present, future } = settle(history);
 	const before = past.at(-1);
@@ -72,9 +75,35 @@ export function undo<S extends Specimen>(history: SpecimenHistory<S>): SpecimenH
 		: { past, present, future };
 }
 
-/** One step forward, or the same history at its end. */
+/** Goes one step forward; returns an equal history at its end. */
 export function redo<S extends Specimen>(history: SpecimenHistory<S>): SpecimenHistory<S> {
 	const { past, present, future } = settle(history);
 	const [next, ...rest] = future;
 	return next ? { past: [...past, present], present: next, future: rest } : { past, present, future };
+}
+
+/** Returns the specimen at which a history began, as long as no step has been dropped. */
+export function beginningOf<S extends Specimen>({ past, present }: SpecimenHistory<S>): S {
+	return past[0] ?? present;
+}
+
+/**
+ * Adds the steps of an earlier history that ended at the specimen where this one began. Its redo steps are added only if
+ * nothing has been changed since.
+ * @param earlier its present replaces the specimen where this one began, which may lack parts
+ */
+export function continued<S extends Specimen>(
+	history: SpecimenHistory<S>,
+	earlier: Pick<SpecimenHistory<S>, "past" | "present" | "future">,
+): SpecimenHistory<S> {
+	const { past, present, future, gesture } = history;
+	// A drag in progress is a step that may yet be dropped.
+	const isFirst = past.length === (gesture === undefined ? 0 : 1) && future.length === 0;
+	const steps = past.length > 0 ? [...earlier.past, earlier.present, ...past.slice(1)] : earlier.past;
+	return {
+		...history,
+		past: steps.slice(-LONGEST_HISTORY),
+		present: past.length > 0 ? present : earlier.present,
+		future: isFirst ? earlier.future : future,
+	};
 }

@@ -1,6 +1,7 @@
 /**
  * Converts numbers for display: a model whose parameters are lengths in a unit of its own shows them in millimetres.
  */
+import { text } from "./messages.generated";
 import type { Specimen } from "./specimen";
 import type { NumberEntry, ParameterEntry } from "./table";
 
@@ -19,36 +20,40 @@ export interface DisplayScale {
 /** Steps below this many millimetres are displayed to a hundredth. */
 const FINE = 0.3;
 
-/** The scale in which a specimen's parameter is displayed. */
+/** Returns the scale in which a specimen's parameter is displayed. */
 export function displayScaleOf<S extends Specimen>(
-	species: { lengths?(specimen: S): OwnLengths },
+	schema: { lengths?(specimen: S): OwnLengths },
 	specimen: S,
 	{ unit }: Pick<ParameterEntry, "unit">,
 ): DisplayScale {
-	const per = species.lengths?.(specimen)[unit];
+	const per = schema.lengths?.(specimen)[unit];
 	if (per === undefined) return { per: 1, unit, decimals: 2 };
 	return { per, unit: "mm", decimals: per < FINE ? 2 : 1 };
 }
 
-/** A value as displayed, without its unit and trailing zeros: at most the scale's decimals. */
+/** Returns a value as displayed, in the scale's unit, rounded to the scale's decimals. */
 export function displayedNumber({ per, decimals }: DisplayScale, value: number): number {
 	const tens = 10 ** decimals;
 	return Math.round(value * per * tens) / tens;
 }
 
-/** The text of an entry's value in its input field. */
+/** Returns the text of an entry's value in its input field. */
 export function displayedText({ zero }: { readonly zero?: string }, scale: DisplayScale, value: number): string {
 	return value === 0 && zero !== undefined ? zero : String(displayedNumber(scale, value));
 }
 
-/** The value that was typed for an entry, `zero` in words included. */
+/**
+ * Returns the number of a typed text: 0 for an entry's word for zero ("auto"), else `typed`.
+ * @param typed the number that the text holds
+ */
 export function parseDisplayed({ zero }: { readonly zero?: string }, text: string, typed: number): number {
 	return zero !== undefined && text.trim().toLowerCase() === zero ? 0 : typed;
 }
 
-/** The range of an entry: "12.5 … 250 mm.", "whole numbers 0 (auto) … 400." */
+/** Returns the range of an entry in words: "12.5 … 250 mm.", "Whole numbers, 0 (auto) … 400." */
 export function rangeInWords({ min, max, kind, zero }: NumberEntry, scale: DisplayScale): string {
 	const { unit, per } = scale;
 	const least = `${displayedNumber(scale, min)}${min === 0 && zero !== undefined ? ` (${zero})` : ""}`;
-	return `${kind === "integer" && per === 1 ? "whole numbers " : ""}${least} … ${displayedNumber(scale, max)}${unit ? ` ${unit}` : ""}.`;
+	const most = `${displayedNumber(scale, max)}${unit ? ` ${unit}` : ""}`;
+	return text(kind === "integer" && per === 1 ? "range_whole" : "range", { least, most });
 }

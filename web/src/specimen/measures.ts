@@ -42,7 +42,7 @@ export interface MeasureGroup {
 	readonly title: string;
 }
 
-/** The class of a value; undefined where the measure has no classes or does not apply. */
+/** Returns the class of a value; undefined where the measure has no classes or does not apply. */
 export function classOf({ classes }: Pick<MeasureInfo, "classes">, value: number): MeasureClass | undefined {
 	if (!classes || !Number.isFinite(value)) return undefined;
 	return classes.reduce((best, one) => {
@@ -51,7 +51,7 @@ export function classOf({ classes }: Pick<MeasureInfo, "classes">, value: number
 	});
 }
 
-/** The text of a value: `182 mm`, `94.1 %`, the words of a note, `–` where it does not apply. */
+/** Returns the text of a value: `182 mm`, `94.1 %`, the words of a note, `–` where it does not apply. */
 export function measureText(info: MeasureInfo, value: number): string {
 	if (!Number.isFinite(value)) return "–";
 	if (info.kind === "note") return classOf(info, value)?.words ?? "–";
@@ -60,7 +60,7 @@ export function measureText(info: MeasureInfo, value: number): string {
 	return info.unit ? `${text} ${info.unit}` : text;
 }
 
-/** The text of a value's class in a table: `7 long`; empty without one. */
+/** Returns the text of a value's class in a table: `7 long`; empty without one. */
 export function classText(info: MeasureInfo, value: number): string {
 	const found = classOf(info, value);
 	return found ? `${found.note} ${found.words}` : "";

@@ -1,6 +1,7 @@
 /**
  * The schema of a model's specimens: the document's side of a model (models/model.ts). Plain data and pure functions.
  */
+import type { Message } from "../locale/texts";
 import type { OwnLengths } from "./lengths";
 import type { Notes } from "./notes";
 import type { Presets } from "./presets";
@@ -26,6 +27,8 @@ export interface Field<S extends Specimen = Specimen> {
 	read?(specimen: S, key: string, value: unknown, notes: Notes): void;
 	/** Reads values of names that neither the table nor a field knows: those of the text's own. */
 	named?(specimen: S, values: Readonly<Record<string, string>>): Readonly<Record<string, unknown>>;
+	/** All such names that a specimen's text defines. */
+	names?(specimen: S): Promise<readonly string[]>;
 	/**
 	 * The first such name that a specimen's text does not define, with the problem; undefined where it defines all.
 	 * @param names names to check; all names in the specimen where absent
@@ -33,7 +36,7 @@ export interface Field<S extends Specimen = Specimen> {
 	unknownName?(
 		specimen: S,
 		names?: readonly string[],
-	): Promise<{ readonly name: string; readonly problem: string } | undefined>;
+	): Promise<{ readonly name: string; readonly problem: Message } | undefined>;
 	/** Whether a grammar's text without a model's name is for this model; at most one model claims a text. */
 	claims?(text: string): boolean;
 	/** Whether the model takes texts that no model claims. */
@@ -69,7 +72,7 @@ export interface Packed<S extends Specimen = Specimen> {
 	readonly key: string;
 	/** Bytes of UTF-8 at which expansion stops. */
 	readonly longest: number;
-	/** The outcome where the text cannot be read: "the built-in grammar is used". */
+	/** A sentence on the outcome where the text cannot be read: "The built-in grammar is used." */
 	readonly otherwise: string;
 	/** The text that a link carries where the preset has another. */
 	textOf(specimen: S): string | undefined;

@@ -1,15 +1,22 @@
+import type { Message } from "../locale/texts";
+import { text } from "./messages.generated";
+
 /** A note on one part of data from outside: the problem, and the value used in its place. */
 export interface Note {
 	/** The name of the part in that data. */
 	key: string;
-	/** The problem in plain words: "700 is above the greatest value, 580". */
+	/** The problem as a sentence: "700 is above the maximum, 580." */
 	problem: string;
-	/** The whole sentence to show: "l: 700 is above the greatest value, 580; 580 is used." */
+	/** The sentences to show: "l: 700 is above the maximum, 580. Using 580." */
 	text: string;
+	/** The code of the problem: "specimen.above_maximum". */
+	code: string;
+	/** The arguments of the problem by name. */
+	args: Message["args"];
 }
 
 /** The most notes; the others are summed up in a last one, so that a hostile link cannot fill the page. */
-const MOST_NOTES = 12;
+const MAX_NOTES = 12;
 const LONGEST_QUOTE = 32;
 
 /** Collects notes in the order in which parts are read. */
@@ -17,19 +24,27 @@ export class Notes {
 	readonly #list: Note[] = [];
 	#left = 0;
 
-	add(key: string, problem: string, outcome: string): void {
-		if (this.#list.length >= MOST_NOTES) {
+	/**
+	 * Adds a note; beyond `MAX_NOTES`, only counts it.
+	 * @param key name of the part in the data
+	 * @param problem a sentence
+	 * @param outcome a sentence on the value used instead
+	 */
+	add(key: string, problem: Message, outcome: string): void {
+		if (this.#list.length >= MAX_NOTES) {
 			this.#left++;
 			return;
 		}
 		const name = cut(key);
-		this.#list.push({ key: name, problem, text: `${name}: ${problem}; ${outcome}.` });
+		const note = text("note", { key: name, problem: problem.text, outcome });
+		this.#list.push({ key: name, problem: problem.text, text: note, code: problem.code, args: problem.args });
 	}
 
+	/** Returns the notes in order; a last one counts those that are left out. */
 	all(): Note[] {
 		if (this.#left === 0) return this.#list;
-		const problem = `${this.#left} more parts could not be used`;
-		return [...this.#list, { key: "", problem, text: `${problem}.` }];
+		const { code, args, text: problem } = text.message("more_notes", { count: this.#left });
+		return [...this.#list, { key: "", problem, text: problem, code, args }];
 	}
 }
 
@@ -37,10 +52,11 @@ export class Notes {
 export function quote(value: unknown): string {
 	if (typeof value === "string") return `“${cut(value)}”`;
 	if (typeof value === "number" || typeof value === "boolean") return String(value);
-	return Array.isArray(value) ? "a list" : "an object";
+	return text(Array.isArray(value) ? "a_list" : "an_object");
 }
 
-function cut(text: string): string {
-	const line = text.replace(/\p{C}/gu, " ");
+/** Shortens a value to one line of at most `LONGEST_QUOTE` characters. */
+function cut(value: string): string {
+	const line = value.replace(/\p{C}/gu, " ");
 	return line.length > LONGEST_QUOTE ? `${line.slice(0, LONGEST_QUOTE)}…` : line;
 }

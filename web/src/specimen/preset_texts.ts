@@ -34,6 +34,11 @@ export function titleForOwnText(own: string, fetchedText: PresetTexts["fetchedTe
 	};
 }
 
+/**
+ * Makes the store of presets' texts.
+ * @param presets names of the presets with those of their texts
+ * @param fetch loads the texts by their names
+ */
 export function presetTexts(
 	presets: readonly NamedText[],
 	fetch: () => Promise<{ readonly TEXTS: Readonly<Record<string, string>> }>,

@@ -2,11 +2,18 @@
 import { readChoice } from "./read_values";
 import type { Table } from "./table";
 
+/** The families of plants that people choose from, whichever model grows them, in the order in which pages show them. */
+export const FAMILIES = ["grapes", "trees", "flowers", "leaves", "roots", "gardens", "grammars", "topiary"] as const;
+export type Family = (typeof FAMILIES)[number];
+
 /** A group of presets in the gallery. */
 export interface PresetKind {
 	readonly key: string;
 	/** In the plural: "Varieties". */
 	readonly title: string;
+	readonly family: Family;
+	/** Whether the presets reproduce figures or tables of a publication. */
+	readonly fromPaper?: boolean;
 }
 
 /**
@@ -25,6 +32,8 @@ export interface Preset {
 	readonly since?: number;
 	/** One line of description. */
 	readonly about: string;
+	/** The publication of its text, and the differences from it. */
+	readonly source?: string;
 	readonly parameters: Readonly<Partial<Record<string, number>>>;
 	readonly look: Readonly<Partial<Record<string, number | string>>>;
 	/** Values besides parameters, by the fields of a specimen. */
@@ -47,13 +56,13 @@ export class Presets {
 		this.#byName = new Map(list.map((preset) => [preset.name, preset]));
 	}
 
-	/** The preset of that name, if any. */
+	/** Returns the preset of that name; undefined if there is none. */
 	named(name: string): Preset | undefined {
 		return this.#byName.get(name);
 	}
 }
 
-/** The parameters of a preset's file as numbers; choices become indices of their options. */
+/** Returns the parameters of a preset's file as numbers; choices become indices of their options. */
 export function numbersIn(
 	table: Table,
 	values: Readonly<Partial<Record<string, number | string>>>,

@@ -2,7 +2,7 @@
 
 const DECIMAL = /^[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:e[+-]?\d+)?$/i;
 
-/** A number from a number or its text; undefined for any other value. Never NaN. */
+/** Reads a number from a number or its text; undefined for any other value. Never NaN. */
 export function readNumber(value: unknown): number | undefined {
 	if (typeof value === "number") return Number.isNaN(value) ? undefined : value;
 	if (typeof value !== "string") return undefined;
@@ -10,13 +10,13 @@ export function readNumber(value: unknown): number | undefined {
 	return DECIMAL.test(text) ? Number(text) : undefined;
 }
 
-/** A list, or text with commas; a single value becomes a list of one. */
+/** Reads a list from a list or from text with commas; a single value becomes a list of one. */
 export function readList(value: unknown): readonly unknown[] {
 	if (Array.isArray(value)) return value;
 	return typeof value === "string" ? value.split(",") : [value];
 }
 
-/** Numbers from a list or from text with commas; undefined where one of them is no number. */
+/** Reads numbers from a list or from text with commas; undefined where one of them is no number. */
 export function readNumbers(value: unknown): number[] | undefined {
 	const numbers: number[] = [];
 	for (const part of readList(value)) {
@@ -27,7 +27,9 @@ export function readNumbers(value: unknown): number[] | undefined {
 	return numbers;
 }
 
-/** Six hexadecimal digits in lower case from `43264F`, `#43264f` or `#abc`. */
+/**
+ * Reads a colour, `43264F`, `#43264f` or `#abc`, as six hexadecimal digits in lower case; undefined for other values.
+ */
 export function readColour(value: unknown): string | undefined {
 	if (typeof value !== "string") return undefined;
 	const digits = value.trim().replace(/^#/, "").toLowerCase();
@@ -35,14 +37,21 @@ export function readColour(value: unknown): string | undefined {
 	return /^[0-9a-f]{3}$/.test(digits) ? digits.replace(/./g, "$&$&") : undefined;
 }
 
-/** The index in `options` from an option's name or from the index itself. */
+/** Reads a choice: returns its index in `options` from an option's name or from the index itself. */
 export function readChoice(value: unknown, options: readonly string[]): number | undefined {
 	const named = typeof value === "string" ? options.indexOf(value.trim().toLowerCase()) : -1;
 	const place = named >= 0 ? named : readNumber(value);
 	return place !== undefined && Object.hasOwn(options, place) ? place + 0 : undefined;
 }
 
-/** An object that is neither null nor a list. */
+/** Returns whether a value is an object that is neither null nor a list. */
 export function isRecord(value: unknown): value is Readonly<Record<string, unknown>> {
 	return typeof value === "object" && value !== null && !Array.isArray(value);
+}
+
+/** Returns a field of an object; undefined where the value is no object or has no such field of its own. */
+export function fieldOf(value: unknown, key: string): unknown {
+	return typeof value === "object" && value !== null && Object.hasOwn(value, key)
+		? (value as Record<string, unknown>)[key]
+		: undefined;
 }

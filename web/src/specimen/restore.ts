@@ -4,6 +4,7 @@
  */
 import { fromPreset } from "./from_preset";
 import { SEED } from "./limits";
+import { text } from "./messages.generated";
 import type { ModelSchema } from "./model_schema";
 import { type Note, Notes, quote } from "./notes";
 import { isRecord, readChoice, readColour, readNumber, readNumbers } from "./read_values";
@@ -22,7 +23,7 @@ const GROUPS = ["parameters", "look"];
 /** Read first, or not part of the specimen itself. */
 const READ_FIRST = new Set(["v", "model", "preset"]);
 
-/** Whether a link key or a table key has a meaning here. */
+/** Returns whether a key of a link or a file has a meaning for this model. */
 export function isKnown<S extends Specimen>({ table, details }: ModelSchema<S>, key: string): boolean {
 	if (READ_FIRST.has(key) || key === "seed") return true;
 	if (table.entry(key) !== undefined || table.linked(key).length > 0) return true;
@@ -34,36 +35,41 @@ export function isKnown<S extends Specimen>({ table, details }: ModelSchema<S>, 
  * values, and may be inside the groups of a written specimen. Null and undefined count as absent.
  *
  * A record of an older version is converted into a current specimen with the meaning that it had.
- * @param species the schema of the specimen; a record of another model is read as far as possible
+ * @param schema the schema of the specimen; a record of another model is read as far as possible
  * @param record the input; anything but an object is noted and ignored
  * @param from   the specimen with the values that the record lacks; without one, the record's preset
  */
-export function restore<S extends Specimen>(species: ModelSchema<S>, record: unknown, from?: S): Restored<S> {
+export function restore<S extends Specimen>(schema: ModelSchema<S>, record: unknown, from?: S): Restored<S> {
 	const notes = new Notes();
-	const parts = flatten(species, record, notes);
+	const parts = flatten(schema, record, notes);
 	const named = new Map(parts);
 	// Links without a version are version 1; they name no model. A record without a single known key is no link.
-	const isOld = from === undefined && !named.has("model") && parts.some(([key]) => isKnown(species, key));
+	const isOld = from === undefined && !named.has("model") && parts.some(([key]) => isKnown(schema, key));
 	const version = readVersion(named.get("v"), isOld ? 1 : SPECIMEN_VERSION, notes);
-	if (isOld && !named.has("v")) noteYounger(species, named.get("preset"), notes);
-	readModel(species.name, named.get("model"), notes);
-	const specimen = readPreset(species, named.get("preset"), version, from, notes);
+	if (isOld && !named.has("v")) noteYounger(schema, named.get("preset"), notes);
+	readModel(schema.name, named.get("model"), notes);
+	const specimen = readPreset(schema, named.get("preset"), version, from, notes);
 	for (const [key, value] of parts) {
-		if (!READ_FIRST.has(key)) readPart(species, specimen, key, value, notes);
+		if (!READ_FIRST.has(key)) readPart(schema, specimen, key, value, notes);
 	}
-	for (const detail of species.details) detail.agree?.(specimen, notes);
+	for (const detail of schema.details) detail.agree?.(specimen, notes);
 	return { specimen, notes: notes.all() };
 }
 
-/** The model's name in a record; undefined where it has none. */
+/** Returns the model's name in a record; undefined where it has none. */
 export function modelIn(record: unknown): string | undefined {
 	const named = isRecord(record) && Object.hasOwn(record, "model") ? record.model : undefined;
 	return typeof named === "string" ? named : undefined;
 }
 
+/**
+ * Lists the values of a record by key: groups are resolved, absent values left out. Anything but an object is noted and
+ * has no values.
+ */
 function flatten<S extends Specimen>({ details }: ModelSchema<S>, record: unknown, notes: Notes): [string, unknown][] {
 	if (!isRecord(record)) {
-		if (record !== undefined && record !== null) notes.add("specimen", `${quote(record)} is not a specimen`, "ignored");
+		if (record !== undefined && record !== null)
+			notes.add("specimen", text.message("not_a_specimen", { value: quote(record) }), text("ignored"));
 		return [];
 	}
 	const groups = [...GROUPS, ...details.flatMap(({ group }) => group ?? [])];
@@ -75,50 +81,60 @@ function flatten<S extends Specimen>({ details }: ModelSchema<S>, record: unknow
 		.map(([key, value]) => [key, value]);
 }
 
+/**
+ * Reads the version.
+ * @param silent the version of a record without one
+ */
 function readVersion(value: unknown, silent: number, notes: Notes): number {
 	if (value === undefined) return silent;
 	const version = readNumber(value);
 	if (version === undefined || !Number.isInteger(version) || version < 1) {
-		notes.add("v", `${quote(value)} is not a version`, "read as version 1");
+		notes.add("v", text.message("not_a_version", { value: quote(value) }), text("read_as_version_1"));
 		return 1;
 	}
 	if (version > SPECIMEN_VERSION) {
-		notes.add("v", `made by a newer version (${version})`, "read as far as it is known here");
+		notes.add("v", text.message("newer_version", { version: String(version) }), text("known_parts_read"));
 	}
 	return version;
 }
 
-/** Notes a preset that is younger than the record's version. */
+/** Adds a note where the preset is younger than the record's version. */
 function noteYounger<S extends Specimen>({ presets }: ModelSchema<S>, value: unknown, notes: Notes): void {
-	const { title, since = 1 } = (typeof value === "string" && presets.named(value)) || {};
+	const { title: preset = "", since = 1 } = (typeof value === "string" && presets.named(value)) || {};
+	const version = String(since);
 	if (since > 1)
-		notes.add(
-			"v",
-			`none is given, and ${title} is of version ${since}`,
-			`read as version 1; v=${since} is ${title} as it is shown here`,
-		);
+		notes.add("v", text.message("version_missing", { preset, version }), text("read_as_older", { preset, version }));
 }
 
+/**
+ * Adds a note where a record is of another model; the schema's own model is used in any case.
+ * @param name the schema's model
+ */
 function readModel(name: string, value: unknown, notes: Notes): void {
-	if (value !== undefined && value !== name) notes.add("model", `${quote(value)} is not known here`, `${name} is used`);
+	if (value !== undefined && value !== name)
+		notes.add("model", text.message("unknown_model", { value: quote(value) }), text("used", { value: name }));
 }
 
-/** A copy that may be written to. */
+/** Returns a specimen that may be changed: a copy of the record's preset or, without one, of `from`. */
 function readPreset<S extends Specimen>(
-	species: ModelSchema<S>,
+	schema: ModelSchema<S>,
 	value: unknown,
 	version: number,
 	from: S | undefined,
 	notes: Notes,
 ): S {
-	const known = typeof value === "string" && species.presets.named(value) !== undefined;
-	const base = known || !from ? fromPreset(species, known ? value : undefined, version) : from;
+	const known = typeof value === "string" && schema.presets.named(value) !== undefined;
+	const base = known || !from ? fromPreset(schema, known ? value : undefined, version) : from;
 	if (value !== undefined && !known) {
-		notes.add("preset", `${quote(value)} is not a preset`, `${base.preset} is used`);
+		notes.add("preset", text.message("unknown_preset", { value: quote(value) }), text("used", { value: base.preset }));
 	}
 	return structuredClone(base);
 }
 
+/**
+ * Reads one value from outside into a specimen: the seed, a detail, or one or several linked parameters. Notes an
+ * unknown key.
+ */
 function readPart<S extends Specimen>(
 	{ table, details }: ModelSchema<S>,
 	specimen: S,
@@ -129,26 +145,38 @@ function readPart<S extends Specimen>(
 	const detail = details.find(({ keys }) => keys.includes(key));
 	const entry = table.entry(key);
 	const linked = table.linked(key);
-	if (key === "seed") specimen.seed = readWithin(SEED, key, value, specimen.seed, notes) ?? specimen.seed;
+	if (key === "seed") specimen.seed = readSeed(key, value, specimen.seed, notes);
 	else if (detail) detail.read?.(specimen, key, value, notes);
 	else if (entry) readEntry(specimen, entry, key, value, notes);
 	else if (linked.length === 1) readEntry(specimen, linked[0], key, value, notes);
 	else if (linked.length > 1) readPoint(specimen, linked, key, value, notes);
-	else notes.add(key, "not known here", "ignored");
+	else notes.add(key, text.message("unknown_key"), text("ignored"));
 }
 
+/** Reads a seed; notes an unusable one, and returns `before` in its place. */
+function readSeed(key: string, value: unknown, before: number, notes: Notes): number {
+	return readWithin(SEED, key, value, text("used", { value: String(before) }), notes) ?? before;
+}
+
+/**
+ * Reads a parameter; an unusable value is noted, and the specimen's value stays.
+ * @param name the key that the record uses, for notes
+ */
 function readEntry(specimen: Specimen, entry: ParameterEntry, name: string, value: unknown, notes: Notes): void {
-	const before = writtenIn(specimen, entry);
+	const otherwise = text("used", { value: String(writtenIn(specimen, entry)) });
 	if (entry.kind === "colour") {
 		const colour = readColour(value);
 		if (colour !== undefined) setValue(specimen, entry, colour);
-		else notes.add(name, `${quote(value)} is not a colour of six hexadecimal digits`, `${before} is used`);
+		else notes.add(name, text.message("not_a_colour", { value: quote(value) }), otherwise);
 	} else if (entry.kind === "choice") {
 		const choice = readChoice(value, entry.options);
 		if (choice !== undefined) setValue(specimen, entry, choice);
-		else notes.add(name, `${quote(value)} is none of ${entry.options.join(", ")}`, `${before} is used`);
+		else {
+			const options = entry.options.join(", ");
+			notes.add(name, text.message("not_an_option", { value: quote(value), options }), otherwise);
+		}
 	} else {
-		const number = readWithin(entry, name, value, before, notes);
+		const number = readWithin(entry, name, value, otherwise, notes);
 		if (number !== undefined) setValue(specimen, entry, number);
 	}
 }
@@ -164,7 +192,8 @@ function readPoint(
 	const numbers = readNumbers(value);
 	if (numbers?.length !== entries.length) {
 		const used = entries.map((entry) => valueIn(specimen, entry)).join(",");
-		notes.add(key, `${quote(value)} is not ${entries.length} numbers like “79,76”`, `${used} is used`);
+		const wanted = { value: quote(value), count: entries.length, example: "79,76" };
+		notes.add(key, text.message("not_numbers", wanted), text("used", { value: used }));
 		return;
 	}
 	entries.forEach((entry, slot) => {
@@ -172,6 +201,7 @@ function readPoint(
 	});
 }
 
+/** Sets a parameter in the specimen, in place. */
 function setValue(specimen: Specimen, { key, look }: ParameterEntry, value: number | string): void {
 	Object.assign(look ? specimen.look : specimen.parameters, { [key]: value });
 }

@@ -2,6 +2,7 @@
  * The field of models whose plants react to their surroundings: the values that a stand computes for one of its plants.
  */
 
+import { text } from "./messages.generated";
 import type { Field } from "./model_schema";
 import { type Notes, quote } from "./notes";
 import { readNumbers } from "./read_values";
@@ -21,8 +22,8 @@ const SIDES = 8;
 const STEEPEST = 90;
 /** Least and greatest free room, metres. */
 const ROOM = [0.01, 99] as const;
-const ALONE = "it stands alone";
 
+/** Creates the field, whose key in links is `about`. */
 export function surroundingsDetail<S extends Specimen & WithSurroundings>(): Field<S> {
 	return {
 		keys: ["about", "surroundings"],
@@ -36,17 +37,25 @@ export function surroundingsDetail<S extends Specimen & WithSurroundings>(): Fie
 	};
 }
 
+/**
+ * Reads SIDES angles in degrees, then SIDES distances in metres; values out of range are set to the nearest. Undefined
+ * for a plant that grows alone.
+ */
 function readSurroundings(key: string, value: unknown, notes: Notes): number[] | undefined {
 	if (value === "") return undefined;
 	const numbers = readNumbers(value);
 	if (numbers?.length !== 2 * SIDES) {
-		notes.add(key, `${quote(value)} is not ${2 * SIDES} numbers`, ALONE);
+		notes.add(
+			key,
+			text.message("neighbours_unreadable", { value: quote(value), count: 2 * SIDES }),
+			text("grown_alone"),
+		);
 		return undefined;
 	}
 	const within = (number: number, least: number, most: number, steps: number) =>
 		Math.round(steps * Math.min(most, Math.max(least, number))) / steps;
 	const read = numbers.map((number, i) => (i < SIDES ? within(number, 0, STEEPEST, 1) : within(number, ...ROOM, 100)));
 	if (numbers.some((number, i) => number < (i < SIDES ? 0 : ROOM[0]) || number > (i < SIDES ? STEEPEST : ROOM[1])))
-		notes.add(key, "some of it is out of range", "the nearest in range is used");
+		notes.add(key, text.message("out_of_range"), text("nearest_used"));
 	return read;
 }

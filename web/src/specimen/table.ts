@@ -18,6 +18,8 @@ interface CommonEntry {
 	readonly help: string;
 	/** The first link version that knows it. */
 	readonly since: number;
+	/** Place among the basics, which the panel shows first; absent: the panel shows it under "Advanced". */
+	readonly basic?: number;
 	/** Whether it only colours the result. */
 	readonly look?: boolean;
 	/** Options of choices that must be chosen for the parameter to apply, by their keys; absent: it always applies. */
@@ -48,6 +50,8 @@ export interface ChoiceEntry extends NumericEntry {
 	readonly kind: "choice";
 	/** Names as links write them. */
 	readonly options: readonly string[];
+	/** The options' names for people, in the same order. */
+	readonly labels?: readonly string[];
 }
 
 export interface ColourEntry extends CommonEntry {
@@ -59,9 +63,6 @@ export interface ColourEntry extends CommonEntry {
 /** One parameter: its label, range, and place in a link. */
 export type ParameterEntry = NumberEntry | ChoiceEntry | ColourEntry;
 
-/** The former name, in tables that were generated before the generator was changed. */
-export type Entry = ParameterEntry;
-
 /** A parameter that the core reads. */
 export type CoreEntry = NumberEntry | ChoiceEntry;
 
@@ -70,8 +71,6 @@ export interface Group {
 	readonly key: string;
 	readonly title: string;
 	readonly help: string;
-	/** Whether most users need it: such groups come before the numbers, the others after them. */
-	readonly everyday?: boolean;
 	/** Whether it is closed on a first visit. */
 	readonly closed?: boolean;
 	/** Whether it comes last in the panel: its contents appear and vanish while another control moves. */
@@ -104,28 +103,35 @@ export class Table {
 		this.#byKey = new Map(entries.map((entry) => [entry.key, entry]));
 	}
 
-	/** The parameter of that key. */
+	/** Returns the parameter of that key; undefined if there is none. */
 	entry(key: string): ParameterEntry | undefined {
 		return this.#byKey.get(key);
 	}
 
-	/** The parameters of a link key, in the order of its values; empty where the key is unknown. */
+	/** Returns the parameters of a link key, in the order of its values; empty where the key is unknown. */
 	linked(link: string): readonly ParameterEntry[] {
 		return this.links.get(link) ?? [];
 	}
 
-	/** Whether a parameter or field applies with a specimen's choices. */
+	/** The parameters that a first-time user needs, in their order. */
+	get basics(): readonly ParameterEntry[] {
+		const marked = this.entries.filter(({ basic }) => basic !== undefined);
+		return marked.sort((one, other) => Number(one.basic) - Number(other.basic));
+	}
+
+	/** Returns whether a parameter or field applies with a specimen's choices. */
 	isActive(specimen: Specimen, { where = {} }: Pick<ParameterEntry, "where">): boolean {
 		return Object.entries(where).every(([key, option]) => this.option(specimen, key) === option);
 	}
 
-	/** The chosen option of a specimen, as links write it; undefined where there is no such choice. */
+	/** Returns the chosen option of a specimen, as links write it; undefined where there is no such choice. */
 	option({ parameters }: Pick<Specimen, "parameters">, key: string): string | undefined {
 		const entry = this.entry(key);
 		return entry?.kind === "choice" ? entry.options[parameters[key]] : undefined;
 	}
 }
 
+/** Groups parameters by link key; those that share a key are in the order of their slots. */
 function groupByLink(entries: readonly ParameterEntry[]): Map<string, ParameterEntry[]> {
 	const groups = new Map<string, ParameterEntry[]>();
 	for (const entry of entries) {
@@ -142,24 +148,24 @@ const STEPS_PER_UNIT = 100;
 /** The limits of a number. */
 export type ValueRange = Pick<CoreEntry, "kind" | "min" | "max" | "gapBelow">;
 
-/** The nearest value within the range that a link can hold. */
+/** Returns the nearest value that is within a range and that a link can hold. */
 export function nearestWithin(range: ValueRange, value: number): number {
 	const inside = Math.min(Math.max(value, range.min), range.max);
 	const raised = inGap(range, inside) ? range.gapBelow : inside;
 	return onStep(raised, range.kind === "number" ? STEPS_PER_UNIT : 1);
 }
 
-/** The nearest number that a link can hold. */
+/** Returns the nearest multiple of a step; the default is the finest step of a link, 0.01. */
 export function onStep(value: number, stepsPerUnit = STEPS_PER_UNIT): number {
 	return Math.round(value * stepsPerUnit) / stepsPerUnit + 0; // −0 becomes 0
 }
 
-/** Whether a value lies between 0 and `gapBelow`, where no value is allowed. */
+/** Returns whether a value lies between 0 and `gapBelow`, where no value is allowed. */
 export function inGap(range: ValueRange, value: number): range is ValueRange & { gapBelow: number } {
 	return range.gapBelow !== undefined && value > 0 && value < range.gapBelow;
 }
 
-/** The value of a parameter in a specimen. */
+/** Returns the value of a parameter in a specimen; a choice is the index of its option. */
 export function valueIn(
 	{ look, parameters }: Pick<Specimen, "look" | "parameters">,
 	entry: ParameterEntry,
@@ -167,7 +173,7 @@ export function valueIn(
 	return entry.look ? look[entry.key] : parameters[entry.key];
 }
 
-/** The value of a parameter in a specimen as links and files write it: a choice by the name of its option. */
+/** Returns the value of a parameter in a specimen as links and files write it: a choice by the name of its option. */
 export function writtenIn(specimen: Pick<Specimen, "look" | "parameters">, entry: ParameterEntry): number | string {
 	const value = valueIn(specimen, entry);
 	return entry.kind === "choice" ? entry.options[value as number] : value;

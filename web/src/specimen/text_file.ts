@@ -16,10 +16,13 @@ export interface TextFile {
 	readonly text: string;
 }
 
-/** @param text the text that the specimen grows by */
-export function writeTextFile<S extends Specimen>(species: ModelSchema<S>, specimen: S, text: string): string {
+/**
+ * Writes a text file: the specimen's query in a comment, then the text.
+ * @param text the text that the specimen grows by
+ */
+export function writeTextFile<S extends Specimen>(schema: ModelSchema<S>, specimen: S, text: string): string {
 	// The query must not end the comment.
-	const query = encodeQuery(species, specimen).replaceAll("*/", "*%2F");
+	const query = encodeQuery(schema, specimen).replaceAll("*/", "*%2F");
 	return `/* Panicle ${query} */\n${text}`;
 }
 
@@ -29,7 +32,7 @@ export function readTextFile(file: string): TextFile {
 	return { query, text: file.slice(line.length) };
 }
 
-/** The specimen of the file's query, without the text; undefined where the file has none. */
-export function specimenOf<S extends Specimen>(species: ModelSchema<S>, { query }: TextFile): S | undefined {
-	return query === undefined ? undefined : decodeQuery(species, query).specimen;
+/** Returns the specimen of the file's query, without the text; undefined where the file has no query. */
+export function specimenOf<S extends Specimen>(schema: ModelSchema<S>, { query }: TextFile): S | undefined {
+	return query === undefined ? undefined : decodeQuery(schema, query).specimen;
 }

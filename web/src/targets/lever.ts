@@ -22,15 +22,18 @@ export interface Lever<S extends Specimen = Specimen> {
 /** Levers by the key of the measure. The first is tried first, the next one when that reaches its limit. */
 export type Levers<S extends Specimen = Specimen> = Readonly<Record<string, readonly Lever<S>[]>>;
 
-/** Parameters that keep their proportions; the first one is the lever's value. */
+/**
+ * Returns a lever of parameters that change in proportion; the first one is the lever's value.
+ * @param power as `Lever.power`
+ */
 export function proportionalLever<S extends Specimen>(
-	species: ModelSchema<S>,
+	schema: ModelSchema<S>,
 	power: number,
 	...keys: readonly string[]
 ): Lever<S> {
 	const [lead, ...others] = keys;
-	const entry = species.table.entry(lead);
-	if (!entry || entry.kind === "colour") throw new RangeError(`${lead} is no number of the ${species.name}.`);
+	const entry = schema.table.entry(lead);
+	if (!entry || entry.kind === "colour") throw new RangeError(`${lead} is no number of the ${schema.name}.`);
 	return {
 		power,
 		from: entry.min > 0 ? entry.min : entry.kind === "integer" ? 1 : Math.min(entry.step, FINEST),
@@ -40,7 +43,7 @@ export function proportionalLever<S extends Specimen>(
 			const { parameters } = specimen;
 			const factor = parameters[lead] > 0 ? value / parameters[lead] : 1;
 			const changes = Object.fromEntries(others.map((key) => [key, factor * parameters[key]]));
-			return withParameters(species, specimen, { ...changes, [lead]: value });
+			return withParameters(schema, specimen, { ...changes, [lead]: value });
 		},
 	};
 }

@@ -1,8 +1,8 @@
 /**
  * Finds a root of residuals with few evaluations: Broyden's method (1965, "A class of methods for solving nonlinear
- * simultaneous equations") within bounds. Residuals may be noisy, as growth is: steps too short to separate a slope from
- * noise do not update slopes, the best point is stored, and with one unknown a change of sign gives a bracket that the
- * search never leaves (regula falsi).
+ * simultaneous equations") within bounds. Residuals may be noisy, as growth is: steps too short to separate a slope
+ * from noise do not update slopes, the best point is stored, and with one unknown a change of sign gives a bracket that
+ * the search never leaves (regula falsi).
  */
 
 /** One unknown and its residual. */
@@ -47,25 +47,25 @@ export class Search {
 		return this.#best;
 	}
 
-	/** Unknowns at a bound whose root is beyond it. */
+	/** Indices of the unknowns at a bound whose root is beyond it. */
 	get atLimit(): number[] {
 		return this.#unknowns.flatMap((_, i) => (this.#isAtLimit(i) ? [i] : []));
 	}
 
-	/** The next point to evaluate; undefined where none is promising. */
+	/** Returns the next point to evaluate; undefined where none is promising. */
 	next(): readonly number[] | undefined {
 		if (this.#idle >= PATIENCE) return undefined;
 		const free = this.#unknowns.flatMap((_, i) => (this.#isAtLimit(i) ? [] : [i]));
 		if (free.length === 0) return undefined;
 		const { at, residuals } = this.#best;
-		const steps = solved(
+		const steps = solveLinear(
 			free.map((row) => free.map((column) => this.#slopes[row][column])),
 			free.map((i) => -residuals[i]),
 		);
 		const far = this.#reach();
 		const next = at.map((value, i) => {
 			const place = free.indexOf(i);
-			return place < 0 ? value : this.#within(i, value + far * clamped(steps?.[place] ?? 0, LONGEST_STEP));
+			return place < 0 ? value : this.#clampToBounds(i, value + far * clamped(steps?.[place] ?? 0, LONGEST_STEP));
 		});
 		return this.#unknowns.length === 1 ? [this.#bracketed(next[0])] : next;
 	}
@@ -86,20 +86,21 @@ export class Search {
 		this.#idle++;
 	}
 
-	/** Whether a point has been evaluated. */
+	/** Returns whether the point `at`, a value for each lever, has been evaluated. */
 	hasSample(at: readonly number[]): boolean {
 		return this.#seen.some((point) => point.at.every((value, i) => Math.abs(value - at[i]) < 1e-9));
 	}
 
 	/**
-	 * The factor of the next step after steps without progress: with one unknown, whose root is beyond all evaluated
-	 * points, longer and longer; with several, shorter and to either side, because noise has no slope.
+	 * Returns the factor of the next step after steps without progress: with one unknown, whose root is beyond all
+	 * evaluated points, longer and longer; with several, shorter and to either side, because noise has no slope.
 	 */
 	#reach(): number {
 		if (this.#unknowns.length === 1) return 1 + this.#idle;
 		return this.#idle === 0 ? 1 : (this.#idle % 2 === 0 ? 1 : -1) / (1 + this.#idle);
 	}
 
+	/** Returns whether the best point has unknown `i` at a bound, and a Newton step would go beyond it. */
 	#isAtLimit(i: number): boolean {
 		const { from, to, slope } = this.#unknowns[i];
 		const { at, residuals } = this.#best;
@@ -107,12 +108,13 @@ export class Search {
 		return onwards > 0 ? at[i] >= to - 1e-9 : onwards < 0 && at[i] <= from + 1e-9;
 	}
 
-	#within(i: number, value: number): number {
+	/** Returns a value limited to the bounds of unknown `i`. */
+	#clampToBounds(i: number, value: number): number {
 		const { from, to } = this.#unknowns[i];
 		return Math.min(Math.max(value, from), to);
 	}
 
-	/** Broyden's rank-one update; slopes on the diagonal keep their signs. */
+	/** Updates the slopes by Broyden's rank-one formula; slopes on the diagonal keep their signs. */
 	#updateSlopes(to: Point, from: Point): void {
 		const step = to.at.map((value, i) => value - from.at[i]);
 		const length = sumOfSquares(step);
@@ -127,7 +129,11 @@ export class Search {
 		}
 	}
 
-	/** With points on both sides of the root, a point between the two nearest of them. */
+	/**
+	 * Returns the next value to try for a single unknown: `value`, unless it leaves the interval between the two nearest
+	 * samples on both sides of the root or the search makes no progress; then a value within the interval (regula falsi,
+	 * or its middle).
+	 */
 	#bracketed(value: number): number {
 		const [{ slope }] = this.#unknowns;
 		const side = (sign: number) =>
@@ -146,12 +152,18 @@ export class Search {
 	}
 }
 
+/** Returns the sum of the squares of values. */
 const sumOfSquares = (values: readonly number[]) => values.reduce((sum, value) => sum + value * value, 0);
 
+/** Limits a value to −`most` … `most`. */
 const clamped = (value: number, most: number) => Math.min(Math.max(value, -most), most);
 
-/** The solution of a small linear system, by elimination with the largest pivots; undefined where there is none. */
-function solved(matrix: number[][], right: number[]): number[] | undefined {
+/**
+ * Solves a small linear system, by elimination with the largest pivots; undefined where there is no solution.
+ * @param matrix coefficients, row by row
+ * @param right right-hand side
+ */
+function solveLinear(matrix: number[][], right: number[]): number[] | undefined {
 	const rows = matrix.map((row, i) => [...row, right[i]]);
 	const count = rows.length;
 	for (let column = 0; column < count; column++) {

@@ -10,7 +10,7 @@ import type { Lever, Levers } from "./lever";
 import { Search } from "./search";
 
 /** The most growths for one solution. */
-export const MOST_GROWTHS = 15;
+export const MAX_GROWTHS = 15;
 
 export interface TargetProblem<S extends Specimen = Specimen> {
 	readonly table: Table;
@@ -81,6 +81,7 @@ class Solver<S extends Specimen> {
 	#best: Sample<S> | undefined;
 	#growths = 0;
 
+	/** @param problem.levers by measure, in the order in which they are tried */
 	constructor({ table, aims, levers, from }: TargetProblem<S>, means: SolverCallbacks<S>) {
 		this.#means = means;
 		this.#from = from;
@@ -93,12 +94,16 @@ class Solver<S extends Specimen> {
 		});
 	}
 
+	/**
+	 * Searches until all targets are reached, no lever is left, or MAX_GROWTHS specimens have been grown. Where a lever
+	 * reaches its limit, the measure's next lever is used.
+	 */
 	async run(): Promise<Solution<S>> {
 		const first = await this.#grow(this.#from);
 		this.#sought = this.#tasks.filter(({ levers, index }) => levers.length > 0 && Number.isFinite(first.values[index]));
 		this.#best = first;
 		let atLimit: readonly number[] = [];
-		while (this.#growths < MOST_GROWTHS && !this.#areAimsReached()) {
+		while (this.#growths < MAX_GROWTHS && !this.#areAimsReached()) {
 			atLimit = await this.#searchOnce(this.#best);
 			const further = atLimit.filter((i) => this.#tasks[i].levers.length > 1);
 			if (further.length === 0) break;
@@ -131,12 +136,12 @@ class Solver<S extends Specimen> {
 		const levers = tasks.map(({ levers: [lever] }) => lever);
 		const first = levers.every((lever) => lever.of(start.specimen) > 0)
 			? start
-			: await this.#grow(setAll(start.specimen, tasks));
+			: await this.#grow(setUnsetLevers(start.specimen, tasks));
 		const at = (specimen: S) => levers.map((lever) => Math.log(lever.of(specimen)));
 		const residuals = ({ values }: Sample<S>) => tasks.map((task) => residualOf(task, values));
 		const unknowns = levers.map(({ from, to, power }) => ({ from: Math.log(from), to: Math.log(to), slope: power }));
 		const search = new Search(unknowns, at(first.specimen), residuals(first));
-		while (this.#growths < MOST_GROWTHS && !this.#areAimsReached()) {
+		while (this.#growths < MAX_GROWTHS && !this.#areAimsReached()) {
 			if (search.atLimit.some((i) => tasks[i].levers.length > 1)) break;
 			const next = search.next();
 			if (!next) break;
@@ -148,6 +153,7 @@ class Solver<S extends Specimen> {
 		return search.atLimit.map((i) => active[i]);
 	}
 
+	/** Grows and measures a specimen, and notes it if it is the best so far. */
 	async #grow(specimen: S): Promise<Sample<S>> {
 		const sample = { specimen, values: await this.#means.measure(specimen) };
 		this.#growths++;
@@ -156,37 +162,40 @@ class Solver<S extends Specimen> {
 		return sample;
 	}
 
+	/** Returns whether the best specimen reaches all targets that can be reached. */
 	#areAimsReached(): boolean {
 		const values = this.#best?.values;
 		return values !== undefined && this.#sought.every((task) => isAimReached(task, values));
 	}
 
+	/** Returns how far measures miss the targets: the sum of squared residuals. */
 	#missOf(values: Float32Array): number {
 		return this.#sought.reduce((sum, task) => sum + residualOf(task, values) ** 2, 0);
 	}
 }
 
 /** Sets levers that are 0 to the target: they are in the measure's unit. */
-function setAll<S extends Specimen>(specimen: S, tasks: readonly Task<S>[]): S {
+function setUnsetLevers<S extends Specimen>(specimen: S, tasks: readonly Task<S>[]): S {
 	return tasks.reduce(
 		(done, { levers: [lever], value }) => (lever.of(done) > 0 ? done : lever.set(done, value)),
 		specimen,
 	);
 }
 
+/** Returns whether a measure is its target value, except for invisible differences. */
 const isAimReached = ({ index, value, tolerance }: AimedMeasure, values: Float32Array) =>
 	Math.abs(values[index] - value) <= tolerance;
 
 /**
- * Whether a value is within its target's range. The search aims at one value of the range, so that plants of a series
- * are spread over it; any other is as good.
+ * Returns whether a measure is within its target's range. The search aims at one value of the range, so that plants of
+ * a series are spread over it; any other is as good.
  */
 const isWithin = ({ index, within, tolerance }: AimedMeasure, values: Float32Array) =>
 	within !== undefined && values[index] >= within[0] - tolerance && values[index] <= within[1] + tolerance;
 
 /**
- * Difference of logarithms where the measure is large, since lengths, volumes and weights grow by powers; linear near
- * 0.
+ * Returns the difference of a measure from its target, scaled by asinh: a difference of logarithms where the measure is
+ * large, since lengths, volumes and weights grow by powers; linear near 0. Infinite where the measure does not apply.
  */
 function residualOf({ index, value, tolerance }: AimedMeasure, values: Float32Array): number {
 	const scaled = (measure: number) => Math.asinh(measure / (2 * tolerance));

@@ -1,37 +1,47 @@
 /** Describes the results of targets. */
+import { formatList } from "../locale/format";
 import { displayedNumber, displayScaleOf } from "../specimen/lengths";
 import { measureText } from "../specimen/measures";
 import type { ModelSchema } from "../specimen/model_schema";
 import type { Specimen } from "../specimen/specimen";
 import { reachedText, toleranceOf } from "./aim";
+import { text } from "./messages.generated";
 import type { AimResult, Solution } from "./solve";
 
-/** "Bunch length: 160 mm reached", or "Bunch length: 300 mm asked, 158.9 mm reached; nothing goes further". */
+/**
+ * Returns the result of a target in words: "Bunch length: 160 mm reached", or "Bunch length: wanted 300 mm, got 158.9
+ * mm (no setting affects it)".
+ */
 export function reachedInWords({ info, value, within, measured, isReached, hasLever, isAtLimit }: AimResult): string {
-	const target = measureText(info, value);
-	if (isReached && Math.abs(measured - value) <= toleranceOf(info, value)) return `${info.label}: ${target} reached`;
-	if (isReached && within)
-		return `${info.label}: ${reachedText(info, measured, value)} reached, within ${measureText(info, within[0])} to ${measureText(info, within[1])}`;
-	if (!Number.isFinite(measured)) return `${info.label}: this has none`;
-	const end = !hasLever ? "; nothing moves it" : isAtLimit ? "; what moves it goes no further" : "";
-	return `${info.label}: ${target} asked, ${reachedText(info, measured, value)} reached${end}`;
+	const measure = info.label;
+	const wanted = measureText(info, value);
+	if (isReached && Math.abs(measured - value) <= toleranceOf(info, value))
+		return text("reached", { measure, value: wanted });
+	if (!Number.isFinite(measured)) return text("without_measure", { measure });
+	const reached = reachedText(info, measured, value);
+	if (isReached && within) {
+		const [least, most] = within.map((each) => measureText(info, each));
+		return text("reached_within", { measure, value: reached, least, most });
+	}
+	const key = !hasLever ? "missed_without_setting" : isAtLimit ? "missed_at_limit" : "missed";
+	return text(key, { measure, wanted, reached });
 }
 
 /** The most changes that are listed; the others are counted. */
-const MOST_NAMED = 3;
+const MAX_NAMED = 3;
 
 /** Differences between two specimens, the largest first: "Length 120 → 143.4 mm, Density 6 → 7.1 and 3 more". */
 export function changesInWords<S extends Specimen>(
-	species: Pick<ModelSchema<S>, "table" | "lengths">,
+	schema: Pick<ModelSchema<S>, "table" | "lengths">,
 	from: S,
 	to: S,
 ): string {
-	const active = species.table.core.filter((entry) => species.table.isActive(to, entry));
+	const active = schema.table.core.filter((entry) => schema.table.isActive(to, entry));
 	const changes = active.flatMap((entry) => {
 		// Compare lengths in the displayed unit: one that only follows its scale has not changed.
 		if (from.parameters[entry.key] === to.parameters[entry.key]) return [];
 		const values = [from, to].map((each) => {
-			const scale = displayScaleOf(species, each, entry);
+			const scale = displayScaleOf(schema, each, entry);
 			return {
 				scale,
 				exact: scale.per * each.parameters[entry.key],
@@ -47,11 +57,11 @@ export function changesInWords<S extends Specimen>(
 		const { unit } = after.scale;
 		return [{ share, words: `${entry.label} ${before.read} → ${after.read}${unit ? ` ${unit}` : ""}` }];
 	});
-	const named = changes.sort((one, other) => other.share - one.share).slice(0, MOST_NAMED);
-	const more = changes.length > named.length ? ` and ${changes.length - named.length} more` : "";
-	return `${named.map(({ words }) => words).join(", ")}${more}`;
+	const named = changes.sort((one, other) => other.share - one.share).slice(0, MAX_NAMED);
+	const more = changes.length - named.length;
+	return formatList([...named.map(({ words }) => words), ...(more > 0 ? [text("more_changes", { count: more })] : [])]);
 }
 
-/** How many growths it took: "in 6 growths". */
+/** Returns how many growths a search took, in words: "after 6 tries". */
 export const growthsInWords = ({ growths }: Pick<Solution, "growths">): string =>
-	`in ${growths} ${growths === 1 ? "growth" : "growths"}`;
+	text("after_tries", { count: growths });

@@ -7,11 +7,11 @@ import type { Change } from "./editor_context";
 
 /** Returns the specimen with a change applied. */
 export function apply<S extends Specimen>(
-	species: ModelSchema<S>,
+	schema: ModelSchema<S>,
 	specimen: S,
 	{ parameters = {}, look = {}, details = {}, seed }: Change,
 ): S {
-	const next = { ...withLook(species, withParameters(species, specimen, parameters), look), ...details };
+	const next = { ...withLook(schema, withParameters(schema, specimen, parameters), look), ...details };
 	return seed === undefined ? next : withSeed(next, seed);
 }
 

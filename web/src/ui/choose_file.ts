@@ -6,12 +6,12 @@ export interface FileChoice {
 	/** Accessible name of the input. */
 	readonly label: string;
 	/** Label of the button. */
-	readonly words: string;
+	readonly caption: string;
 	take(file: File): void;
 }
 
 /** Draws a button that opens the file picker. */
-export function chooseFile({ accept, label, words, take }: FileChoice): unknown {
+export function chooseFile({ accept, label, caption, take }: FileChoice): unknown {
 	const choose = (event: Event) => ((event.currentTarget as Element).previousElementSibling as HTMLElement).click();
 	const chosen = (event: Event) => {
 		const input = event.currentTarget as HTMLInputElement;
@@ -20,5 +20,5 @@ export function chooseFile({ accept, label, words, take }: FileChoice): unknown 
 		if (file) take(file);
 	};
 	return html`<input type="file" hidden accept=${accept} aria-label=${label} @change=${chosen}>
-		<button class="button" type="button" @click=${choose}>${words}</button>`;
+		<button class="button" type="button" @click=${choose}>${caption}</button>`;
 }

@@ -3,7 +3,10 @@
 const STEPS = 10;
 const WAYS: Readonly<Record<string, number>> = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 };
 
-/** Returns the amount that a key adds to a slider's value; undefined if the browser handles the key. */
+/**
+ * Returns the amount that a key adds to a slider's value; undefined if the browser handles the key.
+ * @param step of the slider
+ */
 export function coarseStep(
 	step: number,
 	{ key, shiftKey }: Pick<KeyboardEvent, "key" | "shiftKey">,

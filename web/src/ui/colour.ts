@@ -2,9 +2,12 @@ import { html } from "lit";
 import type { ColourEntry } from "../specimen/table";
 import type { EditorContext } from "./editor_context";
 import { EntryElement } from "./entry_element";
+import { text } from "./messages.generated";
+import { explanation } from "./slider_row";
 
 /** Control of a colour: the system's picker, and six digits to type. */
 export class ColourControl extends EntryElement<ColourEntry> {
+	/** Renders the browser's colour picker and a text field for the hexadecimal value. */
 	protected override draw(context: EditorContext): unknown {
 		const { key, label, help } = this.entry;
 		const { value } = this;
@@ -17,21 +20,24 @@ export class ColourControl extends EntryElement<ColourEntry> {
 			>
 			<input
 				class="typed" type="text" autocomplete="off" spellcheck="false" maxlength="7" .value=${String(value)}
-				aria-label="${label}, six hexadecimal digits" @change=${this.#type}
+				aria-label=${text("colour_field", { label })} @change=${this.#type}
 			>
+			<panicle-info .name=${label} .text=${explanation(help, `#${this.published}`)}></panicle-info>
 			<span class="unseen" id=${this.idOf("help")}>${help}</span>
 		</div>`;
 	}
 
+	/** Sets a typed colour; a notice reports text that is not six hexadecimal digits. */
 	#type(event: Event): void {
 		const field = event.target as HTMLInputElement;
 		const colour = field.value.trim().replace("#", "").toLowerCase();
 		if (/^[0-9a-f]{6}$/.test(colour)) this.context.set(this.change(colour));
-		else this.context.notify(`“${field.value}” is not a colour`, ["A colour is six hexadecimal digits, like 43264f."]);
+		else this.context.notify(text("colour_invalid", { value: field.value }), [text("colour_format")]);
 		field.value = String(this.value);
 	}
 }
 
+/** Returns the six digits of a colour input's value. */
 function digits(event: Event): string {
 	return (event.target as HTMLInputElement).value.slice(1).toLowerCase();
 }

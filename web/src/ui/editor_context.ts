@@ -60,8 +60,6 @@ export interface Stateful<T> {
 export interface NoticeOptions {
 	/** Subject: a new notice replaces older ones of the same topic. */
 	topic?: string;
-	/** Text that the user can copy. */
-	copy?: string;
 	/** Disappears after a while: for confirmations and for limits reached during a drag, never for warnings. */
 	brief?: boolean;
 	/** Concerns the document as opened: the first change removes the notice. */
@@ -69,7 +67,7 @@ export interface NoticeOptions {
 	/** Action of a button that retries. */
 	again?: () => void;
 	/** Button with another action. */
-	act?: { readonly words: string; readonly run: () => void };
+	act?: { readonly label: string; readonly run: () => void };
 }
 
 /** Options of growing a plant offscreen. */

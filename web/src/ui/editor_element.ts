@@ -19,7 +19,7 @@ export abstract class EditorElement<D extends EditorContext = EditorContext> ext
 	/** Values of `shows` at the last drawing. */
 	#shown: readonly unknown[] | undefined;
 	/** Whether a comparison of `shows` is scheduled for the end of the current task. */
-	#looking = false;
+	#isComparing = false;
 
 	/** Draws the element; called after changes of its state, once for all changes of a task. */
 	protected abstract draw(context: D): unknown;
@@ -35,47 +35,53 @@ export abstract class EditorElement<D extends EditorContext = EditorContext> ext
 		return `${name}-${this.#serial}`;
 	}
 
+	/** Renders into the element itself, so that the page's style applies. */
 	protected override createRenderRoot(): this {
 		return this;
 	}
 
+	/** Begins to follow the page's state. */
 	override connectedCallback(): void {
 		super.connectedCallback();
 		if (this.context) this.#subscribe();
 	}
 
+	/** Ends following the page's state. */
 	override disconnectedCallback(): void {
 		super.disconnectedCallback();
 		this.#unsubscribe?.();
 		this.#unsubscribe = undefined;
 	}
 
+	/** Follows the state of a new context. */
 	protected override willUpdate(changed: PropertyValues): void {
 		if (changed.has("context") && this.isConnected) this.#subscribe();
 	}
 
-	/** Elements may be in the page before they have a context. */
+	/** Returns whether the element can be drawn: elements may be in the page before they have a context. */
 	protected override shouldUpdate(_changed: PropertyValues): boolean {
 		return this.context !== undefined;
 	}
 
+	/** Draws the element, and notes the values that the drawing depends on. */
 	protected override render(): unknown {
 		this.#shown = this.shows?.(this.context);
 		return this.draw(this.context);
 	}
 
+	/** Listens to changes of the state; many changes of one task are compared once. */
 	#subscribe(): void {
 		this.#unsubscribe?.();
 		this.#unsubscribe = this.context.subscribe(() => {
-			if (this.#looking) return;
-			this.#looking = true;
-			queueMicrotask(() => this.#look());
+			if (this.#isComparing) return;
+			this.#isComparing = true;
+			queueMicrotask(() => this.#compareShown());
 		});
 	}
 
-	/** Compares once for all changes of a task. */
-	#look(): void {
-		this.#looking = false;
+	/** Draws the element again if a value of `shows` has changed. */
+	#compareShown(): void {
+		this.#isComparing = false;
 		if (!this.#shown || changed(this.#shown, this.shows?.(this.context))) this.requestUpdate();
 	}
 }

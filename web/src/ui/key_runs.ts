@@ -11,12 +11,13 @@ export class KeyRuns {
 	#last = Number.NEGATIVE_INFINITY;
 
 	/**
-	 * Returns the name of a press's run.
-	 * @param of the moved object: another object begins a new run
+	 * Returns the name of a press's run: that of the last press, if it was of the same object and recent.
+	 * @param object the moved one: another object begins a new run
+	 * @param now time of the press, ms
 	 */
-	press(of: string, now = performance.now()): string {
-		if (of !== this.#of || now - this.#last > PAUSE) this.#name = `keys ${++made}`;
-		this.#of = of;
+	press(object: string, now = performance.now()): string {
+		if (object !== this.#of || now - this.#last > PAUSE) this.#name = `keys ${++made}`;
+		this.#of = object;
 		this.#last = now;
 		return this.#name;
 	}

@@ -25,7 +25,7 @@ export interface Life {
 	/** Age at which playing ends. */
 	readonly end: number;
 	/** Age at which a plant is at its best: playing from there shows the whole life, and not only its decline. */
-	readonly height?: number;
+	readonly bestAge?: number;
 	/** Duration of playing the whole life, milliseconds. */
 	readonly milliseconds: number;
 	/** Description of playing: "Play from flower to ripe bunch". */

@@ -7,12 +7,15 @@ import type { EditorContext, Stateful } from "./editor_context";
 import { type Life, nextStage } from "./life";
 
 /** Duration of a stage with reduced motion, milliseconds. */
-const STAND = 1500;
+const STAGE_DURATION = 1500;
 /** Longest time step, milliseconds: after a hidden or busy page, playing continues where it was. */
 const LONGEST_FRAME = 500;
-/** Ages are rounded to this share of a life, and to no more decimals than a link stores, so that links stay short. */
-const SHARES = 1000;
-const FINEST = 100;
+/**
+ * Ages are rounded to this many steps of a life, and to no more steps per unit than a link stores, so that links stay
+ * short.
+ */
+const STEPS_OF_LIFE = 1000;
+const MOST_STEPS_PER_UNIT = 100;
 /** Gesture name of playing; a drag meanwhile is an undo step of its own. */
 export const PLAY = "play";
 
@@ -39,9 +42,9 @@ export class LifePlayer {
 	/** Whether a frame is scheduled: one scheduled before a stop is reused by the next start. */
 	#isFrameDue = false;
 	#age = 0;
-	#last = 0;
+	#lastFrameTime = 0;
 	/** Specimen of the last frame; any other specimen means that the user has changed a control. */
-	#made: Specimen | undefined;
+	#lastFrameSpecimen: Specimen | undefined;
 
 	/** @param state tool state with `playing`; setting it starts and stops the player */
 	constructor(context: EditorContext, life: Life, state: Stateful<PlayState>, clock: Clock = FRAMES) {
@@ -49,7 +52,7 @@ export class LifePlayer {
 		this.#life = life;
 		this.#state = state;
 		this.#clock = clock;
-		this.#unsubscribe = context.subscribe(() => this.#follow());
+		this.#unsubscribe = context.subscribe(() => this.#startOrStop());
 	}
 
 	/** Stops playing at the current age and unsubscribes. */
@@ -58,7 +61,11 @@ export class LifePlayer {
 		this.#stop();
 	}
 
-	#follow(): void {
+	/**
+	 * Starts or stops after the tool state. At the end of the life, and at the age at which a plant is at its best,
+	 * playing starts from the first stage, so that it shows the whole life and not only the decline.
+	 */
+	#startOrStop(): void {
 		const { playing } = this.#context.toolState(this.#state);
 		if (playing === this.#running) return;
 		if (!playing) {
@@ -67,20 +74,21 @@ export class LifePlayer {
 		}
 		const age = this.#context.state.specimen.parameters[this.#life.parameter];
 		this.#running = true;
-		this.#made = undefined;
-		const { end, height, stages } = this.#life;
-		this.#age = age >= end || age === height ? stages[0].at : age;
-		this.#last = Number.NaN;
+		this.#lastFrameSpecimen = undefined;
+		const { end, bestAge, stages } = this.#life;
+		this.#age = age >= end || age === bestAge ? stages[0].at : age;
+		this.#lastFrameTime = Number.NaN;
 		this.#requestFrame();
 	}
 
+	/** Schedules a frame, unless one is due. */
 	#requestFrame(): void {
 		if (this.#isFrameDue) return;
 		this.#isFrameDue = true;
 		this.#clock.request(this.#frame);
 	}
 
-	/** Makes one undo step of the whole run. */
+	/** Stops playing, and makes one undo step of the whole run. */
 	#stop(): void {
 		if (!this.#running) return;
 		this.#running = false;
@@ -89,25 +97,27 @@ export class LifePlayer {
 		this.#context.settle(PLAY);
 	}
 
+	/** Sets the age of this frame; stops at the end, or if the specimen was edited since the last frame. */
 	readonly #frame = (now: number): void => {
 		this.#isFrameDue = false;
 		if (!this.#running) return;
 		const context = this.#context;
-		if (this.#made && context.state.specimen !== this.#made) {
+		if (this.#lastFrameSpecimen && context.state.specimen !== this.#lastFrameSpecimen) {
 			this.#stop();
 			return;
 		}
 		if (this.#advance(now)) {
-			const fine = Math.min(FINEST, SHARES / this.#whole);
-			const age = Math.round(this.#age * fine) / fine;
+			const stepsPerUnit = Math.min(MOST_STEPS_PER_UNIT, STEPS_OF_LIFE / this.#lifeSpan);
+			const age = Math.round(this.#age * stepsPerUnit) / stepsPerUnit;
 			context.edit({ parameters: { [this.#life.parameter]: age } }, PLAY);
-			this.#made = context.state.specimen;
+			this.#lastFrameSpecimen = context.state.specimen;
 		}
 		if (this.#age >= this.#life.end) this.#stop();
 		else this.#requestFrame();
 	};
 
-	get #whole(): number {
+	/** From the first stage to the end, in units of the parameter. */
+	get #lifeSpan(): number {
 		return this.#life.end - this.#life.stages[0].at;
 	}
 
@@ -116,18 +126,18 @@ export class LifePlayer {
 	 * @returns whether the age changed
 	 */
 	#advance(now: number): boolean {
-		const first = Number.isNaN(this.#last);
-		const passed = first ? 0 : now - this.#last;
+		const first = Number.isNaN(this.#lastFrameTime);
+		const passed = first ? 0 : now - this.#lastFrameTime;
 		const { end, milliseconds } = this.#life;
 		const { speed = 1 } = this.#context.toolState(this.#state);
 		if (this.#clock.stepwise()) {
-			if (!first && passed < STAND / speed) return false;
+			if (!first && passed < STAGE_DURATION / speed) return false;
 			if (!first) this.#age = nextStage(this.#life, this.#age, 1).at;
 		} else {
 			const share = (Math.min(passed, LONGEST_FRAME) * speed) / milliseconds;
-			this.#age = Math.min(end, this.#age + share * this.#whole);
+			this.#age = Math.min(end, this.#age + share * this.#lifeSpan);
 		}
-		this.#last = now;
+		this.#lastFrameTime = now;
 		return true;
 	}
 }

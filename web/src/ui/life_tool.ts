@@ -3,6 +3,7 @@ import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
 import type { Life } from "./life";
 import { LifePlayer, type PlayState } from "./life_player";
+import { text } from "./messages.generated";
 import type { Tool } from "./tool";
 import "./life_bar";
 
@@ -18,8 +19,20 @@ export function lifeTool<S extends Specimen, G extends Plant>(
 		parameters: [life.parameter],
 		press: (context) =>
 			context.setToolState(tool, { ...context.toolState(tool), playing: !context.toolState(tool).playing }),
-		key: { letter: "k", does: `${life.play}, and pause` },
-		keys: [{ keys: ["Page ↑", "Page ↓"], does: `On the ${life.label.toLowerCase()}: the next stage, the one before` }],
+		key: {
+			letter: "k",
+			get description() {
+				return text("play_or_pause", { action: life.play });
+			},
+		},
+		keys: [
+			{
+				keys: ["Page ↑", "Page ↓"],
+				get description() {
+					return text("stage_keys");
+				},
+			},
+		],
 		bar: {
 			title: life.label,
 			draw: (context) => html`<panicle-life .context=${context} .life=${life} .play=${tool}></panicle-life>`,

@@ -30,10 +30,15 @@ export class LongList extends LitElement {
 		rowHeight: ROW_HEIGHT,
 	});
 
+	/** Renders into the element itself, so that the page's style applies. */
 	protected override createRenderRoot(): this {
 		return this;
 	}
 
+	/**
+	 * Renders the rows near the visible part, and the focused row with its neighbours, so that Tab and screen readers
+	 * reach them.
+	 */
 	protected override render(): unknown {
 		const at = this.#focused;
 		const rows = this.#rows.rows(this.count, at === undefined ? [] : [at - 1, at, at + 1]);
@@ -49,16 +54,19 @@ export class LongList extends LitElement {
 		</div>`;
 	}
 
+	/** Measures the rows that were drawn. */
 	protected override updated(): void {
 		this.#rows.measure();
 	}
 
+	/** Records the row that gets the focus, which then stays in the page. */
 	#focus({ target }: FocusEvent): void {
 		const row = (target as Element).closest<HTMLElement>("[data-index]");
 		this.#focused = row ? Number(row.dataset.index) : undefined;
 		this.requestUpdate();
 	}
 
+	/** Forgets the row that loses the focus. */
 	#blur(): void {
 		this.#focused = undefined;
 	}

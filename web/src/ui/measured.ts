@@ -1,6 +1,7 @@
 import { html, nothing } from "lit";
 import { classOf, type MeasureInfo, measureText } from "../specimen/measures";
 import type { Table } from "../specimen/table";
+import { text } from "./messages.generated";
 import type { ReadoutRow } from "./tool";
 
 /**
@@ -19,32 +20,38 @@ export function measured(
 	return table.measureGroups.map(({ key: group, title }) => {
 		const rows = table.measures.flatMap((info, index) =>
 			info.group === group && Number.isFinite(measures[index])
-				? [drawn(rowOf(info, measures[index]), request(info, measures[index]))]
+				? [drawRow(rowOf(info, measures[index]), request(info, measures[index]))]
 				: [],
 		);
 		if (rows.length === 0) return nothing;
-		const last = more.filter((row) => row.group === group).map((row) => drawn(row));
+		const last = more.filter((row) => row.group === group).map((row) => drawRow(row));
 		return html`<section class="measures"><h3>${title}</h3>${rows}${last}</section>`;
 	});
 }
 
+/** Returns the row of a measure: its value and class in words. */
 function rowOf(info: MeasureInfo, value: number): ReadoutRow {
 	return { ...info, text: measureText(info, value), found: classOf(info, value) };
 }
 
-function drawn({ key, label, help, oiv, unchecked, text, found }: ReadoutRow, request?: unknown): unknown {
-	// If a descriptor's value is a note, `text` already has its words.
-	const words = found && found.words !== text ? `${found.note}, ${found.words}` : found?.note;
-	const classed =
+/**
+ * Renders one measure with its value, its class in the OIV's descriptors, and its explanation.
+ * @param request control for a target value; undefined where none can be set
+ */
+function drawRow({ key, label, help, oiv, unchecked, text: value, found }: ReadoutRow, request?: unknown): unknown {
+	// If a descriptor's value is a note, `value` already has its words.
+	const words =
+		found && found.words !== value ? text("oiv_class_note", { note: found.note, words: found.words }) : found?.note;
+	const doubt = unchecked ? text("not_compared", { part: unchecked }) : "";
+	const classText =
 		oiv === undefined || found === undefined
 			? nothing
-			: html`<small>OIV ${oiv}: class ${words}${unchecked ? html`<abbr title="not compared with its source: ${unchecked}"> ?</abbr>` : nothing}</small>`;
-	const doubt = unchecked ? ` Not compared with its source: ${unchecked}.` : "";
+			: html`<small>${text("oiv_class", { oiv: String(oiv), note: words ?? "" })}${doubt ? html`<abbr title=${doubt}> ?</abbr>` : nothing}</small>`;
 	return html`<details class="measure" data-key="measure-${key}" data-measure=${key}>
-		<summary><span class="what">${label}${classed}</span><span
-			class=${request ? "value askable" : "value"} title=${request ? "Ask for another value" : nothing}
-		>${text}</span></summary>
-		<p>${help}${doubt}</p>
+		<summary><span class="what">${label}${classText}</span><span
+			class=${request ? "value askable" : "value"} title=${request ? text("set_target") : nothing}
+		>${value}</span></summary>
+		<p>${help} ${doubt}</p>
 		${request ?? nothing}
 	</details>`;
 }

@@ -10,15 +10,16 @@ export interface PickView {
 	readonly orbiting: boolean;
 }
 
-export interface PickHost {
+/** @typeParam T a picked part: by default its id */
+export interface PickHost<T = number> {
 	/** Class of the canvas while picking is enabled. */
 	readonly name: string;
-	/** Returns the id at a point of the canvas, in CSS pixels from its top left corner. */
-	at(x: number, y: number): number | undefined;
+	/** Returns the part at a point of the canvas, in CSS pixels from its top left corner. */
+	at(x: number, y: number): T | undefined;
 	/** False if parts under the pointer are not marked. */
 	readonly hovers?: false;
-	mark(id: number | undefined): void;
-	take(id: number): void;
+	mark(part: T | undefined): void;
+	take(part: T): void;
 }
 
 /** Largest movement of a click, in CSS pixels; larger for touch. */
@@ -31,15 +32,16 @@ interface Press {
 	readonly y: number;
 }
 
-export class PickPointer {
+export class PickPointer<T = number> {
 	readonly #view: PickView;
-	readonly #host: PickHost;
+	readonly #host: PickHost<T>;
 	#enabled = false;
 	#press: Press | undefined;
 	/** Pressed pointers; two of them zoom. */
 	readonly #down = new Set<number>();
 
-	constructor(view: PickView, host: PickHost) {
+	/** @param host finds and marks parts, and takes the clicked one */
+	constructor(view: PickView, host: PickHost<T>) {
 		this.#view = view;
 		this.#host = host;
 		const { canvas } = view;
@@ -50,6 +52,7 @@ export class PickPointer {
 		canvas.addEventListener("pointerleave", this.#onLeave);
 	}
 
+	/** Removes the mark and all listeners. */
 	dispose(): void {
 		this.enabled = false;
 		const { canvas } = this.#view;
@@ -60,6 +63,7 @@ export class PickPointer {
 		canvas.removeEventListener("pointerleave", this.#onLeave);
 	}
 
+	/** Sets whether parts are marked and taken. */
 	set enabled(on: boolean) {
 		if (on === this.#enabled) return;
 		this.#enabled = on;
@@ -68,44 +72,52 @@ export class PickPointer {
 		if (!on) this.#host.mark(undefined);
 	}
 
+	/** Begins a press, which becomes a click if the pointer stays where it is. */
 	readonly #onDown = (event: PointerEvent): void => {
 		this.#down.add(event.pointerId);
 		const alone = this.#down.size === 1 && event.button === 0 && this.#view.orbiting;
 		this.#press = alone && this.#enabled ? { pointer: event.pointerId, x: event.clientX, y: event.clientY } : undefined;
 	};
 
+	/** Marks the part under a pointer that is not pressed, and ends a press that has become a drag. */
 	readonly #onMove = (event: PointerEvent): void => {
 		if (!this.#enabled) return;
 		if (this.#press && !near(this.#press, event)) this.#press = undefined;
 		if (this.#host.hovers === false) return;
-		if (event.buttons === 0 && event.pointerType !== "touch" && this.#view.orbiting) this.#host.mark(this.#at(event));
+		if (event.buttons === 0 && event.pointerType !== "touch" && this.#view.orbiting)
+			this.#host.mark(this.#partAt(event));
 	};
 
+	/** Takes the part under a click. */
 	readonly #onUp = (event: PointerEvent): void => {
 		this.#down.delete(event.pointerId);
 		const press = this.#press;
 		this.#press = undefined;
 		if (!press || press.pointer !== event.pointerId || !near(press, event)) return;
-		const id = this.#at(event);
-		if (id !== undefined) this.#host.take(id);
+		const part = this.#partAt(event);
+		if (part !== undefined) this.#host.take(part);
 	};
 
+	/** Forgets a pointer that the browser has cancelled. */
 	readonly #onCancel = (event: PointerEvent): void => {
 		this.#down.delete(event.pointerId);
 		this.#press = undefined;
 	};
 
+	/** Forgets the pointer and removes the mark. */
 	readonly #onLeave = (event: PointerEvent): void => {
 		this.#onCancel(event);
 		if (this.#enabled) this.#host.mark(undefined);
 	};
 
-	#at({ clientX, clientY }: PointerEvent): number | undefined {
+	/** Returns the part under a pointer; undefined if there is none. */
+	#partAt({ clientX, clientY }: PointerEvent): T | undefined {
 		const { left, top } = this.#view.canvas.getBoundingClientRect();
 		return this.#host.at(clientX - left, clientY - top);
 	}
 }
 
+/** Returns whether a pointer is near enough to its press to count as a click. */
 function near({ x, y }: Press, { clientX, clientY, pointerType }: PointerEvent): boolean {
 	const tremble = pointerType === "touch" ? TOUCH_TREMBLE : MOUSE_TREMBLE;
 	return Math.hypot(clientX - x, clientY - y) <= tremble;

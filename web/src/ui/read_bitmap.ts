@@ -1,7 +1,10 @@
 /** Reads pictures from the user. */
 
+import { MessageError } from "../locale/message_error";
+import { text } from "./messages.generated";
+
 /** Error with a message for the user. */
-export class PictureError extends Error {
+export class PictureError extends MessageError {
 	override name = "PictureError";
 }
 
@@ -12,7 +15,7 @@ export class PictureError extends Error {
  */
 export async function readBitmap(file: Blob, longest: number): Promise<ImageBitmap> {
 	const bitmap = await createImageBitmap(file).catch(() => {
-		throw new PictureError("The file is no picture that this browser reads. Use a JPEG, PNG or WebP.");
+		throw new PictureError(text.message("picture_unreadable"));
 	});
 	const scale = longest / Math.max(bitmap.width, bitmap.height);
 	if (scale >= 1) return bitmap;

@@ -20,6 +20,10 @@ export function rove(event: KeyboardEvent, row: readonly HTMLElement[]): boolean
 	return true;
 }
 
+/**
+ * Returns the index to which a key moves the focus from `at`; undefined for other keys. It may lie beyond the row's
+ * ends.
+ */
 function destination(key: string, at: number, count: number): number | undefined {
 	if (key === "ArrowRight" || key === "ArrowDown") return at + 1;
 	if (key === "ArrowLeft" || key === "ArrowUp") return at - 1;

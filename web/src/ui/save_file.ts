@@ -1,4 +1,4 @@
-/** Saves a file in the browser's downloads. */
+/** Saves a file in the browser's downloads: clicks a link to its data. */
 export function saveFile(blob: Blob, name: string): void {
 	const anchor = document.createElement("a");
 	anchor.href = URL.createObjectURL(blob);

@@ -5,6 +5,7 @@ import type { Plant } from "../plant/plant";
 import type { ClosedMesh } from "../specimen/closed_mesh";
 import type { Specimen } from "../specimen/specimen";
 import type { EditorContext, EditorState } from "./editor_context";
+import { text } from "./messages.generated";
 import type { Tool, ToolInteraction, ToolView } from "./tool";
 
 /** Draws the shells; implemented by render/shell_renderer.ts. */
@@ -51,7 +52,7 @@ export function createShellTool<S extends Specimen, G extends Plant>(
 		initial,
 		...(applies ? { applies } : {}),
 		press: (context) => context.setToolState(tool, !context.toolState(tool)),
-		button: { icon, label, pressed: (context) => context.toolState(tool) },
+		button: { slot: "view", icon, label, pressed: (context) => context.toolState(tool) },
 		interaction: (view, context) => new ShellInteraction(view, context, options, tool),
 	};
 	return tool;
@@ -67,6 +68,7 @@ class ShellInteraction<S extends Specimen, G extends Plant> implements ToolInter
 	#shown: { readonly specimen: S; readonly dark: boolean; readonly grown: G | undefined } | undefined;
 	#disposed = false;
 
+	/** @param tool its state is whether shells are shown */
 	constructor(
 		view: ToolView,
 		context: EditorContext<S, G>,
@@ -79,6 +81,7 @@ class ShellInteraction<S extends Specimen, G extends Plant> implements ToolInter
 		this.#tool = tool;
 	}
 
+	/** Draws the shells of the current state, once the renderer is loaded; it is loaded on first use. */
 	update(): void {
 		if (!this.#visible(this.#context.state.specimen) && !this.#renderer) return;
 		this.#renderer ??= this.#fetch();
@@ -87,6 +90,7 @@ class ShellInteraction<S extends Specimen, G extends Plant> implements ToolInter
 		});
 	}
 
+	/** Removes the shells and frees the renderer. */
 	dispose(): void {
 		this.#disposed = true;
 		void this.#renderer?.then((renderer) => {
@@ -96,10 +100,14 @@ class ShellInteraction<S extends Specimen, G extends Plant> implements ToolInter
 		});
 	}
 
+	/** Returns whether the tool is switched on and applies to a specimen. */
 	#visible(specimen: S): boolean {
 		return this.#context.toolState(this.#tool) && (this.#options.applies?.(specimen) ?? true);
 	}
 
+	/**
+	 * Updates the drawing only where needed: shells by specimen (or plant, with `ofPlant`) and colours, marks by plant.
+	 */
 	#show(renderer: ShellDrawing, { specimen, dark, grown }: EditorState<S, G>): void {
 		const visible = this.#visible(specimen);
 		const { marked, ofPlant = false } = this.#options;
@@ -117,13 +125,13 @@ class ShellInteraction<S extends Specimen, G extends Plant> implements ToolInter
 		this.#view.requestRender();
 	}
 
-	/** If the script fails to load, the tool is switched off, and pressing its button retries. */
+	/** Loads the renderer. If its script fails to load, the tool is switched off, and pressing its button retries. */
 	async #fetch(): Promise<ShellDrawing | undefined> {
 		const renderer = await this.#options.renderer().catch(() => undefined);
 		if (!renderer) {
 			this.#renderer = undefined;
 			this.#context.setToolState(this.#tool, false);
-			this.#context.notify(this.#options.fetchFailedMessage, ["Check the connection and press its button again."]);
+			this.#context.notify(this.#options.fetchFailedMessage, [text("press_again")]);
 			return undefined;
 		}
 		renderer.object.visible = false;

@@ -1,7 +1,7 @@
 /**
- * Tools: the controls that a model adds to the page, besides the sliders of its table. A tool can have a button on the 3-D
- * view, a key, a place in the panel, a bar below the view, a flat view, a text pane and an interaction with the canvas. The
- * studio shows each at its place and depends on no particular tool.
+ * Tools: the controls that a model adds to the page, besides the sliders of its table. A tool can have a button on the
+ * 3-D view, a key, a place in the panel, a bar below the view, a flat view, a text pane and an interaction with the
+ * canvas. The studio shows each at its place and depends on no particular tool.
  */
 
 import type { SVGTemplateResult } from "lit";
@@ -11,9 +11,18 @@ import type { Specimen } from "../specimen/specimen";
 import type { Group } from "../specimen/table";
 import type { Change, EditorContext, EditorState, Fault, Stateful } from "./editor_context";
 import type { PointerRay } from "./handles/handle_ways";
+import type { Quantity } from "./quantity";
+
+/**
+ * Groups of the buttons on the 3-D view, in the order and places in which every model shows them: the view, handles
+ * and other ways to edit the plant in the picture, gestures, and the source text of the plant.
+ */
+export const TOOL_SLOTS = ["view", "edit", "gestures", "source"] as const;
+export type ToolSlot = (typeof TOOL_SLOTS)[number];
 
 /** A button on the 3-D view. */
 export interface ToolButton<S extends Specimen = Specimen, G extends Plant = Plant> {
+	readonly slot: ToolSlot;
 	/** A line drawing on a 20 × 20 field (icons.ts). */
 	readonly icon: SVGTemplateResult;
 	readonly label: string;
@@ -26,15 +35,23 @@ export interface ToolKey {
 	/** A lower-case letter that neither another tool of the model nor the page uses (n, ?). */
 	readonly letter: string;
 	/** Description of the key in the help. */
-	readonly does: string;
+	readonly description: string;
 }
+
+/** Key of the panel's first group, which shows the basics of every model. */
+export const BASICS = "basics";
 
 /** Controls in the panel. */
 export interface ToolPanel<S extends Specimen = Specimen, G extends Plant = Plant> {
-	/** Key of a group of the table, or a group of the tool's own, which is placed before the table's groups. */
+	/** `BASICS`, the key of a group of the table, or a group of the tool's own, placed before the table's groups. */
 	readonly group: string | Group;
 	/** Place relative to the group's controls. */
 	readonly place: "above" | "below";
+	/**
+	 * Returns the subject of the group: a part of the plant that the user has chosen in the picture, or an active way to
+	 * edit the picture; undefined if there is none. For a new subject, the panel opens the group and scrolls to it.
+	 */
+	subject?(context: EditorContext<S, G>): unknown;
 	draw(context: EditorContext<S, G>): unknown;
 }
 
@@ -69,8 +86,11 @@ export interface ToolView {
 	 * never comes nearer.
 	 */
 	keepWhole(on: boolean): void;
-	/** Adds an object to the scene, in the plant's metres. */
-	addOverlay(object: Object3D): void;
+	/**
+	 * Adds an object to the scene, in the plant's metres.
+	 * @param isPictured whether pictures show it; they leave out editing aids
+	 */
+	addOverlay(object: Object3D, isPictured?: boolean): void;
 	removeOverlay(object: Object3D): void;
 	requestRender(): void;
 	/**
@@ -79,7 +99,7 @@ export interface ToolView {
 	 */
 	pick(x: number, y: number): number | undefined;
 	/** Marks the part with a pick id, and softly the ids of its group; undefined removes the mark. */
-	mark(picked: number | undefined, whole?: ReadonlySet<number>): void;
+	mark(picked: number | undefined, group?: ReadonlySet<number>): void;
 	/** Returns the ray through a point of the canvas (CSS pixels from its top left corner), in the plant's metres. */
 	rayThrough(x: number, y: number): PointerRay;
 	/** Returns the position of a point of the plant on the canvas, in CSS pixels from its top left corner. */
@@ -121,6 +141,8 @@ export interface Tool<S extends Specimen = Specimen, G extends Plant = Plant, T 
 	holdsLetters?(context: EditorContext<S, G>): boolean;
 	/** Controls in the panel, above or below the controls of a group. */
 	readonly panel?: ToolPanel<S, G>;
+	/** Numbers of the plant that are no parameter, which the panel shows first among the basics. */
+	quantities?(specimen: S): readonly Quantity<S, G>[];
 	/** Bar below the 3-D view. */
 	readonly bar?: ToolPlace<S, G>;
 	/** Card over the lower edge of the 3-D view: describes the chosen part and offers actions on it. */
@@ -132,7 +154,7 @@ export interface Tool<S extends Specimen = Specimen, G extends Plant = Plant, T 
 	/** Pane for a text. */
 	readonly pane?: ToolPane<S, G>;
 	/** Further keys of the tool, listed in the help. */
-	readonly keys?: readonly { readonly keys: readonly string[]; readonly does: string }[];
+	readonly keys?: readonly { readonly keys: readonly string[]; readonly description: string }[];
 	/** Keys of the parameters that the tool controls; the panel shows no controls for these. */
 	readonly parameters?: readonly string[];
 	/**
@@ -143,7 +165,7 @@ export interface Tool<S extends Specimen = Specimen, G extends Plant = Plant, T 
 	/** Starts the tool's interaction with the canvas; called once the 3-D view has loaded. */
 	interaction?(view: ToolView, context: EditorContext<S, G>): ToolInteraction<S, G>;
 	/** Actions offered if the document cannot be grown, such as restoring the built-in grammar. */
-	readonly remedies?: readonly { readonly words: string; press(context: EditorContext<S, G>): void }[];
+	readonly remedies?: readonly { readonly label: string; press(context: EditorContext<S, G>): void }[];
 	/** Stops running animations, because the document is about to be saved. */
 	rest?(context: EditorContext<S, G>): void;
 	/**
@@ -156,7 +178,7 @@ export interface Tool<S extends Specimen = Specimen, G extends Plant = Plant, T 
 /** Files that a tool accepts, wherever on the page they are dropped. */
 export interface ToolDrop<S extends Specimen = Specimen, G extends Plant = Plant> {
 	/** Description shown while a file is dragged over the page: "a picture of a leaf is traced". */
-	readonly words: string;
+	readonly description: string;
 	/**
 	 * Returns whether the tool handles a file, by its name and type; also true if the tool can explain why the file is
 	 * unsuitable.

@@ -21,14 +21,16 @@ export interface VirtualRowsOptions {
 const OVERSCAN = 2;
 
 /**
- * Rows of a long list: only those near the visible part of the scroller are in the page. The host draws `rows()` with their index in
- * `data-index`, in a list of the height `height`, each row placed by `rowStyle`, and calls `measure` after each update.
+ * Rows of a long list: only those near the visible part of the scroller are in the page. The host draws `rows()` with
+ * their index in `data-index`, in a list of the height `height`, each row placed by `rowStyle`, and calls `measure`
+ * after each update.
  */
 export class VirtualRows {
 	readonly #host: LitElement;
 	readonly #options: VirtualRowsOptions;
 	readonly #controller: VirtualizerController<Element, HTMLElement>;
 
+	/** @param host element that renders the rows; updated when other rows come into view */
 	constructor(host: LitElement, options: VirtualRowsOptions) {
 		this.#host = host;
 		this.#options = options;
@@ -42,12 +44,12 @@ export class VirtualRows {
 	}
 
 	/**
-	 * The rows to draw.
+	 * Returns the rows to draw.
 	 * @param count how many rows the whole list has
 	 * @param pinned indices of rows that are drawn wherever the scroller is, such as the row with the focus
 	 */
 	rows(count: number, pinned: readonly number[] = []): readonly VirtualItem[] {
-		this.#set({
+		this.#setOptions({
 			count,
 			rangeExtractor: (range) => withRows(defaultRangeExtractor(range), pinned, count),
 		});
@@ -59,7 +61,7 @@ export class VirtualRows {
 		return this.#virtualizer.getTotalSize();
 	}
 
-	/** Inline style that puts a row in its place; the list is its containing block. */
+	/** Returns the inline style that puts a row in its place; the list is its containing block. */
 	rowStyle({ start }: VirtualItem): string {
 		return `transform: translateY(${start - this.#virtualizer.options.scrollMargin}px)`;
 	}
@@ -79,20 +81,22 @@ export class VirtualRows {
 		const top = list.getBoundingClientRect().top - scroller.getBoundingClientRect().top;
 		const scrollMargin = Math.round(top - scroller.clientTop + scroller.scrollTop);
 		if (scrollMargin === this.#virtualizer.options.scrollMargin) return;
-		this.#set({ scrollMargin });
+		this.#setOptions({ scrollMargin });
 		this.#host.requestUpdate();
 	}
 
+	/** The library's object that computes the visible range. */
 	get #virtualizer() {
 		return this.#controller.getVirtualizer();
 	}
 
-	#set(options: Partial<VirtualizerOptions<Element, HTMLElement>>): void {
+	/** Changes some of its options. */
+	#setOptions(options: Partial<VirtualizerOptions<Element, HTMLElement>>): void {
 		this.#virtualizer.setOptions({ ...this.#virtualizer.options, ...options });
 	}
 }
 
-/** Adds rows to others, in order. */
+/** Returns the indices of visible rows and pinned rows together, in order. */
 function withRows(rows: readonly number[], pinned: readonly number[], count: number): number[] {
 	const isRow = (index: number) => index >= 0 && index < count;
 	return [...new Set([...rows, ...pinned.filter(isRow)])].sort((a, b) => a - b);

@@ -36,8 +36,10 @@ GrownBunch hung(const std::vector<glm::vec3>& centres) {
   GrownBunch grown;
   for (const glm::vec3& centre : centres) {
     const auto pedicel = static_cast<std::int32_t>(grown.internodes.size());
-    grown.internodes.push_back(
-        {-1, Kind::pedicel, State::grown, 0, centre + glm::vec3(0, 2, 0), centre + glm::vec3(0, 1, 0), 0.1f, 0.1f});
+    grown.internodes.push_back({{-1, 0, centre + glm::vec3(0, 2, 0), centre + glm::vec3(0, 1, 0), 0.1f, 0.1f},
+                                Kind::pedicel,
+                                State::grown,
+                                0});
     grown.berries.push_back({centre, 1, {0, -1, 0}, pedicel, 0});
     grown.traits.push_back({2, 2});
   }
@@ -109,7 +111,7 @@ TEST_CASE("a rotated bunch sees as much") {
 TEST_CASE("a long berry hides as one: along its length, not only about its middle") {
   const auto beside_tip = [](float width, float length) {
     GrownBunch grown;
-    grown.internodes.push_back({-1, Kind::pedicel, State::grown, 0, {0, 9, 0}, {0, 8, 0}, 0.1f, 0.1f});
+    grown.internodes.push_back({{-1, 0, {0, 9, 0}, {0, 8, 0}, 0.1f, 0.1f}, Kind::pedicel, State::grown, 0});
     grown.berries = {{{0, 0, 0}, 1, {0, -1, 0}, 0, 0}, {{1.2f, -3, 0}, 0.4f, {0, -1, 0}, 0, 0}};
     grown.traits = {{width, length}, {0.8f, 0.8f}};
     grown.stem = sweep_internodes(grown.internodes, {}, 1);

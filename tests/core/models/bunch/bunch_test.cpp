@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "foundation/english.hpp"
 #include "models/bunch/specimens.hpp"
 
 using namespace panicle;
@@ -232,18 +233,18 @@ TEST_CASE("notes explain missing berries and ignored inputs") {
   set(crowded, Parameter::wi, 40);
   set(crowded, Parameter::li, 10);
   REQUIRE(grown(crowded).notes.size() == 1);
-  CHECK(grown(crowded).notes[0].find("ends early") != std::string::npos);
+  CHECK(english(grown(crowded).notes[0]).find("ends early") != std::string::npos);
 
   BunchRequest idle = request_for(shouldered());
   idle.grammar = builtin_grammar(1);
   set(idle, Parameter::li, 40);
   REQUIRE(grown(idle).notes.size() == 1);
-  CHECK(grown(idle).notes[0].find("no #define l_i") != std::string::npos);
+  CHECK(english(grown(idle).notes[0]).find("no “#define l_i”") != std::string::npos);
 
   BunchRequest empty = request_for(shouldered());
   empty.grammar = "axiom: Z(3)\n";
   REQUIRE(grown(empty).notes.size() == 1);
-  CHECK(grown(empty).notes[0].find("drew nothing") != std::string::npos);
+  CHECK(english(grown(empty).notes[0]).find("draws nothing") != std::string::npos);
 }
 
 TEST_CASE("a second bunch finds room beside any grape of the paper") {
@@ -287,7 +288,7 @@ TEST_CASE("bad input is an error that contains the fix") {
   auto wrong = grow(request);
   REQUIRE(!wrong);
   CHECK(wrong.error().reason == Reason::bad_input);
-  CHECK(wrong.error().message.find("n needs m − 1 = 2 values") != std::string::npos);
+  CHECK(english(wrong.error().message).find("n needs m − 1 values (2)") != std::string::npos);
 
   request = request_for(shouldered());
   request.grammar = "axiom: A\nA --> B(x)\n";
@@ -299,7 +300,7 @@ TEST_CASE("bad input is an error that contains the fix") {
   request.grammar = "axiom: ?E(1,2)\n?E(a,b) : a=1 --> F(1)\n";
   auto unanswered = grow(request);
   REQUIRE(!unanswered);
-  CHECK(unanswered.error().message.find("3, 5 or 6") != std::string::npos);
+  CHECK(english(unanswered.error().message).find("3, 5 or 6") != std::string::npos);
 }
 
 TEST_CASE("parameters out of range are clamped with a note") {

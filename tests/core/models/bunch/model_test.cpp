@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "foundation/english.hpp"
 #include "foundation/fingerprint.hpp"
 #include "models/bunch/foliage/flat_leaf.hpp"
 #include "models/bunch/specimens.hpp"
@@ -259,7 +260,7 @@ TEST_CASE("a bunch whose trace a limit cuts is complete, and no trace entry has 
     CHECK(answers == "");
     CHECK(cut->fingerprint == plain.fingerprint);
     const Plant plant = plant_of(std::move(cut.value()));
-    CHECK(plant.notes.back().starts_with("The derivation is told as far as it goes in steps."));
+    CHECK(english(plant.notes.back()).starts_with("The trace ends before the plant is complete."));
     for (const char* of : {"segments.module", "organs.module"}) {
       const auto modules = column<std::uint32_t>(plant, of);
       CHECK(modules.size() > 10);

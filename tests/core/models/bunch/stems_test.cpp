@@ -12,7 +12,7 @@ using namespace panicle::bunch;
 namespace {
 
 Internode internode(std::int32_t parent, Kind kind, std::int32_t axis, glm::vec3 start, glm::vec3 end) {
-  return {parent, kind, State::grown, axis, start, end, 5, 5};
+  return {{parent, 0, start, end, 5, 5}, kind, State::grown, axis};
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "flowers.hpp"
+#include "foundation/english.hpp"
 #include "foundation/random.hpp"
 #include "models/flower/model.hpp"
 #include "models/flower/skin.hpp"
@@ -44,7 +45,7 @@ Result<Plant> grow_flower(const FlowerRequest& wanted, CacheSlot* cache) {
 // All parts of a response as text; or the message of an error.
 std::string answer(const FlowerRequest& wanted, CacheSlot* cache) {
   const auto grown = grow_flower(wanted, cache);
-  if (!grown) return grown.error().message + std::to_string(grown.error().line);
+  if (!grown) return english(grown.error().message) + std::to_string(grown.error().line);
   std::string all = std::to_string(grown->fingerprint);
   const auto add = [&](const void* data, std::size_t bytes) {
     all.append(static_cast<const char*>(data), bytes).append(";");
@@ -179,7 +180,8 @@ TEST_CASE("a request's values replace those of variables, and a note lists unkno
   const Plant strange = grown("k j", {8, 5});
   CHECK(strange.measures[0] == doctest::Approx(0.8));
   REQUIRE(strange.notes.size() == grown("k", {8}).notes.size() + 1);
-  CHECK(strange.notes.back() == "The text has no #define of j, so a value of it changes nothing; it has k, own.");
+  CHECK(english(strange.notes.back()) ==
+        "The grammar has no “#define” for j, so these values have no effect. It defines k, own.");
   std::string many, strangers;
   std::vector<float> values;
   for (int i = 0; i < 300; ++i) {
@@ -189,7 +191,7 @@ TEST_CASE("a request's values replace those of variables, and a note lists unkno
     values.push_back(1);
   }
   const std::string note =
-      sound(grow_flower({many + text, 1, 1, 1, "measures", strangers, values}, nullptr)).notes.back();
+      english(sound(grow_flower({many + text, 1, 1, 1, "measures", strangers, values}, nullptr)).notes.back());
   CHECK(note.find("u0, u1, u2") != std::string::npos);
   CHECK(note.find(" and 288 more, so") != std::string::npos);
   CHECK(note.size() < 2000);
@@ -199,19 +201,19 @@ TEST_CASE("an m that is not a material's number has a note with the line that gi
   const auto noted = [](const std::string& text, std::string_view words) {
     const Plant plant = sound(grow_flower({text}, nullptr));
     return std::any_of(plant.notes.begin(), plant.notes.end(),
-                       [&](const std::string& note) { return note.find(words) != std::string::npos; });
+                       [&](const std::string& note) { return english(note).find(words) != std::string::npos; });
   };
   const std::string rest = "\n#define B(4,0,0,0,2,2,2,1)\n#axiom: A\n#define finalStep=4\n";
-  CHECK(noted("#define A(4,0,0,0,2,2,2,999)" + rest + "A -> A[A]_{E}", "Line 1: A has m 999; a material's number"));
+  CHECK(noted("#define A(4,0,0,0,2,2,2,999)" + rest + "A -> A[A]_{E}", "Line 1: “A” has m = 999; a material number"));
   CHECK(noted("#define A(4,0,0,0,2,2,2,1)" + rest + "A{}{step==1}{} -> A[B(,,,,,,,1.5)]_{E}\nB -> B[B]_{E}",
-              "Line 5: B has m 1.5"));
-  CHECK(noted("#define A(4,0,0,0,2,2,2,1)" + rest + "A -E-> B(,,,,,,,300) B", "Line 5: B has m 300"));
-  CHECK(noted("#define A(4,0,0,0,2,2,2,1)\n#axiom: A(,,,,,,,300)", "Line 2: A has m 300"));
+              "Line 5: “B” has m = 1.5"));
+  CHECK(noted("#define A(4,0,0,0,2,2,2,1)" + rest + "A -E-> B(,,,,,,,300) B", "Line 5: “B” has m = 300"));
+  CHECK(noted("#define A(4,0,0,0,2,2,2,1)\n#axiom: A(,,,,,,,300)", "Line 2: “A” has m = 300"));
   CHECK(noted("#define A(4,0,0,0,2,2,2,1)" + rest +
                   "A{}{step==0}{} -> A[&M]_{E}\n#module M\n#define B(4,0,0,0,2,2,2,1)\n"
                   "#axiom: B(,,,,,,,300)",
-              "Line 8: B has m 300"));
-  CHECK_FALSE(noted("#define A(4,0,0,0,2,2,2,255)" + rest + "A -> A[A]_{E}", "has m"));
+              "Line 8: “B” has m = 300"));
+  CHECK_FALSE(noted("#define A(4,0,0,0,2,2,2,255)" + rest + "A -> A[A]_{E}", "has m ="));
 }
 
 TEST_CASE("the structure key excludes figures that only place the map") {
@@ -290,10 +292,11 @@ TEST_CASE("a skin that would have too many triangles is rounded less often, with
   };
   const Plant once = wanted(1), thrice = wanted(3);
   CHECK(count(once) > 500'000);
-  CHECK(count(thrice) <= Skin::most_triangles);
+  CHECK(count(thrice) <= Skin::max_triangles);
   CHECK(count(thrice) == 4 * count(once));
   CHECK(once.notes.size() + 1 == thrice.notes.size());
-  CHECK(thrice.notes.back().find("rounded 2×, as far as the limit of 4000000 triangles") != std::string::npos);
+  CHECK(english(thrice.notes.back()).find("rounded 2 times instead of 3, because of the limit of 4000000 triangles") !=
+        std::string::npos);
 }
 
 TEST_CASE("a skin faces outwards") {

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "flowers.hpp"
+#include "foundation/english.hpp"
 #include "generalized_map/cells.hpp"
 #include "generalized_map/embedding.hpp"
 
@@ -165,16 +166,16 @@ TEST_CASE("a glue waits until its faces are adjacent, and a note lists glues tha
   CHECK(glued == 2 * 5);
   CHECK(gm::check(flower.derived.map).fault == gm::Fault::nothing);
   CHECK(flower.derived.notes.empty());
-  CHECK(grown(lobes + "R : R_C2 < R_C4 -> R_C2 | R_C4", steps(6)).noted("never came to be adjacent"));
+  CHECK(grown(lobes + "R : R_C2 < R_C4 -> R_C2 | R_C4", steps(6)).noted("never became adjacent"));
   // Where volumes have not grown there is nothing to glue, and no note either.
   CHECK_FALSE(grown(lobes + "#define lobes=1\n#define W(4,0,0,0,1,1,1,1)\nV{}{lobes>1}{} -> V[W]_{C1}\n" +
                         "W : W_C1 < W_C3 -> W_C1 | W_C3",
                     steps(6))
-                  .noted("nothing was glued"));
+                  .noted("were not glued"));
   CHECK(grown(lobes + "R : R_C5 < R_C4 -> R_C5 | R_C4", steps(6))
-            .noted("Line 6: R is a prism with 4 sides, which has no C5, and"));
+            .noted("Line 6: “R” is a prism with 4 sides and has no face C5, so"));
   CHECK(grown(lobes + "R : R_C1 < V_C7 -> R_C1 | V_C7", steps(6))
-            .noted("Line 6: V is a prism with 4 sides, which has no C7, and"));
+            .noted("Line 6: “V” is a prism with 4 sides and has no face C7, so"));
 }
 
 TEST_CASE("a glue finds the face of its own instance where another's is adjacent too") {
@@ -202,10 +203,10 @@ TEST_CASE("a glue finds the face of its own instance where another's is adjacent
 
 TEST_CASE("notes list lines that later ones displace, and lines that could not be applied") {
   const Flower twice = grown(volume + "A{}{step==0}{} -E-> B C\nA{}{step==0}{} -C1-> B C", steps(1));
-  CHECK(twice.noted("Line 5: where a later line splits"));
+  CHECK(twice.noted("Line 5: This production had no effect where a later line splits"));
   const Flower renamed = grown(volume + "A -> B\nA -> C", steps(1));
   CHECK(renamed.name(0) == "C");
-  CHECK(renamed.noted("Line 5: where a later line"));
+  CHECK(renamed.noted("Line 5: This production had no effect where a later line"));
 }
 
 TEST_CASE("a split halves a volume, and both go on growing") {
@@ -229,7 +230,7 @@ TEST_CASE("a relabelled volume has the new label's productions from then on") {
   const Flower flower = grown(volume + "A -> B\nB -> B[C]_{E}", steps(2));
   CHECK(flower.name(0) == "B");
   CHECK(flower.count("C") == 1);
-  CHECK(flower.noted("A becomes B"));
+  CHECK(flower.noted("renames “A” to “B”"));
 }
 
 TEST_CASE("a module has a step of its own and runs to its end") {
@@ -265,7 +266,7 @@ TEST_CASE("a module's number of steps depends on the values that each call gives
   now.values = {{"k", 2}};
   CHECK(flower::rebuilds(flower.program, {}, now));
   CHECK(grown(text("3", calls), now).count("B") == 3 + 4 + 1);
-  CHECK(trouble(text("3", "[&P{n=0.5}]_{C1}")).message.find("whole number") != std::string::npos);
+  CHECK(english(trouble(text("3", "[&P{n=0.5}]_{C1}")).message).find("whole number") != std::string::npos);
   CHECK(trouble(text("3", "[&P{n=5000}]_{C1}")).reason == Reason::limit);
   std::set<std::size_t> counts;
   for (std::uint64_t seed = 1; seed <= 8; ++seed)
@@ -277,7 +278,7 @@ TEST_CASE("modules that call themselves end at a depth, with a note") {
   const Flower flower =
       grown(volume + "A -> A[&M]_{E}\n#module M\n#define A(4,0,0,0,1,1,1,1)\n#axiom: A\nA -> A[&M]_{E}", steps(1));
   CHECK(flower.derived.instances.size() == 33);
-  CHECK(flower.noted("Line 9: modules stand in one another more than 32 deep"));
+  CHECK(flower.noted("Line 9: Modules are nested more than 32 levels deep"));
 }
 
 TEST_CASE("variables belong to the text or to their module, and given values replace the text's") {
@@ -431,7 +432,7 @@ TEST_CASE("Table 3 has one receptacle, four petals and four modules") {
   }
   const Flower flower = grown(text_named("table-3"));
   CHECK(flower.noted("ten numbers"));
-  CHECK(flower.noted("PTULIP stands on faces that have other numbers of edges"));
+  CHECK(flower.noted("“PTULIP” is attached, but not joined edge to edge"));
   for (std::uint32_t v = 0; v < flower.derived.map.volumes(); ++v) {
     if (flower.name(v) != "PETAL") continue;
     const std::uint32_t side = gm::side_number(flower.derived.map.volume(v).parent_face);
@@ -453,8 +454,8 @@ TEST_CASE("figure 16 has whorls of six sepals, six petals, six stamens and a car
   for (const Instance& instance : whole.derived.instances) ++of[instance.grammar];
   // The relabelled base has petals and stamens of its own attached.
   CHECK(of[4] == 1);
-  CHECK(whole.noted("BASEC becomes BASE"));
-  CHECK(whole.noted("CARPEL in line"));
+  CHECK(whole.noted("renames “BASEC” to “BASE”"));
+  CHECK(whole.noted("“CARPEL” on line"));
   CHECK(gm::check(whole.derived.map).fault == gm::Fault::nothing);
 }
 
@@ -464,26 +465,27 @@ TEST_CASE("growth ends at a limit, and the flower so far remains") {
   const Flower flower = grown(volume + "A -> A[A]_{E}", steps(500), limits);
   CHECK(flower.derived.map.volumes() == 100);
   CHECK(flower.noted(
-      "Growth ended in step 99, line 5: The map has reached its limit of darts. Let it grow on fewer faces"));
+      "Growth ended in step 99, line 5: The flower has reached its maximum size, the limit on darts in its map. "
+      "Let the flower grow on fewer faces"));
   CHECK(gm::check(flower.derived.map).fault == gm::Fault::nothing);
   limits = {};
   limits.work = 50;
-  CHECK(grown(volume + "A -> A[A]_{E,C1}", steps(500), limits).noted("which is the limit"));
+  CHECK(grown(volume + "A -> A[A]_{E,C1}", steps(500), limits).noted(" units of computing work"));
   // Work is counted by tried productions, not by volumes, and includes the variables of modules.
   std::string many = volume;
   for (int i = 0; i < 200; ++i) many += "A{}{step<0}{} -> B\n";
   limits.work = 20000;
-  CHECK(grown(many + "A -> A[A]_{E}", steps(400), limits).noted("which is the limit"));
+  CHECK(grown(many + "A -> A[A]_{E}", steps(400), limits).noted(" units of computing work"));
   std::string drawing = volume + "A -> A[A]_{E}[&M]_{C1}\n#module M\n#define v0=ran(1)\n";
   for (int i = 1; i < 100; ++i) drawing += "#define v" + std::to_string(i) + "=v" + std::to_string(i - 1) + "*1.001\n";
-  CHECK(
-      grown(drawing + "#define Q(4,0,0,0,1+v99,v98*3,1,1)\n#axiom: Q", steps(200), limits).noted("which is the limit"));
+  CHECK(grown(drawing + "#define Q(4,0,0,0,1+v99,v98*3,1,1)\n#axiom: Q", steps(200), limits)
+            .noted(" units of computing work"));
   // Blocks that are compiled in too many places.
   std::string blocks = volume + "A{a=H";
   for (int i = 0; i < 20000; ++i) blocks += "+H";
   blocks += ";}{}{} -> A";
   for (int i = 0; i < 3000; ++i) blocks += "[A]E";
-  CHECK(trouble(blocks).message.find("too many places") != std::string::npos);
+  CHECK(english(trouble(blocks).message).find("too many places") != std::string::npos);
   limits = {};
   limits.steps = 9;
   CHECK(trouble(volume + "A -> A[A]_{E}\n#define finalStep=10", {}, limits).reason == Reason::limit);
@@ -527,16 +529,19 @@ TEST_CASE("functions of Lua are read under their own names, its angles as radian
 TEST_CASE("a note lists productions that never apply, unless they depend on age, values or given steps") {
   const std::string start = "#define k=100\n#define A(4,0,0,0,1,1,1,1)\n#define Z(4)\n#axiom: A\n#define finalStep=6\n";
   const auto notes_that_it_never_happens = [&](const std::string& production, const Given& given = {}) {
-    return grown(start + production, given).noted("never c");
+    return grown(start + production, given).noted("never applied");
   };
-  CHECK(grown(start + "A{}{step>9}{} -> A[A]_{E}").noted("Line 6: this never came about: whenever there was room"));
+  CHECK(
+      grown(start + "A{}{step>9}{} -> A[A]_{E}")
+          .noted("Line 6: This production was never applied, because its condition was false wherever there was room"));
   CHECK_FALSE(notes_that_it_never_happens("A{}{step>4}{} -> A[A]_{E}"));
   CHECK_FALSE(notes_that_it_never_happens("A{}{step>9}{} -> A[A]_{E}", steps(3)));
   CHECK_FALSE(notes_that_it_never_happens("A{}{step>k}{} -> A[A]_{E}"));
   CHECK_FALSE(notes_that_it_never_happens("A{}{age>1.5}{} -> A[A]_{E}"));
   CHECK_FALSE(notes_that_it_never_happens("A{w=k}{step>w}{} -> A[A]_{E}"));
   CHECK_FALSE(notes_that_it_never_happens("A{}{math.random(0,1)>2}{} -> A[A]_{E}"));
-  CHECK(grown(start + "A -> A[A]_{E}\nZ -> Z[A]_{E}").noted("Line 7: nothing grows a Z, so this never comes about."));
+  CHECK(grown(start + "A -> A[A]_{E}\nZ -> Z[A]_{E}")
+            .noted("Line 7: No production creates “Z”, so this production is never applied."));
   CHECK_FALSE(notes_that_it_never_happens("A -> A[Z]_{E}\nZ -> Z[A]_{E}"));
   CHECK_FALSE(notes_that_it_never_happens("A -> Z\nZ -> Z[A]_{E}"));
   CHECK_FALSE(notes_that_it_never_happens("A -> A[A]_{E}\n#module M\n#define B(4)\n#axiom: B\nB -> B[B]_{E}"));

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "foundation/english.hpp"
 #include "generalized_map/check.hpp"
 #include "grammar_files.hpp"
 #include "models/flower/derivation.hpp"
@@ -57,7 +58,7 @@ struct Flower {
   }
   bool noted(std::string_view words) const {
     return std::any_of(derived.notes.begin(), derived.notes.end(),
-                       [&](const std::string& note) { return note.find(words) != std::string::npos; });
+                       [&](const std::string& note) { return english(note).find(words) != std::string::npos; });
   }
 };
 

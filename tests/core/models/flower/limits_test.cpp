@@ -53,7 +53,7 @@ TEST_CASE("settings of calls count as work") {
   for (int i = 2; i <= 400; ++i) faces += ",C" + std::to_string(i);
   for (const std::string& text : {calling("4", "C1", "1"), calling("400", faces, "1")}) {
     const Flower flower = grown(text, steps(300), limits);
-    CHECK(flower.noted("which is the limit"));
+    CHECK(flower.noted(" units of computing work"));
     CHECK(flower.derived.instances.size() > 10);
     CHECK(500 * flower.derived.instances.size() <= limits.work);
   }
@@ -69,7 +69,7 @@ TEST_CASE("settings of calls count as work") {
   CHECK(grown("#define A(4)\n#axiom: A\nA -> A[A]_{E}[&M]_{C1}\n#module M\n#define v=" + draws +
                   "\n#define B(4)\n#axiom: B\n",
               steps(300), limits)
-            .noted("which is the limit"));
+            .noted(" units of computing work"));
 }
 
 TEST_CASE("conditions, blocks and numbers count as work by their length") {
@@ -79,7 +79,7 @@ TEST_CASE("conditions, blocks and numbers count as work by their length") {
   for (int i = 0; i < 1000; ++i) sum += "+step*0";
   const auto volumes = [&](const std::string& production) {
     const Flower flower = grown("#define A(4)\n#axiom: A\n" + production + "\n", steps(4000), limits);
-    CHECK(flower.noted("which is the limit"));
+    CHECK(flower.noted(" units of computing work"));
     return flower.derived.map.volumes();
   };
   // Each takes a thousand instructions or more; the limit is a hundred times as much.

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "flowers.hpp"
+#include "foundation/english.hpp"
 
 using namespace panicle;
 using namespace panicle::flower;
@@ -39,7 +40,7 @@ std::size_t flowers_of(const Flower& flower) {
 TEST_CASE("a meadow's ground is one surface, and each of its volumes has a seed of one kind") {
   const Flower flower = meadow({{"across", 12}});
   CHECK(gm::check(flower.derived.map).fault == gm::Fault::nothing);
-  CHECK_FALSE(flower.noted("never came to be adjacent"));
+  CHECK_FALSE(flower.noted("never became adjacent"));
   const gm::Map& map = flower.derived.map;
   // Of the rows' volumes all but those at the margin are glued to both neighbours.
   std::size_t ground = 0, inner = 0;
@@ -86,7 +87,7 @@ TEST_CASE("a meadow that is too large is cut short, with a note") {
   limits.darts = 200'000;
   const Flower flower = meadow({}, 1, limits);
   CHECK_FALSE(flower.derived.whole);
-  CHECK(flower.derived.notes.front().find("Growth ended in step") != std::string::npos);
+  CHECK(english(flower.derived.notes.front()).find("Growth ended in step") != std::string::npos);
   CHECK(flower.derived.map.darts() > 190'000);
   CHECK(gm::check(flower.derived.map).fault == gm::Fault::nothing);
 }

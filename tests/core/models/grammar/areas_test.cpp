@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <sstream>
 
+#include "foundation/english.hpp"
 #include "foundation/random.hpp"
 #include "grammar_files.hpp"
 #include "models/grammar/growing.hpp"
@@ -195,8 +196,8 @@ TEST_CASE("notes list areas that the main branch does not reach, and meshes with
   request.constants = {{"leaf", 0.2f}};
   const Plant plant = grow(request);
   REQUIRE(plant.notes.size() == 2);
-  CHECK(plant.notes[0].find("The mesh of area 1 is open at 3 edges") == 0);
-  CHECK(plant.notes[1].find("Nothing grows in area 2: the main branch does not come there") == 0);
+  CHECK(english(plant.notes[0]).find("The mesh of area 1 has holes at 3 edges") == 0);
+  CHECK(english(plant.notes[1]).find("Area 2 stays empty, because the main branch does not reach it") == 0);
 }
 
 TEST_CASE("a note lists an area within an earlier one, where nothing grows") {
@@ -205,7 +206,7 @@ TEST_CASE("a note lists an area within an earlier one, where nothing grows") {
   request.constants = {{"leaf", 0.2f}};
   const Plant plant = grow(request);
   REQUIRE(plant.notes.size() == 1);
-  CHECK(plant.notes[0].find("Nothing grows in area 2: its middle lies within area 1") == 0);
+  CHECK(english(plant.notes[0]).find("Area 2 stays empty, because its centre is inside area 1") == 0);
 }
 
 TEST_CASE("too many queries of triangles are an error, as are too many triangles") {
@@ -217,11 +218,11 @@ TEST_CASE("too many queries of triangles are an error, as are too many triangles
   const auto stopped = try_grow(request);
   REQUIRE_FALSE(stopped);
   CHECK(stopped.error().reason == Reason::limit);
-  CHECK(stopped.error().message.find("simplify the mesh") != std::string::npos);
+  CHECK(english(stopped.error().message).find("simplify the mesh") != std::string::npos);
   request.limits.triangles = 799;
   const auto refused = try_grow(request);
   REQUIRE_FALSE(refused);
-  CHECK(refused.error().message == "The meshes have 800 triangles, more than 799; simplify them.");
+  CHECK(english(refused.error().message) == "The meshes have 800 triangles; the limit is 799. Simplify them.");
 }
 
 TEST_CASE("invalid areas are refused with the reason") {
@@ -231,14 +232,16 @@ TEST_CASE("invalid areas are refused with the reason") {
     GrammarRequest request = in(blocks, topiary());
     const auto plant = try_grow(request);
     REQUIRE_FALSE(plant);
-    return plant.error().message;
+    return english(plant.error().message);
   };
-  CHECK(refused([](Blocks& b) { b.places[3] = NAN; }).find("not finite") != std::string::npos);
+  CHECK(refused([](Blocks& b) { b.places[3] = NAN; }).find("not a finite number") != std::string::npos);
   CHECK(refused([](Blocks& b) { b.kinds[0] = 6; }).find("unknown kind") != std::string::npos);
-  CHECK(refused([](Blocks& b) { b.triangles[4] = 99; }).find("none of its points") != std::string::npos);
+  CHECK(refused([](Blocks& b) { b.triangles[4] = 99; }).find("a point that the area does not have") !=
+        std::string::npos);
   CHECK(refused([](Blocks& b) { b.meshes[1] = 999; }).find("more points or triangles") != std::string::npos);
-  CHECK(refused([](Blocks& b) { b.kinds.push_back(0); }).find("not as many") != std::string::npos);
-  CHECK(refused([](Blocks& b) { b.path = {1, 2, 3, INFINITY, 0, 0}; }).find("not finite") != std::string::npos);
+  CHECK(refused([](Blocks& b) { b.kinds.push_back(0); }).find("one position for each area") != std::string::npos);
+  CHECK(refused([](Blocks& b) { b.path = {1, 2, 3, INFINITY, 0, 0}; }).find("not a finite number") !=
+        std::string::npos);
 }
 
 TEST_CASE("a topiary without areas is a bare stem") {

@@ -2,6 +2,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "foundation/english.hpp"
 #include "models/grammar/growing.hpp"
 #include "models/grammar/surfaces.hpp"
 
@@ -44,7 +45,7 @@ TEST_CASE("each polygon is an organ and a run of one mesh, in its colour; a note
   CHECK(blades->mesh.normals[2] == doctest::Approx(1));
   CHECK(column_in<std::uint8_t>(blades->columns, "sky").size() == 6);
   REQUIRE(plant.notes.size() == 1);
-  CHECK(plant.notes[0].find("A polygon shows nothing") == 0);
+  CHECK(english(plant.notes[0]).find("A polygon is not visible") == 0);
 }
 
 TEST_CASE("corners of polygons without triangles are omitted") {
@@ -86,7 +87,7 @@ TEST_CASE("surfaces are organs with a mesh each, turned as the turtle is") {
   CHECK(glm::distance(turned(q, {0, 0, 1}), turtle.up) < 1e-5f);
   CHECK(glm::distance(turned(q, {1, 0, 0}), -turtle.left) < 1e-5f);
   REQUIRE(sketch.notes.size() == 1);
-  CHECK(sketch.notes[0].find("There is no surface ~fern; there are ~leaf ~petal") == 0);
+  CHECK(english(sketch.notes[0]).find("There is no surface “~fern”. Available surfaces: ~leaf, ~petal") == 0);
 }
 
 TEST_CASE("half turns in every direction give unit quaternions") {

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "foundation/english.hpp"
+#include "lsystem_plant/messages.generated.hpp"
 #include "models/grammar/growing.hpp"
 
 namespace panicle::grammar {
@@ -28,7 +30,8 @@ TEST_CASE("steps, constants and the unit are those of the request") {
   const Plant other = grow({.text = text, .constants = {{"a", 1}, {"b", 3}}, .steps = 0});
   CHECK(count_of(other, "segments") == 0);
   CHECK(count_of(other, "modules") == 1);
-  CHECK(std::find(other.notes.begin(), other.notes.end(), "The grammar draws nothing.") != other.notes.end());
+  CHECK(std::find(other.notes.begin(), other.notes.end(), message(messages::lsystem_plant::nothing_drawn).encoded()) !=
+        other.notes.end());
   CHECK(try_grow({.text = text}).error().reason == Reason::bad_input);
 }
 
@@ -138,7 +141,8 @@ TEST_CASE("a limit that is reached ends the drawing, and what grew so far is sho
   const Plant plant = grow({.text = koch, .limits = limits});
   CHECK(count_of(plant, "segments") == 100);
   REQUIRE(!plant.notes.empty());
-  CHECK(plant.notes[0].find("What grew so far is shown. The plant has reached the limit of 100 segments") == 0);
+  CHECK(english(plant.notes[0])
+            .find("The plant is shown as far as it has grown. The plant reaches the limit of 100 segments") == 0);
 }
 
 TEST_CASE("invalid requests are refused with a message") {

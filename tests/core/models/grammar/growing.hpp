@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "foundation/english.hpp"
 #include "models/grammar/model.hpp"
 #include "models/grammar/parameters.generated.hpp"
 
@@ -66,7 +67,7 @@ inline Result<Plant> try_grow(const GrammarRequest& wanted) {
 
 inline Plant grow(const GrammarRequest& wanted) {
   Result<Plant> plant = try_grow(wanted);
-  REQUIRE_MESSAGE(plant, plant.error().message);
+  REQUIRE_MESSAGE(plant, english(plant.error().message));
   return std::move(plant.value());
 }
 

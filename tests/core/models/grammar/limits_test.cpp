@@ -2,6 +2,7 @@
 // one budget.
 #include <algorithm>
 
+#include "foundation/english.hpp"
 #include "models/grammar/growing.hpp"
 
 namespace panicle::grammar {
@@ -13,7 +14,7 @@ struct Limited {
 
   bool notes(std::string_view part) const {
     return std::any_of(plant.notes.begin(), plant.notes.end(),
-                       [&](const std::string& note) { return note.find(part) != std::string::npos; });
+                       [&](const std::string& note) { return english(note).find(part) != std::string::npos; });
   }
 };
 
@@ -34,7 +35,7 @@ Limits small(std::uint32_t work, std::uint32_t bytes = Limits{}.bytes) {
   return limits;
 }
 
-constexpr std::string_view so_far = "What grew so far is shown. The grammar takes more than ";
+constexpr std::string_view so_far = "The plant is shown as far as it has grown. The grammar exceeds the limit of ";
 
 TEST_CASE("responses to ?E count as work, with one radius for all and with a radius for each") {
   for (const char* const radius : {"1000", "i/100"}) {
@@ -101,7 +102,7 @@ TEST_CASE("lines, balls, surfaces and polygons end where a file of them would be
     const std::string text =
         std::string("#turtle cpfg\naxiom: A\nderivation length: 15\nA --> A A\nhomomorphism\nA --> ") + drawn + "\n";
     const Limited grown = limited({.text = text, .limits = small(50'000'000, 20'000'000)});
-    CHECK(grown.notes("the limit of 20 MB that it may take in a file"));
+    CHECK(grown.notes("the limit of 20 MB for a file"));
     CHECK(grown.held <= 20'000'000);
     CHECK(grown.held > 19'900'000);
     std::uint64_t bytes = 0;
@@ -119,7 +120,7 @@ TEST_CASE("a string that is too long to be written as text is left out, with a n
   const Plant plant = grow({.text = text, .steps = 22, .outputs = "string"});
   CHECK(column_in<char>(plant.columns, "string").empty());
   CHECK(std::any_of(plant.notes.begin(), plant.notes.end(), [](const std::string& note) {
-    return note.find("too many to be written as text") != std::string::npos;
+    return english(note).find("too long to be shown as text") != std::string::npos;
   }));
   CHECK(column_in<char>(grow({.text = text, .steps = 10, .outputs = "string"}).columns, "string").size() > 4000);
 }
@@ -129,7 +130,7 @@ TEST_CASE("surfaces that are unknown are named a few times, however many there a
   for (int i = 0; i < 20'000; ++i) text += "~x" + std::to_string(i) + " ";
   const Plant plant = grow({.text = text});
   CHECK(std::count_if(plant.notes.begin(), plant.notes.end(),
-                      [](const std::string& note) { return note.starts_with("There is no surface"); }) == 12);
+                      [](const std::string& note) { return english(note).starts_with("There is no surface"); }) == 12);
 }
 
 // A clock that advances by a hundredth of the time limit at each reading.
@@ -149,7 +150,7 @@ TEST_CASE("a grammar that reaches its time limit shows the plant after three qua
   const Limits limits = small(4'000'000'000);
   const Limited grown = limited_in_time({.text = text, .limits = limits});
   CHECK(grown.plant.cut_short == CutShort::time);
-  CHECK(grown.notes("What grew so far is shown. The time limit is reached; "));
+  CHECK(grown.notes("The plant is shown as far as it has grown. The time limit was reached; "));
   CHECK(hundredths >= 75);
   CHECK(hundredths < 100);
   CHECK(count_of(grown.plant, "steps") > 100);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "foundation/english.hpp"
 #include "foundation/mathematics.hpp"
 #include "models/growth/foliage.hpp"
 #include "models/growth/moment.hpp"
@@ -389,7 +390,7 @@ TEST_CASE("a tree beyond the limits is refused with a message before memory is a
   few.segments = 100;
   const auto refused = moment_of(tree.population, tree.form, 9, WoodHabit{}, few);
   REQUIRE_FALSE(refused);
-  CHECK(refused.error().message.find("more than 100 shoots") != std::string::npos);
+  CHECK(english(refused.error().message).find("more than 100 shoots") != std::string::npos);
   few.copies = 10;
   Plant plant;
   LeafHabit habit;

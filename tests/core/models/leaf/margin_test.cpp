@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "foundation/english.hpp"
 #include "foundation/random.hpp"
 #include "models/leaf/outlines.hpp"
 #include "models/particles/outline.hpp"
@@ -29,9 +30,9 @@ std::vector<ControlPoint> points_of(const std::vector<float>& rows) {
 std::string trouble_with(const std::vector<float>& rows) {
   std::vector<std::string> notes;
   const auto points = read_outline(rows, notes);
-  if (!points) return points.error().message;
+  if (!points) return english(points.error().message);
   const auto margin = spline(points.value());
-  return margin ? "" : margin.error().message;
+  return margin ? "" : english(margin.error().message);
 }
 
 }  // namespace
@@ -219,7 +220,7 @@ TEST_CASE("teeth without room in a fold are left out with a note; all others are
   CHECK(notes.empty());
   const Margin cut = toothed(plain, teeth, notes);
   REQUIRE(notes.size() == 1);
-  CHECK(notes[0].find("were left out: ") != std::string::npos);
+  CHECK(english(notes[0]).find("were left out") != std::string::npos);
   CHECK(crossing(cut.points).first == crossing(cut.points).second);
   CHECK(cut.teeth.size() > before.teeth.size() / 2);
   // The unchanged left side has its teeth, cut as deep.

@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "foundation/english.hpp"
 #include "spatial/solid.hpp"
 #include "spatial/surfaces.hpp"
 
@@ -83,12 +84,12 @@ TEST_CASE("notes on a mesh name its open edges and its turned triangles") {
   open.triangles.resize(open.triangles.size() - 3);
   note_on(open, form, notes);
   REQUIRE(notes.size() == 1);
-  CHECK(notes[0].find("open at 3 edges") != std::string::npos);
+  CHECK(english(notes[0]).find("open at 3 edges") != std::string::npos);
   notes.clear();
   std::swap(whole.triangles[0], whole.triangles[1]);
   note_on(whole, form, notes);
   REQUIRE(notes.size() == 1);
-  CHECK(notes[0].find("turned against each other at 3 edges") != std::string::npos);
+  CHECK(english(notes[0]).find("face opposite ways at 3 edges") != std::string::npos);
   notes.clear();
   note_on({}, form, notes);
   CHECK(form == Form::ellipsoid);

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "foliage/flat_leaf.hpp"
+#include "foundation/english.hpp"
 #include "models/root/parameters.generated.hpp"
 #include "models/tree/parameters.generated.hpp"
 #include "protocol/model.hpp"
@@ -180,7 +181,7 @@ inline void check_sound(const Plant& plant, double energy) {
 
 inline bool has_note(const Plant& plant, std::string_view words) {
   for (const std::string& note : plant.notes)
-    if (note.find(words) != std::string::npos) return true;
+    if (english(note).find(words) != std::string::npos) return true;
   return false;
 }
 

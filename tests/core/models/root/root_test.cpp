@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "foundation/english.hpp"
 #include "models/particles/space_growing.hpp"
 #include "models/root/measures/measures.generated.hpp"
 #include "plant/branching.hpp"
@@ -156,12 +157,12 @@ TEST_CASE("a mesh whose triangles lie behind each other too often is an error, a
   const Result<Plant> stopped = request_root(options);
   REQUIRE_FALSE(stopped);
   CHECK(stopped.error().reason == Reason::limit);
-  CHECK(stopped.error().message.find("simplify the mesh") != std::string::npos);
+  CHECK(english(stopped.error().message).find("simplify the mesh") != std::string::npos);
   options.limits.triangles = 399;
   const Result<Plant> refused = request_root(options);
   REQUIRE_FALSE(refused);
   CHECK(refused.error().reason == Reason::limit);
-  CHECK(refused.error().message == "The meshes have 400 triangles, more than 399; simplify them.");
+  CHECK(english(refused.error().message) == "The meshes have 400 triangles; the limit is 399. Simplify them.");
 }
 
 }  // namespace

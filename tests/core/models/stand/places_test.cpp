@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "foundation/english.hpp"
 #include "foundation/mathematics.hpp"
 #include "models/stand/plans.hpp"
 
@@ -72,8 +73,8 @@ TEST_CASE("stand: the requested number is exact, however small, and a note lists
   }
   const PlacedStand one = placed(text, 1, 1);
   REQUIRE(one.notes.size() == 2);
-  CHECK(one.notes[0].find("line 1") != std::string::npos);
-  CHECK(one.notes[1].find("line 3") != std::string::npos);
+  CHECK(english(one.notes[0]).find("line 1") != std::string::npos);
+  CHECK(english(one.notes[1]).find("line 3") != std::string::npos);
 }
 
 TEST_CASE("stand: blue noise keeps the given distance, and a full ground has a note") {
@@ -84,7 +85,7 @@ TEST_CASE("stand: blue noise keeps the given distance, and a full ground has a n
   CHECK(full.plants.size() < 90);
   CHECK(full.plants.size() > 50);
   REQUIRE(full.notes.size() == 1);
-  CHECK(full.notes[0].find("found no place") != std::string::npos);
+  CHECK(english(full.notes[0]).find("could not be placed") != std::string::npos);
 }
 
 TEST_CASE("stand: blue noise without a distance finds room for all and is far more even than chance") {

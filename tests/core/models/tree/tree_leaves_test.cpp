@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "foliage/blade.hpp"
+#include "foundation/english.hpp"
 #include "models/particles/space_growing.hpp"
 #include "models/tree/measures/measures.generated.hpp"
 
@@ -100,7 +101,7 @@ TEST_CASE("a request without a leaf grows the same tree without leaves, with a n
   SpaceOptions without = options;
   without.leaf = false;
   const Plant plant = grow_tree(without);
-  CHECK(has_note(plant, "no shape"));
+  CHECK(has_note(plant, "no leaf shape"));
   CHECK(plant.fingerprint == grow_tree(options).fingerprint);
   CHECK(plant.meshes.size() == 1);
   for (const Organ& leaf : plant.organs) CHECK(leaf.mesh == -1);
@@ -122,7 +123,7 @@ TEST_CASE("an invalid leaf is refused") {
   Request request(blocks, nullptr);
   const Result<Plant> plant = tree::model.grow(request, {});
   REQUIRE(!plant);
-  CHECK(plant.error().message.find("leaf") != std::string::npos);
+  CHECK(english(plant.error().message).find("leaf") != std::string::npos);
 }
 
 }  // namespace

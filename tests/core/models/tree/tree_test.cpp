@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "foundation/english.hpp"
 #include "models/particles/crown_light.hpp"
 #include "models/particles/obstacles.hpp"
 #include "models/particles/space_growing.hpp"
@@ -112,12 +113,13 @@ TEST_CASE("no particle starts inside an inner boundary that is a mesh, and some 
   // A triangle with a corner that is no point is refused.
   Surface broken = half;
   broken.triangles.back() = 99;
-  CHECK(request_tree({.parameters = parameters, .hollow = broken}).error().message.find("inner boundary") !=
-        std::string::npos);
+  const std::string refusal = english(request_tree({.parameters = parameters, .hollow = broken}).error().message);
+  CHECK(refusal.find("inner boundary") != std::string::npos);
   // An open mesh gets a note.
   Surface open = half;
   open.triangles.resize(open.triangles.size() - 3);
-  CHECK(grow_tree({.parameters = parameters, .hollow = open}).notes.back().find("The inner boundary is open") == 0);
+  const Plant gaping = grow_tree({.parameters = parameters, .hollow = open});
+  CHECK(english(gaping.notes.back()).find("The inner boundary is open") == 0);
 }
 
 TEST_CASE("the light of a crown is listed cell by cell: darker within and below, and full outside") {
@@ -275,7 +277,7 @@ TEST_CASE("crowns too far apart for their size to be lit finely get a note") {
                                      {"particles", 200}}});
   };
   CHECK(row(6).notes.empty());
-  CHECK(has_note(row(0.2f), "light is told there coarsely"));
+  CHECK(has_note(row(0.2f), "light is computed coarsely"));
 }
 
 TEST_CASE("no particle starts in an obstacle, and no trail passes it") {
@@ -318,8 +320,8 @@ TEST_CASE("another tree's crown is round: no particle starts in it, no trail pas
   };
   CHECK(halves({}) == doctest::Approx(1).epsilon(0.05));
   CHECK(halves({{{2, 1, -4}, {10, 11, 4}}}) < 0.8f);
-  CHECK(request_tree({.rounds = {0, 0, 0, 1, 1}}).error().message.find("Round obstacles must have 6") !=
-        std::string::npos);
+  const std::string refusal = english(request_tree({.rounds = {0, 0, 0, 1, 1}}).error().message);
+  CHECK(refusal == "Round obstacles need 6 numbers each.");
 }
 
 TEST_CASE("a dropped mesh is the crown; an open one gets a note, a missing one is an ellipsoid") {
@@ -349,7 +351,7 @@ TEST_CASE("requests beyond the limits of segments or leaves are refused, with a 
   const auto refusal = [](Result<Plant> plant) {
     REQUIRE_FALSE(plant);
     CHECK(plant.error().reason == Reason::limit);
-    return plant.error().message;
+    return english(plant.error().message);
   };
   const auto options = [](std::uint32_t trails, std::uint32_t leaves) {
     SpaceOptions each{.parameters = {{"particles", 300}}};
@@ -361,10 +363,10 @@ TEST_CASE("requests beyond the limits of segments or leaves are refused, with a 
   const auto segments = static_cast<std::uint32_t>(usual.segments.size()), leaves = count_of(usual, "leaves");
   CHECK(grow_tree(options(segments, leaves)).fingerprint == usual.fingerprint);
   CHECK(refusal(request_tree(options(segments - 1, leaves))) ==
-        "The plant would have " + std::to_string(segments) + " pieces of trail, more than " +
-            std::to_string(segments - 1) + "; ask for fewer particles.");
-  CHECK(refusal(request_tree(options(segments, leaves - 1))).find("particles or leaves a tip") != std::string::npos);
-  CHECK(refusal(request_root(options(100, 0))).find("more than 100;") != std::string::npos);
+        "The plant would have " + std::to_string(segments) + " pieces of branches, roots or veins; the limit is " +
+            std::to_string(segments - 1) + ". Use fewer particles.");
+  CHECK(refusal(request_tree(options(segments, leaves - 1))).find("fewer leaves on each tip") != std::string::npos);
+  CHECK(refusal(request_root(options(100, 0))).find("the limit is 100.") != std::string::npos);
 }
 
 TEST_CASE("runs that are too long are stopped, and too many leaves are refused before") {
@@ -374,20 +376,20 @@ TEST_CASE("runs that are too long are stopped, and too many leaves are refused b
   CHECK(plant.segments.size() > 300);
   slow.limits.moves = 5000;
   const std::string words =
-      "After 5000 moves particles are still on their way; ask for fewer particles, a longer step, or a wider merge.";
+      "Particles are still moving after 5000 moves; use fewer particles, a longer step or a larger merge radius.";
   for (const auto& refused : {request_tree(slow), request_root(slow)}) {
     REQUIRE_FALSE(refused);
     CHECK(refused.error().reason == Reason::limit);
-    CHECK(refused.error().message == words);
+    CHECK(english(refused.error().message) == words);
   }
   // Refused before particles move.
   SpaceOptions leafy{.parameters = {{"particles", 1000}, {"leaves", 6}}};
   leafy.limits.moves = 0;
   leafy.limits.copies = 5999;
-  CHECK(request_tree(leafy).error().message.find("6000 leaves, more than 5999") != std::string::npos);
+  CHECK(english(request_tree(leafy).error().message).find("6000 leaves; the limit is 5999") != std::string::npos);
   // A small tree has fewer.
   leafy.parameters.insert(leafy.parameters.end(), {{"life", 1}, {"age", 50}});
-  CHECK(request_tree(leafy).error().message == "After 0" + words.substr(10));
+  CHECK(english(request_tree(leafy).error().message).starts_with("Particles are still moving after 0 moves"));
 }
 
 TEST_CASE("targets in the crown or above it are reached upwards, with a note") {
@@ -397,10 +399,10 @@ TEST_CASE("targets in the crown or above it are reached upwards, with a note") {
   CHECK(notes_of(1.9f).empty());
   const std::vector<std::string> notes = notes_of(20);
   REQUIRE(notes.size() == 1);
-  CHECK(notes[0].find("Targets above the boundary's lowest place: 1;") == 0);
+  CHECK(english(notes[0]).find("1 target is above the lowest point of the boundary") == 0);
   const Plant root = grow_root({.parameters = {{"particles", 100}}, .targets = {0, -1, 0, 1, 0.5f, 0}});
   REQUIRE(root.notes.size() == 1);
-  CHECK(root.notes[0].find("Targets below the boundary's highest place: 1;") == 0);
+  CHECK(english(root.notes[0]).find("1 target is below the highest point of the boundary") == 0);
 }
 
 TEST_CASE("a merge radius that would not end is raised, with a note") {
@@ -411,7 +413,7 @@ TEST_CASE("a merge radius that would not end is raised, with a note") {
   CHECK(notes_of(0.1f, 0).empty());
   const std::vector<std::string> notes = notes_of(0.45f, 1);
   REQUIRE(notes.size() == 1);
-  CHECK(notes[0].find("raised to 50 % of a spacing") != std::string::npos);
+  CHECK(english(notes[0]).find("raised to 50 % of the particle spacing") != std::string::npos);
 }
 
 TEST_CASE("a run without particles gets a note with the reason") {
@@ -419,35 +421,37 @@ TEST_CASE("a run without particles gets a note with the reason") {
     const Plant plant = grow_tree(options);
     CHECK(plant.segments.empty());
     REQUIRE(plant.notes.size() == 1);
-    return plant.notes[0];
+    return english(plant.notes[0]);
   };
-  CHECK(notes_of({.parameters = {{"shape", 4}}, .profile = {0, 0, 0, 1}}).find("The boundary holds no room") == 0);
+  CHECK(notes_of({.parameters = {{"shape", 4}}, .profile = {0, 0, 0, 1}}).find("The boundary encloses no space") == 0);
   CHECK(notes_of({.parameters = {{"life", 1}, {"age", 0}}}).find("At this age") == 0);
   CHECK(notes_of({.parameters = {{"sky", 0}, {"sun", 90}, {"sun_height", 0}}, .obstacles = {4, -9, -50, 50, 50, 50}})
-            .find("No light comes") == 0);
+            .find("No particle can start") == 0);
 }
 
 TEST_CASE("invalid inputs are refused with a message, numbers out of range are clamped") {
   const auto refusal = [](const SpaceOptions& options) {
     const Result<Plant> plant = request_tree(options);
     REQUIRE_FALSE(plant);
-    return plant.error().message;
+    return english(plant.error().message);
   };
-  CHECK(refusal({.targets = {0, NAN, 0}}).find("Targets: number 2 of row 1 is not finite") != std::string::npos);
+  CHECK(refusal({.targets = {0, NAN, 0}}).find("Target 1 is out of range: number 2 in this entry is not finite") !=
+        std::string::npos);
   CHECK(refusal({.targets = {0, 0}}).find("3 numbers each") != std::string::npos);
-  CHECK(refusal({.targets = std::vector<float>(3 * 257, 1)}).find("no more than 256 targets") != std::string::npos);
-  CHECK(refusal({.obstacles = std::vector<float>(6 * 17, 1)}).find("no more than 16 obstacles") != std::string::npos);
-  CHECK(refusal({.obstacles = {0, 0, 0, 1, 1e30f, 1}}).find("number 5 of row 1") != std::string::npos);
+  CHECK(refusal({.targets = std::vector<float>(3 * 257, 1)}).find("use at most 256") != std::string::npos);
+  CHECK(refusal({.obstacles = std::vector<float>(6 * 17, 1)}).find("use at most 16") != std::string::npos);
+  CHECK(refusal({.obstacles = {0, 0, 0, 1, 1e30f, 1}}).find("Obstacle 1 is out of range: number 5") !=
+        std::string::npos);
   CHECK(refusal({.profile = {1, 2, 3}}).find("2 numbers each") != std::string::npos);
-  CHECK(refusal({.points = {0, 0, 0}, .triangles = {0, 0, 1}}).find("corner 1") != std::string::npos);
+  CHECK(refusal({.points = {0, 0, 0}, .triangles = {0, 0, 1}}).find("point 1") != std::string::npos);
   CHECK(refusal({.points = {0, 0, 0}, .triangles = {0, 0}}).find("3 corners") != std::string::npos);
   const Plant plant = grow_tree({.parameters = {{"particles", 3}, {"width", 1e9f}, {"height", -5}}});
-  CHECK(has_note(plant, "Parameter particles was brought into its range."));
-  CHECK(has_note(plant, "Parameter width was brought"));
-  CHECK(has_note(plant, "Parameter height was brought"));
+  CHECK(has_note(plant, "Parameter particles was out of range and was set to the nearest allowed value."));
+  CHECK(has_note(plant, "Parameter width was out of range"));
+  CHECK(has_note(plant, "Parameter height was out of range"));
   const Plant nowhere =
       grow_tree({.parameters = {{"particles", 100}, {"pattern", 1}}, .obstacles = {-50, -1, -50, 50, 50, 50}});
-  CHECK(has_note(nowhere, "Obstacles leave no room"));
+  CHECK(has_note(nowhere, "The obstacles leave no space"));
   CHECK(nowhere.segments.empty());
 }
 
@@ -460,12 +464,12 @@ TEST_CASE("a mesh whose triangles lie behind each other too often is an error, a
   const Result<Plant> stopped = request_tree(options);
   REQUIRE_FALSE(stopped);
   CHECK(stopped.error().reason == Reason::limit);
-  CHECK(stopped.error().message.find("simplify the mesh") != std::string::npos);
+  CHECK(english(stopped.error().message).find("simplify the mesh") != std::string::npos);
   options.limits.triangles = 399;
   const Result<Plant> refused = request_tree(options);
   REQUIRE_FALSE(refused);
   CHECK(refused.error().reason == Reason::limit);
-  CHECK(refused.error().message == "The meshes have 400 triangles, more than 399; simplify them.");
+  CHECK(english(refused.error().message) == "The meshes have 400 triangles; the limit is 399. Simplify them.");
 }
 
 }  // namespace

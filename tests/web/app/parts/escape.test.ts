@@ -1,7 +1,6 @@
 /** Parts of the page that handle Escape prevent its default, so that tools listening on the window ignore it. */
 import type { TemplateResult } from "lit";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
-import { DownloadMenu } from "../../../../web/src/app/parts/download_menu";
 import { Gallery } from "../../../../web/src/app/parts/gallery";
 import type { Studio } from "../../../../web/src/app/studio";
 import { specimenFromPreset } from "../../bunch";
@@ -20,7 +19,7 @@ beforeEach(async () => {
 afterEach(() => vi.unstubAllGlobals());
 
 /** A part outside a page; every query for an element in it returns the field. */
-function placed<P extends DownloadMenu | Gallery>(part: P): P {
+function placed<P extends Gallery>(part: P): P {
 	Object.assign(part, {
 		performUpdate: () => {},
 		querySelector: () => field,
@@ -40,28 +39,17 @@ function heard(drawn: unknown, ending: RegExp): Listener | undefined {
 	const at = strings.findIndex((text, i) => i < values.length && ending.test(text));
 	return at < 0 ? values.map((value) => heard(value, ending)).find(Boolean) : (values[at] as Listener);
 }
-const drawnBy = (part: DownloadMenu | Gallery) => (part as unknown as { draw(studio: Studio): unknown }).draw(studio);
+const drawnBy = (part: Gallery) => (part as unknown as { draw(studio: Studio): unknown }).draw(studio);
 
-function press(part: DownloadMenu | Gallery, ending: RegExp, key: string): Event {
+function press(part: Gallery, ending: RegExp, key: string): Event {
 	const event = Object.assign(new Event("keydown", { cancelable: true }), { key });
 	heard(drawnBy(part), ending)?.call(part, event);
 	return event;
 }
 
-it("Escape closes the download menu; other keys are left alone", async () => {
-	const menu = placed(new DownloadMenu());
-	const keys = /class="menu" @keydown=$/;
-	expect(heard(drawnBy(menu), keys)).toBeUndefined();
-	await heard(drawnBy(menu), /@click=$/)?.call(menu, undefined);
-	expect(press(menu, keys, "n").defaultPrevented).toBe(false);
-	expect(heard(drawnBy(menu), keys)).toBeDefined();
-	expect(press(menu, keys, "Escape").defaultPrevented).toBe(true);
-	expect(heard(drawnBy(menu), keys)).toBeUndefined();
-});
-
-it("Escape moves the focus from the presets to their search; other keys are left alone", () => {
+it("Escape moves the focus from the presets to the button that opens the gallery; other keys are left alone", () => {
 	const gallery = placed(new Gallery());
-	const keys = /class="strip" @keydown=$/;
+	const keys = /class="strip" role="group" @keydown=$/;
 	expect(press(gallery, keys, "n").defaultPrevented).toBe(false);
 	expect(field.focus).not.toHaveBeenCalled();
 	expect(press(gallery, keys, "Escape").defaultPrevented).toBe(true);

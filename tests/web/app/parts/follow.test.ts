@@ -13,16 +13,17 @@ import { bunchModel } from "../context";
 
 const PARTS = {
 	bars: () => import("../../../../web/src/app/parts/bars").then(({ Bars }) => Bars),
-	download: () => import("../../../../web/src/app/parts/download_menu").then(({ DownloadMenu }) => DownloadMenu),
+	download: () => import("../../../../web/src/app/parts/download_sheet").then(({ DownloadSheet }) => DownloadSheet),
 	drop: () => import("../../../../web/src/app/parts/drop").then(({ Drop }) => Drop),
 	editors: () => import("../../../../web/src/app/parts/editors").then(({ Editors }) => Editors),
 	gallery: () => import("../../../../web/src/app/parts/gallery").then(({ Gallery }) => Gallery),
-	help: () => import("../../../../web/src/app/parts/help").then(({ Help }) => Help),
+	help: () => import("../../../../web/src/app/help/help").then(({ Help }) => Help),
 	history: () => import("../../../../web/src/app/parts/history_bar").then(({ HistoryBar }) => HistoryBar),
 	life: () => import("../../../../web/src/ui/life_bar").then(({ LifeBar }) => LifeBar),
 	notices: () => import("../../../../web/src/app/parts/notices").then(({ Notices }) => Notices),
 	panel: () => import("../../../../web/src/app/parts/panel").then(({ Panel }) => Panel),
 	readout: () => import("../../../../web/src/app/parts/readout").then(({ Readout }) => Readout),
+	shortcuts: () => import("../../../../web/src/app/help/shortcut_sheet").then(({ ShortcutSheet }) => ShortcutSheet),
 	share: () => import("../../../../web/src/app/parts/share_bar").then(({ ShareBar }) => ShareBar),
 	speaker: () => import("../../../../web/src/app/parts/speaker").then(({ Speaker }) => Speaker),
 	stage: () => import("../../../../web/src/app/parts/stage").then(({ StagePart }) => StagePart),
@@ -111,9 +112,9 @@ describe("a part of the page follows", () => {
 		["a parameter", () => studio.set({ parameters: { l: 300 } }), ["history", ...document]],
 		["a colour", () => studio.set({ look: { skin: "112233" } }), document],
 		["the seed", () => studio.newVariation(), [...document, "variation"]],
-		["the theme", () => studio.setUi({ theme: "dark" }), ["gallery", "share"]],
+		["the theme", () => studio.setUi({ theme: "dark" }), ["gallery", "help", "share"]],
 		["a group that is opened", () => studio.setGroup("colours", true), ["panel"]],
-		["letters that are no keys", () => studio.setUi({ letters: false }), ["help"]],
+		["letters that are no keys", () => studio.setUi({ letters: false }), ["shortcuts"]],
 		["the view of a phone", () => studio.setUi({ view: "front" }), ["editors", "views"]],
 		["a tool that is switched on", () => studio.setToolState(stems, true), ["editors", "panel", "stage"]],
 		[
@@ -138,12 +139,12 @@ describe("a part of the page follows", () => {
 
 	it("another model, and its tools once they are loaded", async () => {
 		parts.delete("life"); // The page has taken it away by then.
-		const all = ["bars", "editors", "gallery", "help", "panel", "readout", "share", "stage", "variation", "views"];
+		const all = ["bars", "editors", "gallery", "help", "panel", "readout", "shortcuts", "stage", "views"];
 		expect(await followers(() => studio.choosePreset("plain", toy as unknown as PageModel))).toEqual(
 			expect.arrayContaining(all),
 		);
 		const tools = vi.waitFor(() => expect(studio.state.modelUi).toBeDefined());
-		const late = ["editors", "help", "panel", "readout", "stage", "views"];
+		const late = ["editors", "help", "panel", "readout", "shortcuts", "stage", "views"];
 		expect(await followers(() => tools)).toEqual(expect.arrayContaining(late));
 	});
 });

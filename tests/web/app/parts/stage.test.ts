@@ -25,6 +25,7 @@ beforeEach(async () => {
 			}
 		},
 	);
+	vi.stubGlobal("navigator", {});
 	({ studio } = await studioWith(specimenFromPreset()));
 	left = [];
 	vi.spyOn(studio, "subscribe").mockImplementation((listener) => {

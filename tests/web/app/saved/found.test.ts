@@ -13,6 +13,14 @@ it("finds saved specimens by words of name, model and preset, ignoring case and 
 	expect(find("maple beta")).toEqual([]);
 });
 
+it("forgives plurals, other names and typos where nothing is found otherwise", () => {
+	expect(find("cremants")).toEqual(["Crémant"]);
+	expect(find("cermant")).toEqual(["Crémant"]);
+	expect(find("betta")).toEqual(["Beta 10", "beta 9"]);
+	expect(find("acer")).toEqual(["Crémant"]);
+	expect(find("betax crémant")).toEqual([]);
+});
+
 it("sorts by date and by name, numbers as numbers", () => {
 	expect(find("")).toEqual(["Beta 10", "beta 9", "Crémant"]);
 	expect(find("", "oldest")).toEqual(["Crémant", "beta 9", "Beta 10"]);

@@ -1,7 +1,8 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
+import { LARGEST_PICTURE } from "../../../../web/src/app/saved/jpeg_size";
 import { broughtInWords, readLibrary, writeLibrary } from "../../../../web/src/app/saved/library_file";
-import { isSaved, LARGEST_PICTURE, LONGEST_NAME, type Saved, tidyName } from "../../../../web/src/app/saved/saved";
+import { isSaved, LONGEST_NAME, type Saved, tidyName } from "../../../../web/src/app/saved/saved";
 import { foundInFile } from "../../../../web/src/formats/restore";
 import { inRun } from "../../../long_run.mjs";
 import { savedAs } from "./saved_store";
@@ -69,30 +70,30 @@ describe("a library's file", () => {
 	});
 
 	it.each([
-		["name", 3, "No. 1: it has no name; it is left out."],
-		["name", " \u202e\n ", "No. 1: it has no name; it is left out."],
-		["link", ["?v=2"], "No. 1, “Merlot”: its link is not text; it is left out."],
-		["link", "https://example.org/", "No. 1, “Merlot”: its link has no “?”; it is left out."],
-		["link", `?v=2&x=${"y".repeat(16 * 1024)}`, "No. 1, “Merlot”: its link is too long; it is left out."],
-		["link", `?v=2#g=${"y".repeat(512 * 1024)}`, "No. 1, “Merlot”: its link is too long; it is left out."],
+		["name", 3, "No. 1: The name is missing. This plant was skipped."],
+		["name", " \u202e\n ", "No. 1: The name is missing. This plant was skipped."],
+		["link", ["?v=2"], "No. 1, “Merlot”: The link is not text. This plant was skipped."],
+		["link", "https://example.org/", "No. 1, “Merlot”: The link has no “?”. This plant was skipped."],
+		["link", `?v=2&x=${"y".repeat(16 * 1024)}`, "No. 1, “Merlot”: The link is too long. This plant was skipped."],
+		["link", `?v=2#g=${"y".repeat(512 * 1024)}`, "No. 1, “Merlot”: The link is too long. This plant was skipped."],
 	])("leaves out a specimen with an invalid %s, and reports its place: %#", async (field, value, message) => {
 		expect(await withFields({ [field]: value })).toEqual({ saved: [], problems: [message] });
 	});
 
 	it.each([
-		[7, "is no JPEG"],
-		["https://example.org/pixel.gif", "is no JPEG"],
-		["data:image/svg+xml,<svg onload='alert(1)'/>", "is no JPEG"],
+		[7, "is not a JPEG"],
+		["https://example.org/pixel.gif", "is not a JPEG"],
+		["data:image/svg+xml,<svg onload='alert(1)'/>", "is not a JPEG"],
 		["data:image/jpeg;base64,!!!", "is damaged"],
-		[dataUrl(Uint8Array.of(0x89, 0x50, 0x4e, 0x47)), "is no JPEG"],
-		[dataUrl(jpeg().subarray(0, 12)), "is no JPEG"],
-		[dataUrl(jpeg(60_000, 60_000)), "is larger than 1024 pixels"],
-		[dataUrl(jpeg(1025, 10)), "is larger than 1024 pixels"],
+		[dataUrl(Uint8Array.of(0x89, 0x50, 0x4e, 0x47)), "is not a JPEG"],
+		[dataUrl(jpeg().subarray(0, 12)), "is not a JPEG"],
+		[dataUrl(jpeg(60_000, 60_000)), "is larger than 1,024 pixels"],
+		[dataUrl(jpeg(1025, 10)), "is larger than 1,024 pixels"],
 		[dataUrl(jpeg(192, 240, LARGEST_PICTURE + 1)), "is larger than 96 kB"],
 		[`data:image/jpeg;base64,${"A".repeat(4_000_000)}`, "is larger than 96 kB"],
 	])("imports a specimen with an invalid picture without it: %#", async (picture, message) => {
 		const { saved, problems } = await withFields({ picture });
-		expect(problems).toEqual([`No. 1, “Merlot”: its picture ${message}; it comes without.`]);
+		expect(problems).toEqual([`No. 1, “Merlot”: The picture ${message}. This plant was imported without a picture.`]);
 		expect(saved).toHaveLength(1);
 		expect(saved[0].picture).toBeUndefined();
 	});
@@ -115,10 +116,13 @@ describe("a library's file", () => {
 	});
 
 	it.each([
-		[{ version: 2, specimens: [] }, "It was written by a newer version of Panicle (version 2 of the file)"],
-		[{ specimens: [] }, "Its “version” is not 1."],
-		[{ version: 1, specimens: {} }, "Its “specimens” are no list."],
-		[{ version: 1, specimens: new Array(10_001).fill(0) }, "It holds 10001 specimens; at most 10000 can be read."],
+		[{ version: 2, specimens: [] }, "The file was written by a newer version of Panicle (file version 2)."],
+		[{ specimens: [] }, "The file’s “version” must be 1."],
+		[{ version: 1, specimens: {} }, "“specimens” in the file is not a list."],
+		[
+			{ version: 1, specimens: new Array(10_001).fill(0) },
+			"The file has 10,001 plants; at most 10,000 can be imported.",
+		],
 	])("throws for a document that is no library: %#", (wrong, message) => {
 		expect(() => readLibrary({ format: "panicle-library", ...wrong })).toThrow(message);
 	});
@@ -126,9 +130,9 @@ describe("a library's file", () => {
 	it("is distinguished from other JSON; a truncated one is reported as damaged", async () => {
 		const text = await writeLibrary([savedAs("Merlot")], 0).text();
 		await expect(foundInFile("cut.panicle.json", new Blob([text.slice(0, 90)]))).rejects.toThrow(
-			/^cut\.panicle\.json is damaged or unfinished JSON: export or download it again\. \(.+\)$/,
+			/^cut\.panicle\.json is damaged or incomplete\. Export or download it again\. \(.+\)$/,
 		);
-		await expect(foundInFile("other.json", new Blob(['{"format":"else"}']))).rejects.toThrow("holds no specimen");
+		await expect(foundInFile("other.json", new Blob(['{"format":"else"}']))).rejects.toThrow("wasn’t made by Panicle");
 	});
 
 	it("throws only LibraryError, and imports only specimens that can be stored, for any content", () => {
@@ -175,14 +179,16 @@ describe("a library's file", () => {
 
 it("describes an import in few lines", () => {
 	const one = savedAs("Merlot");
-	expect(broughtInWords({ saved: [one, one], problems: [] }, 2)).toEqual({ words: "2 imported.", lines: [] });
+	expect(broughtInWords({ saved: [one, one], problems: [] }, 2)).toEqual({ text: "Plants imported: 2.", lines: [] });
 	expect(broughtInWords({ saved: [one, one], problems: ["a"] }, 1)).toEqual({
-		words: "1 imported; 1 there already.",
+		text: "Plants imported: 1. Already here: 1.",
 		lines: ["a"],
 	});
-	expect(broughtInWords({ saved: [one], problems: [] }, 0).words).toBe("Nothing new: it was there already.");
+	expect(broughtInWords({ saved: [one], problems: [] }, 0).text).toBe(
+		"Nothing was imported: the plant is already here.",
+	);
 	const { lines } = broughtInWords({ saved: [], problems: new Array(500).fill("wrong") }, 0);
-	expect([lines.length, lines.at(-1)]).toEqual([9, "So it is with 492 more."]);
+	expect([lines.length, lines.at(-1)]).toEqual([9, "…and 492 more."]);
 });
 
 it("reduces a name to one line without direction marks, truncated", () => {

@@ -51,7 +51,7 @@ describe("what is on screen", () => {
 		grow(studio, "fedcba9876543210");
 		await opening;
 		expect(messages(studio)).toEqual([
-			`“Old” grows otherwise than when it was saved It was saved with version 1.0.0, fingerprint ${FINGERPRINT}; it is fedcba9876543210 here.`,
+			`“Old” no longer matches the saved plant The plant’s fingerprint was 0123456789abcdef when version 1.0.0 saved it, but is fedcba9876543210 now.`,
 		]);
 	});
 

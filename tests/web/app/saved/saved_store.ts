@@ -32,7 +32,7 @@ export class SharedStore implements SavedStore {
 	change(decide: (stored: readonly Saved[]) => Edit): Promise<readonly Saved[]> {
 		return this.#inTurn(() => {
 			const edit = decide(this.stored);
-			if (this.full && edit.put?.length) throw new StoreError(this.full);
+			if (this.full && edit.put?.length) throw new StoreError({ code: "app.store_full", args: {}, text: this.full });
 			for (const { id, picture } of edit.put ?? []) if (picture) this.pictureOf.set(id, picture);
 			for (const id of edit.remove ?? []) this.pictureOf.delete(id);
 			this.stored = edited(this.stored, { ...edit, put: edit.put?.map(withoutPicture) });

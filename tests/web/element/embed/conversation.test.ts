@@ -54,37 +54,47 @@ describe("a host page's request", () => {
 	});
 
 	it.each([
-		[{ method: "constructor" }, /^there is no method "constructor"; there are listen, specimen/],
-		[{ method: 7 }, /^there is no method 7/],
-		[{ method: "set", values: [1] }, /^values: an object/],
-		[{ method: "set", values: { age: [60] } }, /^age: a text is wanted/],
-		[{ method: "set", values: { age: Number.NaN } }, /^age: a number/],
+		[{ method: "constructor" }, /^There is no method "constructor"\. The methods are listen, specimen/],
+		[{ method: 7 }, /^There is no method 7/],
+		[{ method: "set", values: [1] }, /^“values” must be an object/],
+		[{ method: "set", values: { age: [60] } }, /^age must be text/],
+		[{ method: "set", values: { age: Number.NaN } }, /^age must be a number/],
 		[
 			{ method: "set", values: Object.fromEntries(Array.from({ length: 300 }, (_, i) => [`k${i}`, 1])) },
-			/more than 200/,
+			/more than 200 entries/,
 		],
-		[{ method: "open", values: {} }, /^link: a text/],
-		[{ method: "picture", values: { width: 1e6 } }, /^width: 1 to 8192/],
-		[{ method: "file", values: { format: "glb", triangles: "many" } }, /^triangles: a whole number/],
-		[{ method: "file", values: { format: "stl", thickness: 0.001 } }, /^thickness: a number from 0.2 to 20$/],
-		[{ method: "file", values: { format: "ply", points: 1e12 } }, /^points: a whole number from 1 to 2000000$/],
+		[{ method: "open", values: {} }, /^link must be text/],
+		[{ method: "picture", values: { width: 1e6 } }, /^width must be from 1 to 8,192 pixels/],
+		[{ method: "file", values: { format: "glb", triangles: "many" } }, /^triangles must be a whole number/],
+		[{ method: "file", values: { format: "stl", thickness: 0.001 } }, /^thickness must be a number from 0.2 to 20\.$/],
+		[
+			{ method: "file", values: { format: "ply", points: 1e12 } },
+			/^points must be a whole number from 1 to 2,000,000\.$/,
+		],
 		[
 			{ method: "file", values: { format: "glb-low", triangles: -1 } },
-			/^triangles: a whole number from 100 to 2000000$/,
+			/^triangles must be a whole number from 100 to 2,000,000\.$/,
 		],
 	])("%j gets an error message", async (message, error) => {
 		const { answers } = await answersTo(message);
-		expect(answers).toEqual(answered({ error: expect.stringMatching(error) }));
+		const code = expect.stringMatching(/^(element|formats)\./);
+		expect(answers).toEqual(answered({ error: expect.stringMatching(error), code, args: expect.anything() }));
 	});
 
 	it("reports the error", async () => {
 		plant.grow.mockRejectedValueOnce(new Error("no room"));
-		expect((await answersTo({ method: "grow" })).answers).toEqual(answered({ error: "no room" }));
+		expect((await answersTo({ method: "grow" })).answers).toEqual(answered({ error: "no room", code: "", args: {} }));
 	});
 
 	it("is accepted from allowed origins only, if the frame names some", async () => {
 		const other = await answersTo({ method: "set", values: { age: 1 } }, { allowed: ["https://other.example"] });
-		expect(other.answers).toEqual(answered({ error: `pages of ${HOST} may not ask this frame` }));
+		expect(other.answers).toEqual(
+			answered({
+				error: `Pages from ${HOST} may not send requests to this frame. Add the origin to the frame’s settings.`,
+				code: "element.embed_origin_refused",
+				args: { origin: HOST },
+			}),
+		);
 		expect(plant.set).not.toHaveBeenCalled();
 		source.postMessage.mockReset();
 		expect((await answersTo({ method: "specimen" }, { allowed: [HOST] })).answers).toHaveLength(1);
@@ -110,7 +120,7 @@ describe("a host page's request", () => {
 		for (const source of windows) await listen(source);
 		const results = windows.map(({ postMessage }) => postMessage.mock.lastCall?.[0]);
 		expect(results.slice(0, 64).every(({ result }) => result === true)).toBe(true);
-		expect(results[64].error).toMatch(/^64 windows listen already/);
+		expect(results[64].error).toMatch(/^64 windows are already connected/);
 		// A window that listens already may send the request again.
 		await listen(windows[0]);
 		expect(windows[0].postMessage.mock.lastCall?.[0]).toMatchObject({ result: true });

@@ -1,6 +1,7 @@
 import { describe, expect, it, vi } from "vitest";
 import { exportFile, NotFetched } from "../../../../web/src/generate/files/exporter";
 import type { FileRequest, FromExporter } from "../../../../web/src/generate/files/messages";
+import { messageOf } from "../../../../web/src/locale/message_error";
 import type { Model } from "../../../../web/src/models/model";
 import { EMPTY_PLANT } from "../../../../web/src/plant/plant";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
@@ -70,7 +71,7 @@ describe("making a file", () => {
 
 	it("tells what cannot be made from what did not come", async () => {
 		const failing = requesting();
-		failing.worker.onmessage?.({ data: { type: "failed", message: "too large" } });
+		failing.worker.onmessage?.({ data: { type: "failed", message: messageOf("too large") } });
 		await expect(failing.file).rejects.toThrow("too large");
 		const unfetched = requesting();
 		unfetched.worker.onmessage?.({ data: { type: "unfetched" } });

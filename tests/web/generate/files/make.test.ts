@@ -92,7 +92,14 @@ describe("the worker's answer", () => {
 	it("tells a model that it does not know, and what went wrong", async () => {
 		const { requested } = await request("fbx");
 		expect(await answerTo({ ...requested, model: "toy" })).toEqual({ type: "unknown" });
-		expect(await answerTo(requested)).toEqual({ type: "failed", message: "There is no file “fbx” of a bunch." });
+		expect(await answerTo(requested)).toEqual({
+			type: "failed",
+			message: {
+				code: "generate.format_unknown",
+				args: { format: "fbx" },
+				text: "There is no file format “fbx” for this plant.",
+			},
+		});
 		const broken = { ...bunchModel, parts: () => undefined } as unknown as Model;
 		await expect(makeFile(broken, { ...requested, format: "glb" })).rejects.toThrow();
 	});

@@ -7,7 +7,7 @@ import { readMeshFile } from "../../../../web/src/import/mesh_file/read";
 import { MeshFileError, type Soup } from "../../../../web/src/import/mesh_file/soup";
 import { readStl } from "../../../../web/src/import/mesh_file/stl";
 import { standardMaterial } from "../../../../web/src/plant/material";
-import { MOST_TRIANGLES } from "../../../../web/src/specimen/closed_mesh";
+import { MAX_TRIANGLES } from "../../../../web/src/specimen/closed_mesh";
 
 /** A box from (1, 2, 3), twice as high as wide: eight points, six faces of four corners, one by negative numbers. */
 const BOX = `# box
@@ -85,25 +85,29 @@ describe("a closed mesh from a file", () => {
 		const fine = ball(80);
 		expect(fine.triangles.length / 3).toBeGreaterThan(20_000);
 		const simple = closedMesh(fine);
-		expect(simple.triangles.length / 3).toBeLessThanOrEqual(MOST_TRIANGLES);
-		expect(simple.triangles.length / 3).toBeGreaterThan(MOST_TRIANGLES / 4);
+		expect(simple.triangles.length / 3).toBeLessThanOrEqual(MAX_TRIANGLES);
+		expect(simple.triangles.length / 3).toBeGreaterThan(MAX_TRIANGLES / 4);
 		expect(volumeOf(simple)).toBeCloseTo(Math.PI / 6, 1);
 		// A closed mesh is accepted a second time.
 		expect(() => closedMesh(simple)).not.toThrow();
 	});
 
 	it.each([
-		["flat", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n", "The mesh is flat: it has no inside."],
+		["flat", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n", "The mesh is flat, so it has no inside."],
 		[
 			"without two sides",
 			"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 2\n",
-			"The mesh encloses nothing: it has no inside.",
+			"The mesh has no inside. Use a closed mesh.",
 		],
-		["all lines", "v 0 0 0\nv 0 1 0\nf 1 1 2\n", "The mesh encloses nothing: it has no inside."],
-		["without triangles", "v 0 0 0\n", "The file holds no triangles."],
-		["with a corner too many", "v 0 0 0\nf 1 2 3\n", "Line 2 of the OBJ has a corner, “2”"],
-		["with words for numbers", "v 0 a 0\n", "Line 1 of the OBJ has “a”, which is no number."],
-		["with a point cut short", "v 0 0\n", "Line 1 of the OBJ has a point of fewer than three numbers."],
+		["all lines", "v 0 0 0\nv 0 1 0\nf 1 1 2\n", "The mesh has no inside. Use a closed mesh."],
+		["without triangles", "v 0 0 0\n", "The file contains no triangles."],
+		[
+			"with a corner too many",
+			"v 0 0 0\nf 1 2 3\n",
+			"Line 2 of the OBJ: “2” does not refer to a point above this line.",
+		],
+		["with words for numbers", "v 0 a 0\n", "Line 1 of the OBJ: “a” is not a number."],
+		["with a point cut short", "v 0 0\n", "Line 1 of the OBJ: a point needs three numbers."],
 	])("is refused when it is %s, and the reason said", (_, text, message) => {
 		expect(() => closedMesh(readObj(text))).toThrow(message);
 	});
@@ -112,7 +116,7 @@ describe("a closed mesh from a file", () => {
 		const { points, triangles } = ball(8);
 		const opened = { points, triangles: triangles.toSpliced(120, 3) };
 		expect(() => closedMesh(opened)).toThrow(
-			"The mesh is not closed: 3 of its edges have a triangle at one side only. Fill",
+			"The mesh has holes (3 open edges). Close them in your 3D program and try again.",
 		);
 		const cracked = { points: points.map((value, i) => value + 2e-5 * Math.sin(i)), triangles };
 		expect(volumeOf(closedMesh(cracked))).toBeCloseTo(volumeOf(closedMesh({ points, triangles })), 3);
@@ -120,12 +124,12 @@ describe("a closed mesh from a file", () => {
 
 	it("is rejected if the file has another format, or is damaged", async () => {
 		await expect(readMeshFile(new File(["x"], "box.ply"))).rejects.toThrow(
-			"box.ply is neither an OBJ nor a GLB nor an STL: save the mesh as one of them.",
+			"box.ply is not an OBJ, GLB or STL file. Save the mesh in one of these formats.",
 		);
 		expect(() => readGlb(new ArrayBuffer(4))).toThrow(MeshFileError);
 		const bytes = new Uint8Array(64).fill(1).buffer;
 		new DataView(bytes).setUint32(0, 0x46546c67, true);
-		expect(() => readGlb(bytes)).toThrow("The GLB does not begin with its JSON.");
+		expect(() => readGlb(bytes)).toThrow("The GLB does not begin with its JSON part.");
 	});
 
 	it.each([["binary"], ["text"]])("comes from an STL, %s, stood up from +Z to +Y", async (kind) => {
@@ -152,34 +156,32 @@ describe("a closed mesh from a file", () => {
 
 	it("is rejected if an STL is damaged, with the reason", () => {
 		const box = readObj(BOX);
-		const unfinished = "The STL is damaged or unfinished: export it again.";
+		const unfinished = "The STL is damaged or incomplete. Export it again.";
 		expect(() => readStl(binaryStl(box).slice(0, -7).buffer)).toThrow(unfinished);
 		expect(() => readStl(new ArrayBuffer(3))).toThrow(unfinished);
 		expect(() => readStl(new ArrayBuffer(84))).toThrow(unfinished);
 		const bytes = binaryStl(box);
 		new DataView(bytes.buffer).setFloat32(84 + 50 + 16, Number.NaN, true);
-		expect(() => readStl(bytes.buffer)).toThrow("Triangle 2 of the STL has a corner that is no place.");
+		expect(() => readStl(bytes.buffer)).toThrow("Triangle 2 of the STL has a corner with an invalid position.");
 		const text = (from: RegExp, to: string) => readStl(textStl(box, from, to).buffer);
-		expect(() => text(/vertex \S+/, "vertex one")).toThrow("Line 4 of the STL has a corner that is not three numbers.");
-		expect(() => text(/vertex.*\n/, "")).toThrow(
-			"Line 7 of the STL has the end of a facet that has not three corners.",
-		);
+		expect(() => text(/vertex \S+/, "vertex one")).toThrow("Line 4 of the STL: a corner needs three numbers.");
+		expect(() => text(/vertex.*\n/, "")).toThrow("Line 7 of the STL: a facet needs three corners.");
 		expect(() => text(/endloop\nendfacet\nendsolid[\s\S]*/, "")).not.toThrow();
 		expect(() => text(/vertex[^\n]*\nendloop\nendfacet\nendsolid[\s\S]*/, "")).toThrow(unfinished);
 		const opened = { points: box.points, triangles: box.triangles.slice(3) };
-		expect(() => closedMesh(readStl(binaryStl(opened).buffer))).toThrow("The mesh is not closed: 3 of its edges");
+		expect(() => closedMesh(readStl(binaryStl(opened).buffer))).toThrow("The mesh has holes (3 open edges).");
 	});
 
 	it("is rejected before reading if it has too many triangles, with the limit", async () => {
 		const most = 500_000;
-		const refused = "The mesh has more than 500,000 triangles: simplify it first.";
+		const refused = "The mesh has more than 500,000 triangles. Simplify it and try again.";
 		const large = new Uint8Array(84 + 50 * (most + 1)).fill(255);
 		new DataView(large.buffer).setUint32(80, most + 1, true);
 		await expect(readMeshFile(new File([large], "dome.stl"))).rejects.toThrow(refused);
 		const text = `solid\nfacet\n${"vertex 0 0 0\n".repeat(3 * most + 1)}vertex 0\n`;
 		expect(() => readStl(new TextEncoder().encode(text).buffer)).toThrow(refused);
 		const quads = `v 0 0 0\n${"f 1 1 1 1\n".repeat(most / 2)}`;
-		expect(() => readObj(`${quads}f 9\n`)).toThrow("a corner, “9”");
+		expect(() => readObj(`${quads}f 9\n`)).toThrow("“9” does not refer to a point above this line.");
 		expect(() => readObj(`${quads}f 1 1 1\nf 9\n`)).toThrow(refused);
 		// Its points lie beyond its end.
 		const count = 3 * (most + 1);
@@ -269,7 +271,7 @@ describe("a closed mesh from a file", () => {
 		["a view that begins beyond the buffer's end", {}, { byteOffset: 96 }],
 	])("is refused where a GLB has %s, and nothing of it is read", (_, accessor, view) => {
 		const read = vi.spyOn(DataView.prototype, "getFloat32");
-		expect(() => readGlb(changed(accessor, view))).toThrow("The GLB is damaged or unfinished: export it again.");
+		expect(() => readGlb(changed(accessor, view))).toThrow("The GLB is damaged or incomplete. Export it again.");
 		expect(read).not.toHaveBeenCalled();
 	});
 
@@ -298,31 +300,33 @@ describe("a closed mesh from a file", () => {
 	it("is rejected if a GLB has very many parts, and read if nodes are nested very deep", () => {
 		const nodes = Array.from({ length: 1001 }, () => ({ mesh: 0 }));
 		const meshes = [{ primitives: Array(100).fill({ attributes: {}, mode: 1 }) }];
-		expect(() => readGlb(glbOf(nodes, { meshes }))).toThrow("The GLB has more than 100,000 parts: join them first.");
+		expect(() => readGlb(glbOf(nodes, { meshes }))).toThrow("The GLB has more than 100,000 parts.");
 		const chain = Array.from({ length: 50_000 }, (_, i) => (i < 49_999 ? { children: [i + 1] } : { mesh: 0 }));
 		expect(readGlb(glbOf(chain)).triangles).toHaveLength(12);
 	});
 
 	it("is rejected if a GLB's node moves points to invalid places, or if coordinates are too large", () => {
 		for (const placing of [{ matrix: [1] }, { scale: [1e308, 1e308, 1e308] }])
-			expect(() => readGlb(glbOf([{ mesh: 0, ...placing }]))).toThrow("The GLB has a point that is no place.");
+			expect(() => readGlb(glbOf([{ mesh: 0, ...placing }]))).toThrow("The GLB has a point with an invalid position.");
 		const far = readObj(BOX.replace("v 1 2 3", "v -1e300 2 3"));
-		expect(() => closedMesh(far)).toThrow("The mesh reaches beyond 10³⁰ units: scale it down.");
+		expect(() => closedMesh(far)).toThrow("The mesh extends beyond 10³⁰ units.");
 	});
 
 	it("comes from text whose lines end with CR, with LF or with both", () => {
 		const plain = readObj(BOX);
 		for (const end of ["\r", "\r\n"]) expect(readObj(BOX.replaceAll("\n", end))).toEqual(plain);
-		expect(() => readObj("v 0 0 0\r\nv 0 0 0\rv 0\n")).toThrow("Line 3 of the OBJ has a point of fewer");
+		expect(() => readObj("v 0 0 0\r\nv 0 0 0\rv 0\n")).toThrow("Line 3 of the OBJ: a point needs three numbers.");
 		const stl = (end: string) => readStl(textStl(plain, /\n/g, end).buffer);
 		expect(stl("\r")).toEqual(stl("\n"));
 	});
 
 	it("is rejected if an OBJ has more points than its triangles can use, or a face of too many corners", () => {
-		expect(() => readObj("v 0 0 0\n".repeat(1_500_001))).toThrow("The mesh has more than 1,500,000 points: simplify");
+		expect(() => readObj("v 0 0 0\n".repeat(1_500_001))).toThrow("The mesh has more than 1,500,000 points.");
 		const face = `v 0 0 0\nf ${"1 ".repeat(500_002)}`;
 		expect(readObj(face).triangles).toHaveLength(1_500_000);
-		expect(() => readObj(`${face} 1 9`)).toThrow("The mesh has more than 500,000 triangles: simplify it first.");
+		expect(() => readObj(`${face} 1 9`)).toThrow(
+			"The mesh has more than 500,000 triangles. Simplify it and try again.",
+		);
 	});
 
 	it("contains every node of a GLB once; without scenes, reading begins at the nodes without parents", () => {
@@ -335,8 +339,8 @@ describe("a closed mesh from a file", () => {
 	it("is rejected at once if a GLB's nodes form no tree", () => {
 		// Two paths at each of forty nodes give 10¹² visits.
 		const ladder = Array.from({ length: 40 }, (_, i) => (i < 39 ? { children: [i + 1, i + 1] } : { mesh: 0 }));
-		expect(() => readGlb(glbOf(ladder))).toThrow("The GLB's nodes do not form a tree.");
+		expect(() => readGlb(glbOf(ladder))).toThrow("The GLB’s nodes do not form a tree.");
 		const ring = [{ children: [1] }, { children: [0] }];
-		expect(() => readGlb(glbOf(ring, { scenes: [{ nodes: [0] }] }))).toThrow("The GLB's nodes do not form a tree.");
+		expect(() => readGlb(glbOf(ring, { scenes: [{ nodes: [0] }] }))).toThrow("The GLB’s nodes do not form a tree.");
 	});
 });

@@ -1,6 +1,7 @@
 import { describe, expect, it, vi } from "vitest";
 import type { FromMeshReader } from "../../../../web/src/import/mesh_file/messages";
 import { readMeshInWorker } from "../../../../web/src/import/mesh_file/read_in_worker";
+import { messageOf } from "../../../../web/src/locale/message_error";
 
 /** A worker whose messages the test sends. */
 class WorkerDouble {
@@ -28,7 +29,7 @@ describe("reading a mesh file in a worker", () => {
 
 	it("rejects with the reason, and ends the worker", async () => {
 		const { worker, mesh } = reading();
-		worker.onmessage?.({ data: { type: "failed", message: "The mesh is flat." } });
+		worker.onmessage?.({ data: { type: "failed", message: messageOf("The mesh is flat.") } });
 		await expect(mesh).rejects.toThrow("The mesh is flat.");
 		expect(worker.terminate).toHaveBeenCalledOnce();
 	});
@@ -36,7 +37,7 @@ describe("reading a mesh file in a worker", () => {
 	it("rejects if the worker's script does not load, or runs out of memory", async () => {
 		const lost = reading();
 		lost.worker.onerror?.({ preventDefault: () => {} });
-		await expect(lost.mesh).rejects.toThrow("Part of the page could not be fetched");
+		await expect(lost.mesh).rejects.toThrow("Part of the app failed to load.");
 		const full = reading();
 		full.worker.onerror?.({ message: "out of memory", preventDefault: () => {} });
 		await expect(full.mesh).rejects.toThrow("out of memory");
@@ -55,7 +56,14 @@ describe("reading a mesh file in a worker", () => {
 			scope.postMessage = undefined;
 			scope.onmessage = undefined;
 		}
-		expect(answers[0]).toEqual({ type: "failed", message: "The file holds no triangles." });
+		expect(answers[0]).toEqual({
+			type: "failed",
+			message: {
+				code: "import.mesh_without_triangles",
+				args: {},
+				text: "The file contains no triangles. Export the mesh again.",
+			},
+		});
 		expect(answers[1].type === "read" && answers[1].mesh.triangles).toHaveLength(12);
 	});
 });

@@ -1,6 +1,8 @@
 /** Traces of a bunch's derivation, with the responses of its environment. */
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
+import { loadCoreMessages } from "../../../../web/src/core/core_message";
+import { readableTrace } from "../../../../web/src/generate/readable";
 import type { BunchPlant } from "../../../../web/src/models/bunch/bunch_plant";
 import {
 	type DerivationTrace,
@@ -14,6 +16,7 @@ import { freshCore, growBunch } from "../../core/wasm";
 let core: Core;
 beforeAll(async () => {
 	core = await freshCore();
+	await loadCoreMessages();
 });
 
 const LAST = 0xffffffff;
@@ -22,7 +25,7 @@ const bare = { meshes: false, measures: false };
 function growTraced(specimen: Specimen, first = 0): BunchPlant & { trace: DerivationTrace } {
 	const grown = growBunch(core, specimen, { ...bare, trace: { step: LAST, first } });
 	if (!grown.trace) throw new Error("Nothing was told.");
-	return { ...grown, trace: grown.trace };
+	return { ...grown, trace: readableTrace(grown.trace) };
 }
 
 /** Returns all modules of the last string. */
@@ -47,16 +50,16 @@ describe("the trace of the paper's bunch", () => {
 		const modules = lastString(specimen);
 		const queries = modules.filter(({ text }) => text.startsWith("?E"));
 		expect(counts.withered).toBeGreaterThan(5);
-		expect(withWords(queries, /withers$/)).toHaveLength(counts.withered);
-		expect(withWords(queries, /is cut$/)).toHaveLength(counts.cut);
+		expect(withWords(queries, /the pedicel withers/)).toHaveLength(counts.withered);
+		expect(withWords(queries, /the internode is cut/)).toHaveLength(counts.cut);
 		// Modules of a cut are never queried.
-		expect(withWords(queries, /there is room/)).toHaveLength(counts.internodes - counts.withered);
+		expect(withWords(queries, /^There is room/)).toHaveLength(counts.internodes - counts.withered);
 	});
 
 	it("shows the production that drew each query, with its response", () => {
 		const modules = lastString(crowded());
-		const withered = withWords(modules, /withers$/);
-		const set = withWords(modules, /there is room/).filter(({ text }) => text.startsWith("?E(1"));
+		const withered = withWords(modules, /the pedicel withers/);
+		const set = withWords(modules, /^There is room/).filter(({ text }) => text.startsWith("?E(1"));
 		expect(new Set(withered.map(({ fires }) => fires?.line)).size).toBe(1);
 		expect(new Set(set.map(({ fires }) => fires?.line)).size).toBe(1);
 		expect(withered[0].fires).not.toEqual(set[0].fires);
@@ -73,26 +76,26 @@ describe("the trace of the paper's bunch", () => {
 		const modules = lastString(specimen);
 		const drawnBy = new Set(trace.organs);
 		expect(drawnBy.size).toBe(berries.count);
-		const named = withWords(modules, /overlaps the berry of module \d+ by \d/);
+		const named = withWords(modules, /overlaps? the berry of module #\d+ by \d/);
 		expect(named.length).toBeGreaterThan(10);
 		for (const module of named) {
-			const [, berry, depth] = /berry of module (\d+) by ([\d.]+)/.exec(words(module)) ?? [];
+			const [, berry, depth] = /berry of module #(\d+) by (\d+(?:\.\d+)?)/.exec(words(module)) ?? [];
 			expect(drawnBy).toContain(Number(berry));
 			expect(Number(depth)).toBeGreaterThan(0);
 			expect(Number(depth)).toBeLessThan(80);
 		}
 		for (const other of withWords(modules, /internode of module/)) {
-			const [, index] = /internode of module (\d+)/.exec(words(other)) ?? [];
+			const [, index] = /internode of module #(\d+)/.exec(words(other)) ?? [];
 			expect(modules[Number(index)].text).toMatch(/^\?E\(0/);
 		}
 	});
 
 	it("shows how far internodes with room were turned, and from which direction", () => {
-		const turned = withWords(lastString(specimenFromPreset("long-conical", 1)), /^there is room after/);
+		const turned = withWords(lastString(specimenFromPreset("long-conical", 1)), /^There is room for this part after/);
 		expect(turned.length).toBeGreaterThan(2);
 		for (const module of turned)
 			expect(words(module)).toMatch(
-				/after [\d.]+° in \d+ turns?; straight on it (overlaps|touches) the (berry|internode) of/,
+				/after turning by [\d.]+° in \d+ turns?\. Without turning, this part would (overlap|touch) the (berry|internode) of/,
 			);
 	});
 
@@ -116,9 +119,9 @@ describe("the trace of the natural bunch", () => {
 		expect(growTraced(specimen).fingerprint).toBe(plain.fingerprint);
 		const why = (reason: string) => plain.thinned.filter((each) => each.why === reason).length;
 		expect(withWords(modules, /did not set/)).toHaveLength(why("not set"));
-		expect(withWords(modules, /pressed harder/)).toHaveLength(why("no room"));
-		expect(withWords(modules, /within the outline/)).toHaveLength(why("outside"));
-		expect(withWords(modules, /it bears the berry|does not set/)).toHaveLength(plain.berries.count);
+		expect(withWords(modules, /pressed too hard/)).toHaveLength(why("no room"));
+		expect(withWords(modules, /inside the outline/)).toHaveLength(why("outside"));
+		expect(withWords(modules, /becomes the berry|does not set/)).toHaveLength(plain.berries.count);
 		const [taken] = plain.berries.ids ?? [];
 		const thinned = { ...specimen, thinned: [taken] };
 		expect(withWords(lastString(thinned), /by hand/)).toHaveLength(1);

@@ -15,7 +15,7 @@ import { freshCore, growBunch } from "../../core/wasm";
 const SEEDS = 20;
 const SECTORS = 16;
 /** Most bare rachis above lower berries, in berry lengths. */
-const MOST_BARE = 1.5;
+const MAX_BARE = 1.5;
 
 let core: Core;
 beforeAll(async () => {
@@ -46,7 +46,7 @@ describe.each(GRAPES)("%s", (preset) => {
 	});
 
 	it("has no tuft below bare rachis", () => {
-		for (const bunch of bunches) expect(longestGap(bunch)).toBeLessThan(MOST_BARE);
+		for (const bunch of bunches) expect(longestGap(bunch)).toBeLessThan(MAX_BARE);
 	});
 
 	it("keeps to its handles", () => {
@@ -77,7 +77,7 @@ it("drawn profiles have no tuft below bare rachis, loose and various ones neithe
 		const loose = seed % 2 === 0 ? { variability: 2, density: draws.between(1, 5) } : {};
 		const parameters = { ...specimen.parameters, ...profile, ...loose };
 		const bunch = growBunch(core, { ...specimen, seed, parameters }, { meshes: false, measures: false });
-		expect(longestGap(bunch), JSON.stringify({ seed, ...profile, ...loose })).toBeLessThan(MOST_BARE);
+		expect(longestGap(bunch), JSON.stringify({ seed, ...profile, ...loose })).toBeLessThan(MAX_BARE);
 	}
 });
 

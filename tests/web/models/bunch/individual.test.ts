@@ -83,7 +83,7 @@ it("the paper's procedure ignores variability", () => {
 
 it("berries vary in width as the parameter's help describes", () => {
 	const stated =
-		/(\d+) measures about (\d+) %, (\d+) about (\d+) %/
+		/a setting of (\d+) gives about (\d+) %, and (\d+) about (\d+) %/
 			.exec(entryOf("spread")?.help ?? "")
 			?.slice(1)
 			.map(Number) ?? [];

@@ -1,6 +1,7 @@
 import { beforeAll, describe, expect, it } from "vitest";
 import { Columns, writeContainer } from "../../../../web/src/core/container";
 import type { Core } from "../../../../web/src/core/core";
+import { coreText, loadCoreMessages } from "../../../../web/src/core/core_message";
 import { model } from "../../../../web/src/models/bunch/index";
 import { leafOnCane } from "../../../../web/src/models/bunch/leaf";
 import { bunchParts } from "../../../../web/src/models/bunch/parts/bunch_parts";
@@ -21,6 +22,7 @@ const requestOf = (specimen: typeof bare, options = {}) =>
 let core: Core;
 beforeAll(async () => {
 	core = await freshCore();
+	await loadCoreMessages();
 });
 
 // These tests run in order, since fetched leaves stay.
@@ -34,7 +36,7 @@ describe("the leaf on the cane", () => {
 	it("leaves the cane bare, with a note, if it could not be fetched", () => {
 		const { foliage, notes } = growBunch(core, leafy);
 		expect(foliage?.parts.map(({ kind }) => kind)).toEqual(["cane"]);
-		expect(notes).toEqual([expect.stringMatching(/^The cane has no leaves/)]);
+		expect(notes.map(coreText)).toEqual([expect.stringMatching(/^The cane has no leaves/)]);
 	});
 
 	it("is a sketch until it has come, without petioles: the cane has its own", async () => {

@@ -4,7 +4,7 @@ import { leversOf } from "../../../../web/src/models/bunch/levers";
 import { MEASURE_KEYS, type MeasureKey } from "../../../../web/src/models/bunch/measures.generated";
 import { metresPerPixel } from "../../../../web/src/models/bunch/profile/handles";
 import { bunchTargets } from "../../../../web/src/models/bunch/targets";
-import { MOST_GROWTHS, solve } from "../../../../web/src/targets/solve";
+import { MAX_GROWTHS, solve } from "../../../../web/src/targets/solve";
 import { inRun } from "../../../long_run.mjs";
 import { BUNCH, specimenFromPreset, withParameters } from "../../bunch";
 import { freshCore, growBunch } from "../../core/wasm";
@@ -91,7 +91,7 @@ describe.each(inRun(["riesling"], ["riesling", "merlot", "red-globe", "shouldere
 				{ measure: async (each) => measured(each) },
 			);
 			expect(Math.abs(answer.reached[0].measured / aims[0].value - 1)).toBeLessThan(near);
-			expect(answer.growths).toBeLessThanOrEqual(MOST_GROWTHS);
+			expect(answer.growths).toBeLessThanOrEqual(MAX_GROWTHS);
 		}
 	});
 });

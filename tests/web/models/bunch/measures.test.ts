@@ -100,7 +100,7 @@ describe("skinClass", () => {
 	])("#%s is %s", (skin, words) => expect(skinClass({ skin }).words).toBe(words));
 
 	it("gives each named colour its own class", () => {
-		for (const one of SKIN_COLOUR.classes) for (const skin of one.like) expect(skinClass({ skin })).toBe(one);
+		for (const one of SKIN_COLOUR.classes) for (const skin of one.like) expect(skinClass({ skin })).toEqual(one);
 	});
 
 	it("classes any colour", () => {

@@ -6,7 +6,8 @@ import { GRAPE_BUNCH_3, GRAPE_BUNCH_4 } from "../../../../web/src/models/bunch/g
 import { type Specimen, specimenFromPreset, withParameters } from "../../bunch";
 import { freshCore } from "../../core/wasm";
 
-const STALK = "The stalk above the bunch is not the grammar's: Peduncle says how long it is, and 0 takes it away.";
+const STALK =
+	"The stalk above the bunch does not come from the grammar. The parameter Peduncle sets the length of this stalk; 0 removes it.";
 
 it("explain that the panel controls its stalk, if it has one", async () => {
 	const core = await freshCore();

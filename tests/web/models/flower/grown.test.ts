@@ -1,6 +1,7 @@
 import { readFileSync } from "node:fs";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
+import { coreText, loadCoreMessages } from "../../../../web/src/core/core_message";
 import { exportJson } from "../../../../web/src/formats/json";
 import { type FlowerPlant, readFlowerPlant } from "../../../../web/src/models/flower/flower_plant";
 import { model } from "../../../../web/src/models/flower/index";
@@ -16,6 +17,7 @@ import { freshCore } from "../../core/wasm";
 let core: Core;
 beforeAll(async () => {
 	await fetchTexts();
+	await loadCoreMessages();
 	core = await freshCore("flower.wasm");
 });
 
@@ -24,11 +26,11 @@ const grow = (specimen: FlowerSpecimen, options?: FlowerRequestOptions): FlowerP
 
 describe("a flower", () => {
 	it("has notes only about unsewn volumes and about readings of the printed grammars, for every preset", () => {
-		const allowed = /sewn to nothing|ten numbers|without numbers|becomes BASE/;
+		const allowed = /but not joined|ten numbers|without numbers|renames “BASEC” to “BASE”/;
 		for (const { name } of model.presets.list) {
 			const { notes, counts } = grow(fromPreset(model, name), { meshes: false, map: false });
 			expect(
-				notes.filter((note) => !allowed.test(note)),
+				notes.map(coreText).filter((note) => !allowed.test(note)),
 				name,
 			).toEqual([]);
 			expect(counts.darts, name).toBeGreaterThan(2000);
@@ -81,7 +83,7 @@ describe("a flower", () => {
 		);
 		expect(tepals).toHaveLength(6 * cups.length);
 		expect(all.filter((volume) => name(volume) === "SEED").length).toBeGreaterThan(1.5 * cups.length);
-		expect(notes.join(" ")).not.toContain("never came about");
+		expect(coreText(notes.join(" "))).not.toContain("never applied");
 	});
 
 	it("has the same measures, counts and notes without meshes", () => {
@@ -93,7 +95,7 @@ describe("a flower", () => {
 		expect(without.measures.surface).toBeGreaterThan(1);
 		expect(without.counts.triangles).toBeGreaterThan(100);
 		expect([without.measures, without.counts, without.notes]).toEqual([with_.measures, with_.counts, with_.notes]);
-		expect(without.notes?.join()).toContain("Line 1: A has m 300");
+		expect(coreText(without.notes?.join() ?? "")).toContain("Line 1: “A” has m = 300");
 	});
 
 	it("has its map in the JSON document, with involutions as αs", () => {

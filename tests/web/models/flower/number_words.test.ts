@@ -15,5 +15,5 @@ it.each([
 	["unknown", ""],
 	["N", "sides"],
 	["H", "height, mm"],
-	["atx", "turn about x, °"],
+	["atx", "rotation about x, °"],
 ])("%s is described as “%s”", (name, words) => expect(describeNumber(TEXT, name)).toBe(words));

@@ -37,7 +37,7 @@ describe("numbers of a text that define a volume", () => {
 	it("is figures of its definition, of where it grows, and of variables; no sums", () => {
 		expect(named({ label: "STEM", module: 0, line: 4, call: 0 })).toEqual({
 			"Every STEM": ["N 12", "atx 0", "aty -3.5", "atz 0", "H 20", "L 7", "m 1"],
-			"Where it grows, line 4": ["atx 2", "L 7", "W 7"],
+			"Grown by line 4": ["atx 2", "L 7", "W 7"],
 			"The whole flower": ["length 320"],
 		});
 	});
@@ -45,8 +45,8 @@ describe("numbers of a text that define a volume", () => {
 	it("is of its module where names are the same, and of how that is called", () => {
 		expect(named({ label: "STEM", module: 1, line: 11, call: 5 })).toEqual({
 			"Every STEM": ["N 4", "T 1", "atx 0", "aty 0", "atz 0", "H 1", "L 2", "W 3", "m 4"],
-			"Where it grows, line 11": ["atx 9"],
-			"PETAL as it is called, line 5": ["atx -6", "len 66"],
+			"Grown by line 11": ["atx 9"],
+			"Call of PETAL on line 5": ["atx -6", "len 66"],
 		});
 	});
 
@@ -81,8 +81,8 @@ STEM -> STEM[&PETAL{len=size*30; wide=9}]_{C1}[&PETAL{len=20}]_{C3}
 `;
 		const groups = numberGroupsOf(text, { label: "A", module: 1, line: 9, call: 4 });
 		const titled = (title: string) => groups.find((each) => each.title === title)?.tokens.map(({ name }) => name);
-		expect(titled("PETAL as it is called, line 4, 1 of 2")).toEqual(["wide"]);
-		expect(titled("PETAL as it is called, line 4, 2 of 2")).toEqual(["len"]);
+		expect(titled("Call of PETAL on line 4, 1 of 2")).toEqual(["wide"]);
+		expect(titled("Call of PETAL on line 4, 2 of 2")).toEqual(["len"]);
 		expect(titled("Every PETAL")).toEqual(["wide"]);
 		expect(titled("The whole flower")).toEqual(["size"]);
 	});
@@ -102,12 +102,12 @@ A -> A[&A(,7)]_{C3}
 #axiom: B
 `;
 		expect(linesOf(text, { label: "A", module: 0, line: 3, call: 0 }).slice(1)).toEqual([
-			"Where it grows, line 3, 1 of 2: atx 5",
-			"Where it grows, line 3, 2 of 2: atx 7",
+			"Grown by line 3, 1 of 2: atx 5",
+			"Grown by line 3, 2 of 2: atx 7",
 		]);
 		expect(linesOf(text, { label: "B", module: 1, line: 0, call: 4 }).slice(1)).toEqual([
-			"M as it is called, line 4, 1 of 2: n 4",
-			"M as it is called, line 4, 2 of 2: n 5",
+			"Call of M on line 4, 1 of 2: n 4",
+			"Call of M on line 4, 2 of 2: n 5",
 		]);
 		expect(linesOf(text, { label: "A", module: 0, line: 5, call: 0 })).toHaveLength(1);
 	});
@@ -123,13 +123,14 @@ A -> A[&M(,,3){n=4}]_{C1, C4}[&M{n=5}]_{C2,C(3)}[&M{n=6}]_{O}
 #axiom: B
 `;
 		const grown = (face: number) => linesOf(text, { label: "A", module: 0, line: 3, call: 0, face }).slice(1);
-		expect(grown(1)).toEqual(["Where it grows, line 3: atx 5"]);
-		expect(grown(3)).toEqual(["Where it grows, line 3: atx 7"]);
+		expect(grown(1)).toEqual(["Grown by line 3: atx 5"]);
+		expect(grown(3)).toEqual(["Grown by line 3: atx 7"]);
 		expect(grown(9)).toHaveLength(2);
-		const called = (foot: number) => linesOf(text, { label: "B", module: 1, line: 0, call: 4, foot }).slice(1);
-		expect(called(0)).toEqual(["M as it is called, line 4, 1 of 2: n 5", "M as it is called, line 4, 2 of 2: n 6"]);
-		expect(called(2)[0]).toBe("M as it is called, line 4, 1 of 2: aty 3, n 4");
-		expect(called(4)).toEqual(["M as it is called, line 4: n 5"]);
+		const called = (foot: number) =>
+			linesOf(text, { label: "B", module: 1, line: 0, call: 4, moduleFace: foot }).slice(1);
+		expect(called(0)).toEqual(["Call of M on line 4, 1 of 2: n 5", "Call of M on line 4, 2 of 2: n 6"]);
+		expect(called(2)[0]).toBe("Call of M on line 4, 1 of 2: aty 3, n 4");
+		expect(called(4)).toEqual(["Call of M on line 4: n 5"]);
 	});
 
 	it("passes over the number that is too many of ten, as the core does", () => {
@@ -138,8 +139,8 @@ A -> A[&M(,,3){n=4}]_{C1, C4}[&M{n=5}]_{C2,C(3)}[&M{n=6}]_{O}
 A -> A[A(,,2,3,,,7,8)]_{E}[A(,,9,,,,,,,6)]_{C1}`;
 		expect(linesOf(text, { label: "A", module: 0, line: 3, call: 0 })).toEqual([
 			"Every A: N 4, T 1, atx 0, aty 0, atz 0, H 5, L 0.5, W 1, m 4",
-			"Where it grows, line 3, 1 of 2: aty 2, atz 3, W 7, m 8",
-			"Where it grows, line 3, 2 of 2: atx 9, m 6",
+			"Grown by line 3, 1 of 2: aty 2, atz 3, W 7, m 8",
+			"Grown by line 3, 2 of 2: atx 9, m 6",
 		]);
 	});
 
@@ -152,7 +153,7 @@ S -> S[&M(,5)]_{E}
 #define B(4,0,0,0,1,1,1,1)
 #axiom: B
 B -> B[A]_{E}`;
-		expect(linesOf(text, { label: "A", module: 1, line: 8, call: 3 })).toContain("M as it is called, line 3: atx 5");
+		expect(linesOf(text, { label: "A", module: 1, line: 8, call: 3 })).toContain("Call of M on line 3: atx 5");
 	});
 
 	it("is found behind a sign and a blank, too, or a comment", () => {
@@ -164,7 +165,7 @@ A -> A[A(,,5)]_{E}
 `;
 		expect(linesOf(text, { label: "A", module: 0, line: 5, call: 0 })).toEqual([
 			"Every A: N 4, T 1, atx 0, aty 0, atz 0, H 1, L 1, W 1, m 1",
-			"Where it grows, line 5: atx 5",
+			"Grown by line 5: atx 5",
 			"The whole flower: k 2",
 		]);
 	});

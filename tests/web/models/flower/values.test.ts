@@ -49,8 +49,10 @@ describe("values of a flower's text", () => {
 		const written = await grow(["--grammar", "t.gl3"], { "t.gl3": text });
 		expect(json.specimen.constants).toEqual({ rd: 9, rdd: 9 });
 		expect(json.fingerprint).toBe(written.json.fingerprint);
-		expect(json.notes).toContain("The text has no #define of rdd, so a value of it changes nothing; it has rd.");
-		expect(await complaint(["flower/table-3", "--set", "rd=x"])).toContain("rd is “x”, which is not a number");
+		expect(json.notes).toContain(
+			"The grammar has no “#define” for rdd, so these values have no effect. It defines rd.",
+		);
+		expect(await complaint(["flower/table-3", "--set", "rd=x"])).toContain("rd is “x”, which is not a number.");
 	});
 
 	it("go into the text of a file, comments stay", async () => {
@@ -147,18 +149,21 @@ describe("an address", () => {
 		// Neither its mesh nor its map was built.
 		expect(outputs).toEqual([""]);
 		expect(`${refused.status} ${await refused.text()}`).toMatch(
-			/^413 the flower’s map has [\d,]+ darts, and at most 600,000 are sent; file-map=0 leaves the map out\n$/,
+			/^413 .*The flower’s map has [\d,]+ darts, more than the limit of 600,000\. Add file-map=0 to leave the map out\./,
 		);
 	});
 
 	it.each([
-		["tulip.obj?lenght=500", "400 lenght: the text defines no such constant; there are length, bend, scale, tall"],
-		["tulip.obj?define=K:5", "400 K: the text defines no such constant; there are length"],
-		["tulip.obj?length=x", "400 constants: length is “x”, which is not a number"],
-		["figure-16.obj?a=1", "400 a: the text defines no such constant; there are none"],
+		["tulip.obj?lenght=500", "lenght: The grammar does not define this constant. It defines length, bend, scale, tall"],
+		["tulip.obj?define=K:5", "K: The grammar does not define this constant. It defines length"],
+		["tulip.obj?length=x", "constants: length is “x”, which is not a number."],
+		["figure-16.obj?a=1", "a: The grammar defines no constants."],
 	])("%s is refused: %s", async (address, words) => {
 		const answer = await get(address);
-		expect(`${answer.status} ${await answer.text()}`).toContain(words);
+		expect([answer.status, await answer.json()]).toEqual([
+			400,
+			expect.objectContaining({ message: expect.stringContaining(words) }),
+		]);
 	});
 });
 
@@ -187,16 +192,19 @@ describe("a series", () => {
 
 	it("rejects names that the text does not have, and invalid numbers", async () => {
 		const unknown = readVary(model, "lenght=200..400", tulip);
-		await expect(checkVaried(model, unknown, tulip)).rejects.toThrow("lenght: no parameter has that key, and the text");
+		await expect(checkVaried(model, unknown, tulip)).rejects.toThrow("There is no parameter lenght. The grammar");
 		// Other unknown names are reported there.
 		const strange = { ...tulip, constants: { aaa: 1 } };
-		for (const [vary, problem] of [["zzz=1..2", "zzz: no"] as const, ["length=200..400", undefined] as const]) {
+		for (const [vary, problem] of [
+			["zzz=1..2", "no parameter zzz"] as const,
+			["length=200..400", undefined] as const,
+		]) {
 			const checked = checkVaried(model, readVary(model, vary, strange), strange);
 			if (problem) await expect(checked).rejects.toThrow(problem);
 			else await expect(checked).resolves.toBeUndefined();
 		}
-		expect(() => readVary(model, "length=a..b", tulip)).toThrow("which is not a number");
-		expect(() => readVary(model, "length=4..2", tulip)).toThrow("runs backwards");
+		expect(() => readVary(model, "length=a..b", tulip)).toThrow("which is not a number.");
+		expect(() => readVary(model, "length=4..2", tulip)).toThrow("is reversed");
 	});
 });
 

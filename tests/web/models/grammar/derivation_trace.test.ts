@@ -1,7 +1,9 @@
 /** Traces of a text's derivation. */
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
+import { loadCoreMessages } from "../../../../web/src/core/core_message";
 import { exportJson, writeJson } from "../../../../web/src/formats/json";
+import { readableTrace } from "../../../../web/src/generate/readable";
 import type { GrammarPlant } from "../../../../web/src/models/grammar/grammar_plant";
 import { model } from "../../../../web/src/models/grammar/index";
 import type { GrammarSpecimen } from "../../../../web/src/models/grammar/specimen";
@@ -13,6 +15,7 @@ import { freshCore } from "../../core/wasm";
 let core: Core;
 beforeAll(async () => {
 	await fetchTexts();
+	await loadCoreMessages();
 	core = await freshCore("grammar.wasm");
 });
 
@@ -26,7 +29,7 @@ const grow = (specimen: GrammarSpecimen, trace: TraceRequest, steps?: number): G
 const traceOf = (grammar: string, request: TraceRequest) => {
 	const { trace } = grow(of(grammar), request);
 	if (!trace) throw new Error("Nothing was told.");
-	return trace;
+	return readableTrace(trace);
 };
 
 const TWIGS = "axiom: A(1)\nA(n) : {m = n/2} n<3 --> F(m) [ +(40) A(n+1) ] A(n+1)\n";
@@ -62,8 +65,11 @@ describe("the trace of a text's plant", () => {
 	it("has for each module the productions that do not rewrite it, and why", () => {
 		const [bud, twig] = traceOf("axiom: A(3) B\nA(n) : n>3 --> F\nA --> F\nA(n) --> F", { step: 0 }).modules;
 		expect(bud.refusals).toEqual([
-			{ production: { line: 2, column: 1 }, why: "its condition is false with n = 3" },
-			{ production: { line: 3, column: 1 }, why: "it is for no parameters, and the module has 1 parameter" },
+			{ production: { line: 2, column: 1 }, why: "the condition is false with n = 3" },
+			{
+				production: { line: 3, column: 1 },
+				why: "the production expects no parameters, but the module has 1 parameter",
+			},
 		]);
 		expect(bud.fires).toEqual({ line: 4, column: 1 });
 		expect(twig).not.toHaveProperty("refusals");
@@ -127,7 +133,7 @@ describe("the trace of a text's plant", () => {
 		const one = grow(of(TWIGS), { step: 1 }, 1);
 		expect(one.string).toBe("F(0.5)[+(40)A(2)]A(2)");
 		expect(one.trace?.step).toBe(1);
-		expect(() => grow(of(TWIGS), { step: 0, count: 2001 })).toThrow(/At most 2000 modules/);
+		expect(() => grow(of(TWIGS), { step: 0, count: 2001 })).toThrow("lsystem_plant.trace_window_too_long");
 	});
 
 	it("is in the JSON document", () => {

@@ -7,7 +7,7 @@ import { PRESETS } from "../../../../web/src/models/grammar/presets.generated";
 import { fetchedText, presetText, textOf } from "../../../../web/src/models/grammar/texts";
 import { titleOfText } from "../../../../web/src/models/grammar/words";
 import { withValues } from "../../../../web/src/models/grammar/written_text";
-import { MOST_CONSTANTS } from "../../../../web/src/specimen/constants";
+import { MAX_CONSTANTS } from "../../../../web/src/specimen/constants";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
 import { decodeLink, encodeLink } from "../../../../web/src/specimen/link";
 import { restore } from "../../../../web/src/specimen/restore";
@@ -43,16 +43,19 @@ describe("the document of a grammar", () => {
 	});
 
 	it.each([
-		["a:x", "a is “x”, which is not a number"],
-		["a:1e40", "a is “1e40”, which is not a number"],
-		["a", "“” is not a constant’s name"],
-		["2a:1", "“2a” is not a constant’s name"],
-		[7, "“” is not a constant’s name"],
-		[Array.from({ length: MOST_CONSTANTS + 1 }, (_, i) => `a${i}:1`).join(), `more than ${MOST_CONSTANTS} constants`],
+		["a:x", "a is “x”, which is not a number."],
+		["a:1e40", "a is “1e40”, which is not a number."],
+		["a", "“” is not the name of a constant."],
+		["2a:1", "“2a” is not the name of a constant."],
+		[7, "“” is not the name of a constant."],
+		[
+			Array.from({ length: MAX_CONSTANTS + 1 }, (_, i) => `a${i}:1`).join(),
+			`There are more than ${MAX_CONSTANTS} constants.`,
+		],
 	])("reports invalid parts of define=%s", (define, problem) => {
 		const { specimen, notes } = restore(model, { define });
 		expect(notes[0].problem).toBe(problem);
-		expect(Object.keys(specimen.constants).length).toBeLessThanOrEqual(MOST_CONSTANTS);
+		expect(Object.keys(specimen.constants).length).toBeLessThanOrEqual(MAX_CONSTANTS);
 	});
 
 	it("brings steps into their range", () => {
@@ -86,7 +89,7 @@ describe("presets", () => {
 		expect(fetchedText(own)).toBe(own.grammar);
 		expect(titleOf(own, model as never)).toBe("Fern");
 		expect(titleOf(standard, model as never)).toBe(PRESETS.find(({ name }) => name === standard.preset)?.title);
-		expect(titleOfText("axiom: F")).toBe("A grammar of one’s own");
+		expect(titleOfText("axiom: F")).toBe("A grammar of your own");
 		expect(titleOfText("/* one line */ axiom: F")).toBe("one line");
 	});
 });

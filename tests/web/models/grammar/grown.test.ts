@@ -26,7 +26,7 @@ const grow = (specimen: GrammarSpecimen, options?: GrammarRequestOptions): Gramm
 	model.read(core.grow(model.encode(specimen, options)));
 
 /** Blades of a leaf that has not opened. */
-const ALLOWED = /polygons? shows? nothing/;
+const ALLOWED = /grammar\.flat_polygons/;
 
 const TWIGS = "#define spread 40\naxiom: F [ +(spread) F S(0.3) ] [ -(spread) F S(0.2) ] F";
 
@@ -74,8 +74,8 @@ describe("a plant that a text grows", () => {
 	});
 
 	it("summarises its counts in words", () => {
-		expect(model.words(grow(of(TWIGS)))).toBe("12 modules, 4 segments, 2 organs");
-		expect(model.words(grow(of("axiom: F")))).toBe("1 module, 1 segment");
+		expect(model.summary(grow(of(TWIGS)))).toBe("12 modules, 4 segments, 2 organs");
+		expect(model.summary(grow(of("axiom: F")))).toBe("1 module, 1 segment");
 	});
 
 	it("is in parts by colour, in the document's palette, each with a name", () => {
@@ -89,7 +89,7 @@ describe("a plant that a text grows", () => {
 
 	it("rejects specimens without a text", () => {
 		expect(() => model.encode({ ...fromPreset(model), preset: "none" })).toThrow(
-			"The preset's text could not be fetched.",
+			"The preset’s grammar could not be loaded. Check your connection and try again.",
 		);
 	});
 });

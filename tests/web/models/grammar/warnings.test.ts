@@ -1,6 +1,7 @@
-import { readFileSync } from "node:fs";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
+import { readablePlant } from "../../../../web/src/generate/readable";
+import type { GrammarPlant } from "../../../../web/src/models/grammar/grammar_plant";
 import { model } from "../../../../web/src/models/grammar/index";
 import type { GrammarSpecimen } from "../../../../web/src/models/grammar/specimen";
 import { fetchTexts } from "../../../../web/src/models/grammar/texts";
@@ -15,8 +16,10 @@ beforeAll(async () => {
 	core = await freshCore("grammar.wasm");
 });
 
-const grow = (specimen: GrammarSpecimen) => model.read(core.grow(model.encode(specimen, { meshes: false })), specimen);
-const warningsFor = (specimen: GrammarSpecimen) => warningsOf(grow(specimen), specimen);
+const grow = (specimen: GrammarSpecimen): Promise<GrammarPlant> =>
+	readablePlant(model.read(core.grow(model.encode(specimen, { meshes: false })), specimen));
+const warningsFor = async (specimen: GrammarSpecimen) => warningsOf(await grow(specimen), specimen);
+const note = (code: string, text: string, args = {}) => ({ code: `core.grammar.${code}`, args, text });
 const cubes = (): GrammarSpecimen => {
 	const preset = fromPreset(model, "topiary-two-cubes");
 	return { ...preset, constants: { ...preset.constants, leaf: 0.2 } };
@@ -24,69 +27,65 @@ const cubes = (): GrammarSpecimen => {
 const of = (grammar: string): GrammarSpecimen => ({ ...fromPreset(model), grammar, constants: {} });
 
 describe("warnings about a plant", () => {
-	it("are none for the presets", () => {
+	it("are none for the presets", async () => {
 		const presets = model.presets.list.filter(({ kind }, i) => kind === "topiary" || i % inRun(8, 1) === 0);
-		const wrong = presets.flatMap(({ name }) =>
-			warningsFor(fromPreset(model, name)).map((words) => `${name}: ${words}`),
-		);
-		expect(wrong).toEqual([]);
-		expect(warningsFor(cubes())).toEqual([]);
+		for (const { name } of presets) expect(await warningsFor(fromPreset(model, name)), name).toEqual([]);
+		expect(await warningsFor(cubes())).toEqual([]);
 	});
 
-	it("is each area that the main branch does not come to", () => {
+	it("is each area that the main branch does not reach", async () => {
 		const missed = { ...cubes(), path: [0, 0, 0, 5, 0.1, 0, 5, 0.2, 0] };
-		expect([...bareAreas(grow(missed))]).toEqual([1]);
-		expect(warningsFor(missed)).toEqual([
-			"Nothing grows in area 2: the main branch does not come there. Lead it through, or change the areas' order; where it is far away, give it more steps (derivation length).",
+		expect([...bareAreas(await grow(missed))]).toEqual([1]);
+		expect(await warningsFor(missed)).toEqual([
+			"Area 2 stays empty, because the main branch does not reach it. Lead the branch through it, change the order of the areas, or, if it is far away, increase the derivation length.",
 		]);
-		expect([...bareAreas(grow(cubes()))]).toEqual([]);
-		const notes = [1, 2, 4].map((area) => `Nothing grows in area ${area}: it is missed.`);
-		expect(warningsOf({ ...grow(cubes()), notes }, cubes())).toEqual([
-			"Nothing grows in areas 1, 2 and 4: it is missed.",
+		expect([...bareAreas(await grow(cubes()))]).toEqual([]);
+		const notes = [1, 2, 4].map((area) => note("area_not_reached", `Area ${area} stays empty.`, { area }));
+		const { counts } = await grow(cubes());
+		expect(warningsOf({ noteMessages: notes, counts }, cubes())).toEqual([
+			expect.stringMatching(/^Areas 1, 2 and 4 stay empty, because the main branch does not reach them\./),
 		]);
 		// Notes of another reason stay separate.
-		const others = [...notes, "Nothing grows in area 3: it lies within area 2."];
-		expect(warningsOf({ ...grow(cubes()), notes: others }, cubes())).toHaveLength(2);
+		const others = [...notes, note("area_in_area", "Area 3 stays empty.", { area: 3, other: 2 })];
+		expect(warningsOf({ noteMessages: others, counts }, cubes())).toHaveLength(2);
+		expect([...bareAreas({ noteMessages: others })]).toEqual([0, 1, 3, 2]);
 	});
 
-	it("is every area, where the last is gone", () => {
+	it("is every area, where the last is gone", async () => {
 		const { areas: _, ...none } = cubes();
-		expect(warningsFor(none)).toEqual([expect.stringContaining("There is no growth area")]);
+		expect(await warningsFor(none)).toEqual([expect.stringContaining("There is no growth area")]);
 	});
 
 	it("report a derivation that a limit stopped, with the requested steps", () => {
 		const text = "derivation length: 60\naxiom: F\nF --> F [ +F ] F";
-		const words = "What grew so far is shown. ";
-		const plant = grow(of("axiom: F"));
-		const cut = {
-			...plant,
-			notes: [`${words}The string grows beyond 67108864 words.`],
-			counts: { ...plant.counts, steps: 12 },
-		};
-		expect(warningsOf(cut, of(text))).toEqual([
-			"What grew so far is shown. The string grows beyond 67,108,864 words. These are 12 of 60 steps.",
-		]);
+		const words =
+			"The plant is shown as far as it has grown. The string exceeds the limit of 67,108,864 words of memory.";
+		const cut = { noteMessages: [note("cut_short", words)], counts: { steps: 12 } };
+		expect(warningsOf(cut, of(text))).toEqual([`${words} Stopped after step 12 of 60.`]);
 		for (const length of ["Derivation length: 60 /* many */", "#define ν 60 /* 1 … 90 */\nderivation  length : ν"])
 			expect(warningsOf(cut, of(`${length}\naxiom: F`))).toEqual([
-				expect.stringMatching(/These are 12 of 60 steps\.$/),
+				expect.stringMatching(/Stopped after step 12 of 60\.$/),
 			]);
 		const fewer = { ...of("#define n 60\nderivation length: n\naxiom: F"), constants: { n: 20 } };
-		expect(warningsOf(cut, fewer)).toEqual([expect.stringMatching(/These are 12 of 20 steps\.$/)]);
+		expect(warningsOf(cut, fewer)).toEqual([expect.stringMatching(/Stopped after step 12 of 20\.$/)]);
 		// Names that every object has are no constants.
 		for (const name of ["constructor", "toString", "__proto__"])
 			expect(warningsOf(cut, of(`#define ${name} 60\nderivation length: ${name}\naxiom: F`))).toEqual([
-				expect.stringMatching(/These are 12 of 60 steps\.$/),
+				expect.stringMatching(/Stopped after step 12 of 60\.$/),
 			]);
-		expect(warningsOf(cut, of("derivation length: 2*n\naxiom: F"))).toEqual([expect.stringMatching(/words\.$/)]);
-		expect(readFileSync("wasm-core/src/models/grammar/model.cpp", "utf8")).toContain(`"${words}"`);
+		expect(warningsOf(cut, of("derivation length: 2*n\naxiom: F"))).toEqual([
+			expect.stringMatching(/words of memory\.$/),
+		]);
 	});
 
-	it("report a text that draws nothing", () => {
-		expect(warningsFor(of("axiom: A"))).toEqual(["The grammar draws nothing."]);
+	it("report a text that draws nothing", async () => {
+		expect(await warningsFor(of("axiom: A"))).toEqual([
+			"The grammar does not draw anything; add a symbol that draws, such as “F” for a line.",
+		]);
 	});
 
-	it("is the value of a constant that the text has not", () => {
+	it("is the value of a constant that the text has not", async () => {
 		const specimen = { ...of("#define n 3\naxiom: F(n)"), constants: { n: 2, foo: 1 } };
-		expect(warningsFor(specimen)).toEqual(["The grammar has no #define foo, so its parameter changes nothing."]);
+		expect(await warningsFor(specimen)).toEqual(["The grammar has no “#define foo”, so this parameter has no effect."]);
 	});
 });

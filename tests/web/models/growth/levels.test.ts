@@ -46,7 +46,8 @@ describe("levels of a tree", () => {
 				expect(some.uint8(`${name}.sky`)).toEqual(all.uint8(`${name}.sky`));
 			}
 		}
-		for (const levelCount of [0, 5]) expect(() => grown({ levels: true, levelCount })).toThrow("one to four levels");
+		for (const levelCount of [0, 5])
+			expect(() => grown({ levels: true, levelCount })).toThrow("growth.levels_out_of_range");
 	});
 
 	it("change nothing else of the plant, and are absent if not requested", () => {
@@ -68,6 +69,6 @@ describe("the surroundings of a tree", () => {
 
 	it("is refused where it is not sixteen numbers", () => {
 		for (const wrong of [OPEN.slice(1), OPEN.with(3, Number.NaN)])
-			expect(() => grown({}, wrong)).toThrow("sixteen numbers");
+			expect(() => grown({}, wrong)).toThrow("growth.surroundings_not_sixteen");
 	});
 });

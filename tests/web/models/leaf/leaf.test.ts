@@ -91,7 +91,7 @@ describe("a grown leaf", () => {
 				try {
 					grow({ ...leaf, outline }, { meshes: false, measures: false });
 				} catch (error) {
-					expect(String(error)).toContain("crosses itself");
+					expect(String(error)).toContain("outline_crosses_itself");
 					grown = false;
 				}
 				return { page, grown };
@@ -120,11 +120,11 @@ describe("a grown leaf", () => {
 
 	it("is described in words", () => {
 		const oak = leafFromPreset("oak");
-		expect(model.words(grow(oak), oak)).toMatch(/^Oak leaf, 4\d cm², 11 cm long, 4\.\d m of veins$/);
+		expect(model.summary(grow(oak), oak)).toMatch(/^Oak leaf, 4\d cm², 11 cm long, 4\.\d m of veins$/);
 		const leaflet = leafFromPreset("strawberry");
-		expect(model.words(grow(leaflet), leaflet)).toMatch(/^Strawberry leaflet, /);
+		expect(model.summary(grow(leaflet), leaflet)).toMatch(/^Strawberry leaflet, /);
 		const young = withValues("oak", { age: 40 });
-		expect(model.words(grow(young), young)).toMatch(/^Oak leaf, \d+ particles, /);
+		expect(model.summary(grow(young), young)).toMatch(/^Oak leaf, [\d,]+ particles, /);
 	});
 
 	it("has texture coordinates over the square that the core reports", () => {

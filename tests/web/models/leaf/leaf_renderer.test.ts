@@ -18,7 +18,7 @@ import { leafFromPreset } from "../../../../web/src/models/leaf/schema";
 import { rgbaPicture } from "../../../../web/src/plant/picture";
 import { PaperShadow } from "../../../../web/src/render/paper_shadow";
 import { StageLight } from "../../../../web/src/render/stage_light";
-import { windUniforms } from "../../../../web/src/render/wind";
+import { windUniforms } from "../../../../web/src/render/wind_shader";
 
 const specimen = leafFromPreset("willow");
 specimen.parameters.n = 300;

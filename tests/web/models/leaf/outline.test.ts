@@ -46,8 +46,8 @@ describe("the outline in the document", () => {
 	});
 
 	it.each([
-		["AAA", "o: “AAA” is not an outline; the preset's is used."],
-		["AAAA", "o: 1 point encloses nothing; the preset's is used."],
+		["AAA", "o: “AAA” is not a valid outline. The outline of the preset is used instead."],
+		["AAAA", "o: 1 point encloses no area. The outline of the preset is used instead."],
 	])("keeps the preset's and says so: %s", (text, note) => {
 		const read = restore(LEAF, { v: "2", model: "leaf", o: text });
 		expect(texts(read)).toEqual([note]);
@@ -69,8 +69,8 @@ describe("the outline in the document", () => {
 			{ x: -0.4, y: 0.5, kind: "smooth" },
 		]);
 		expect(texts(read)).toEqual([
-			"outline: some points are farther away than a leaf reaches; the nearest places are used.",
-			"outline: the first point is not at the petiole, 0, 0; it is taken there.",
+			"outline: Some points are too far from the petiole. The nearest allowed positions are used.",
+			"outline: The first point is not at the petiole (0, 0). The first point was moved to the petiole.",
 		]);
 	});
 
@@ -82,13 +82,13 @@ describe("the outline in the document", () => {
 			[0.5, 0.2],
 		];
 		expect(texts(restore(LEAF, { model: "leaf", outline: bow }))).toEqual([
-			"outline: it encloses nothing or crosses itself; the preset's is used.",
+			"outline: The outline encloses no area or crosses itself. The outline of the preset is used instead.",
 		]);
 	});
 
 	it("rejects outlines without area, and ignores points beyond the limit", () => {
 		const line = [0, 0.2, 0.4, 0.6].map((y) => ({ x: 0, y }));
-		expect(texts(restore(LEAF, { model: "leaf", outline: line }))[0]).toContain("encloses nothing");
+		expect(texts(restore(LEAF, { model: "leaf", outline: line }))[0]).toContain("encloses no area");
 		const many = Array.from({ length: 99 }, (_, i) => ({ x: Math.sin(i / 16) / 2, y: (1 - Math.cos(i / 16)) / 2 }));
 		const read = restore(LEAF, { model: "leaf", outline: many });
 		expect(read.specimen.outline).toHaveLength(64);

@@ -4,7 +4,7 @@ import { type PixelImage, TraceError } from "../../../../web/src/import/tracing/
 import type { OutlinePoint, Place } from "../../../../web/src/models/leaf/outline/points";
 import { curveOf } from "../../../../web/src/models/leaf/outline/spline";
 import { leafFromPreset } from "../../../../web/src/models/leaf/schema";
-import { MOST_TRACED, traceLeaf } from "../../../../web/src/models/leaf/trace/trace";
+import { MAX_TRACED, traceLeaf } from "../../../../web/src/models/leaf/trace/trace";
 import { asChange } from "../../../../web/src/models/leaf/ui/trace";
 import { inRun } from "../../../long_run.mjs";
 
@@ -81,7 +81,7 @@ describe("an outline traced from a picture", () => {
 	)("is that of the leaf: %s", (name) => {
 		const { outline } = leafFromPreset(name);
 		const traced = traceOutline(leafPicture(outline, { thick: name === "willow" ? 0.007 : 0.012 }));
-		expect(traced.length).toBeLessThanOrEqual(MOST_TRACED);
+		expect(traced.length).toBeLessThanOrEqual(MAX_TRACED);
 		expect(traced[0]).toMatchObject({ x: 0, y: 0 });
 		expect(likeness(traced, outline)).toBeGreaterThan(name === "willow" ? 0.85 : 0.9);
 	});
@@ -192,9 +192,9 @@ describe("an outline traced from a picture", () => {
 	});
 
 	it.each([
-		["an empty picture", drawn(60, () => false), "No leaf stands out"],
-		["a speck", drawn(200, (x, y) => x > 100 && x < 104 && y > 100 && y < 104), "No leaf stands out"],
-		["a leaf that runs out", drawn(100, (x, y) => Math.hypot(x - 50, y) < 48), "runs out of the picture"],
+		["an empty picture", drawn(60, () => false), "Could not find a leaf"],
+		["a speck", drawn(200, (x, y) => x > 100 && x < 104 && y > 100 && y < 104), "Could not find a leaf"],
+		["a leaf that runs out", drawn(100, (x, y) => Math.hypot(x - 50, y) < 48), "reaches the edge of the picture"],
 	])("refuses %s in plain words", (_, picture, words) => {
 		expect(() => traceOutline(picture)).toThrow(TraceError);
 		expect(() => traceOutline(picture)).toThrow(words);

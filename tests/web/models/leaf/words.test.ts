@@ -14,12 +14,12 @@ describe("a leaf's name", () => {
 	it("has its preset's name as long as it has its outline", () => {
 		const longer = { ...maple, parameters: { ...maple.parameters, length: 50 } };
 		expect(leafInWords(leaf as unknown as Leaf, longer)).toMatch(/^Maple leaf, 13 cm²/);
-		expect(leafInWords(leaf as unknown as Leaf, traced)).toMatch(/^Leaf of an outline of its own, 66 cm²/);
+		expect(leafInWords(leaf as unknown as Leaf, traced)).toMatch(/^Leaf with an outline of its own, 66 cm²/);
 	});
 
 	it("is altered in title and tab with another outline, not with another seed", () => {
 		const leafModel = model as unknown as Model;
 		expect(titleOf({ ...maple, seed: 9 }, leafModel)).toBe("Maple");
-		expect(titleOf(traced, leafModel)).toBe("Maple, altered");
+		expect(titleOf(traced, leafModel)).toBe("Maple (edited)");
 	});
 });

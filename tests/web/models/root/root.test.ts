@@ -7,7 +7,7 @@ import { buildPit } from "../../../../web/src/models/root/soil";
 import type { RootSpecimen } from "../../../../web/src/models/root/specimen";
 import { PaperShadow } from "../../../../web/src/render/paper_shadow";
 import { StageLight } from "../../../../web/src/render/stage_light";
-import { windUniforms } from "../../../../web/src/render/wind";
+import { windUniforms } from "../../../../web/src/render/wind_shader";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
 import { decodeLink, encodeLink } from "../../../../web/src/specimen/link";
 import { growBounded, particlesCore } from "../particles/boundary/particles";
@@ -29,7 +29,7 @@ describe("a root's presets", () => {
 			const heights = plant.segments.ends.filter((_, i) => i % 3 === 1);
 			expect(heights.reduce((most, y) => Math.max(most, y))).toBeLessThan(1e-3);
 			expect(heights.reduce((least, y) => Math.min(least, y))).toBeGreaterThan(-1.005 * specimen.parameters.reach);
-			expect(model.words(plant)).toMatch(/^[\d.]+ c?m deep, [\d,]+ root tips$/);
+			expect(model.summary(plant)).toMatch(/^[\d.]+ c?m deep, [\d,]+ root tips$/);
 		},
 	);
 });

@@ -17,7 +17,7 @@ import { grownStand, planned, run } from "./stands";
 
 const FLOWERS = 300;
 /** Most triangles of each level, from near to far. */
-const MOST = [6000, 2200, 800, 260];
+const MAX_TRIANGLES = [6000, 2200, 800, 260];
 
 const BED = `ground 1.2 x 0.8
 plants 12, stratified
@@ -98,7 +98,7 @@ describe("a small bed", () => {
 			expect(member?.levels).toHaveLength(4);
 			for (const [k, level] of (member?.levels ?? []).entries()) {
 				const triangles = level.reduce((sum, { mesh }) => sum + mesh.indices.length / 3, 0);
-				expect(triangles).toBeLessThanOrEqual(MOST[k]);
+				expect(triangles).toBeLessThanOrEqual(MAX_TRIANGLES[k]);
 				expect(triangles).toBeGreaterThan(30);
 				for (const { mesh } of level) expect(mesh.colours).toHaveLength(mesh.positions.length);
 			}
@@ -175,7 +175,7 @@ describe("a small bed", () => {
 		const error = await grownStand(plan("\n  lenght 3")).catch((reason: unknown) => reason);
 		expect(error).toMatchObject({
 			message: expect.stringMatching(
-				/no parameter lenght \(there are steps, age, smooth\), and of tulip .*there are length, bend/,
+				/no parameter lenght \(its parameters are steps, age, smooth\)\. In tulip: .*It defines length, bend/,
 			),
 			...{ line: 3, column: 3 },
 		});

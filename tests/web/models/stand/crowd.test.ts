@@ -5,7 +5,7 @@ import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
 import type { Material } from "../../../../web/src/plant/material";
 import type { PackedMesh } from "../../../../web/src/plant/packed_mesh";
 import type { LightUniforms } from "../../../../web/src/render/light_shader";
-import type { WindUniforms } from "../../../../web/src/render/wind";
+import type { WindUniforms } from "../../../../web/src/render/wind_shader";
 import { grownStand, PLAN, planned } from "./stands";
 
 const LEVELS = [400_000, 30_000, 4000, 500];

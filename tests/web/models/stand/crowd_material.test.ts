@@ -3,7 +3,7 @@ import { expect, it } from "vitest";
 import { crowdDepth, crowdMaterial, finishOf } from "../../../../web/src/models/stand/render/crowd_material";
 import type { Material } from "../../../../web/src/plant/material";
 import { lightUniforms } from "../../../../web/src/render/light_shader";
-import { windUniforms } from "../../../../web/src/render/wind";
+import { windUniforms } from "../../../../web/src/render/wind_shader";
 import { piece, programOf, run } from "./shaders";
 
 const wood: Material = { name: "Wood", colour: [0.4, 0.3, 0.2], roughness: 0.9 };

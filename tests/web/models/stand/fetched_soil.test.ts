@@ -22,7 +22,7 @@ it("adds a note to grounds without soil until the soil is loaded", async () => {
 	const bare = await grown(true);
 	expect(bare.meshes).toHaveLength(1);
 	expect(bare.soil).toBeUndefined();
-	expect(bare.notes).toEqual([expect.stringMatching(/^What lays soil over the ground could not be fetched: .*\.$/)]);
+	expect(bare.notes).toEqual([expect.stringMatching(/^The soil could not be loaded, .*\.$/)]);
 	expect((await grown(false)).notes).toEqual([]);
 	network.down = false;
 	const complete = await grown(true);

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { between, gridOf, heightAt } from "../../../../web/src/models/stand/ground_grid";
+import { gridOf, heightAt, interpolate } from "../../../../web/src/models/stand/ground_grid";
 import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
 
 /** Three cells by two, 6 × 2 m, that bulges in the middle of its left. */
@@ -17,9 +17,9 @@ it("derives the number of cells from the vertices", () => {
 
 it("interpolates linearly between vertices, and exactly at each, the last included", () => {
 	const grid = gridOf({ positions });
-	const at = (u: number, v: number) => between(grid, HEIGHTS, [1, 0], u, v);
+	const at = (u: number, v: number) => interpolate(grid, HEIGHTS, [1, 0], u, v);
 	expect([at(1, 1), at(0.5, 1), at(1, 0.25), at(1.5, 0.5), at(ACROSS, DEEP)]).toEqual([1, 0.5, 0.25, 0.25, 3]);
-	expect(between(grid, positions, [3, 0], 1.5, 0.5)).toBe(0);
+	expect(interpolate(grid, positions, [3, 0], 1.5, 0.5)).toBe(0);
 });
 
 it("returns heights in metres, and beyond the ground that of its edge", () => {

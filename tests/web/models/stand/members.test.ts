@@ -112,7 +112,7 @@ describe("an unknown model, preset or setting in a plan", () => {
 	it("is reported with its position and the known names", async () => {
 		const some = "plants 3, random\n";
 		expect(await refused(`${some}trees/oak`)).toEqual({
-			message: expect.stringMatching(/^There is no model trees; there are bunch, .*growth/),
+			message: expect.stringMatching(/^There is no model trees\. The models are bunch, .*growth/),
 			line: 2,
 			column: 1,
 		});
@@ -121,12 +121,12 @@ describe("an unknown model, preset or setting in a plan", () => {
 			line: 2,
 		});
 		expect(await refused(`${some}growth/figure-5: stepps 3`)).toMatchObject({
-			message: expect.stringMatching(/no parameter stepps; there are .*steps/),
+			message: expect.stringMatching(/no parameter stepps\. Its parameters are .*steps/),
 			line: 2,
 			column: 18,
 		});
 		expect(await refused(`${some}stand/orchard`)).toMatchObject({
-			message: expect.stringMatching(/stands in no stand/),
+			message: expect.stringMatching(/cannot contain plants of the same model/),
 		});
 	});
 
@@ -160,7 +160,7 @@ describe("problems with members", () => {
 		const plan = planned("plants 6, random\ngrowth/figure-5: steps 1 to 3\ngrowth/table-1-star: steps 2");
 		const lacking = await grownStand(plan, { cache });
 		expect(prepare).toHaveBeenCalledTimes(2);
-		const why = "What it needs could not be fetched: No network.";
+		const why = "Data for this plant could not be loaded: No network.";
 		expect(lacking.notes).toContain(`growth/figure-5: ${why}`);
 		expect(lacking.notes).toContain(`growth/table-1-star: ${why}`);
 		expect(cache.retain(model.members.requests(lacking), false).every((member) => member === undefined)).toBe(true);

@@ -125,7 +125,7 @@ it("a walk starts clear of crowns, as close to the centre of the front as possib
 });
 
 it("the caption counts attached plants separately, and the map uses the kinds' titles", () => {
-	expect(standInWords(stand)).toBe("10 plants and 4 borne, of 4 kinds on 20 × 10 m");
+	expect(standInWords(stand)).toBe("10 plants with 4 attached plants of 4 kinds on 20 × 10 m");
 	const titles = titlesOf(stand);
 	expect(titles[3]).toBe("Oak");
 	expect(titles.join()).not.toContain("/");

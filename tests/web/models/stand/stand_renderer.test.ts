@@ -5,7 +5,7 @@ import { StandRenderer } from "../../../../web/src/models/stand/render/stand_ren
 import { atFront, gazeOf, turned } from "../../../../web/src/models/stand/walker";
 import type { RendererStage } from "../../../../web/src/render/model_renderer";
 import { StageLight } from "../../../../web/src/render/stage_light";
-import { windUniforms } from "../../../../web/src/render/wind";
+import { windUniforms } from "../../../../web/src/render/wind_shader";
 import { grownStand, planned } from "./stands";
 
 function staged() {

@@ -215,8 +215,8 @@ describe("a tree", () => {
 	});
 
 	it("is described in a few words", () => {
-		expect(model.words(grow(small(), { meshes: false }))).toMatch(/^[\d.]+ m tall, [\d,]+ leaves$/);
-		expect(model.words(grow(small(oak, { leaves: 0 }), { meshes: false }))).toMatch(/m tall, bare$/);
+		expect(model.summary(grow(small(), { meshes: false }))).toMatch(/^[\d.]+ m tall, [\d,]+ leaves$/);
+		expect(model.summary(grow(small(oak, { leaves: 0 }), { meshes: false }))).toMatch(/m tall, bare$/);
 	});
 });
 

@@ -108,7 +108,7 @@ describe("leaves of a tree", () => {
 		const { specimen, notes } = decodeQuery(model, "?v=2&model=tree&leafkind=holly&leafshape=round");
 		expect(specimen.parameters.leaf_kind).toBe(oak.parameters.leaf_kind);
 		expect(notes.map(({ text }) => text)).toEqual([
-			expect.stringMatching(/holly.*none of needle, beech/),
+			expect.stringMatching(/holly.*isn’t one of needle, beech/),
 			expect.stringMatching(/leafshape/),
 		]);
 		const document = { ...oak, parameters: { ...oak.parameters, leaf_kind: "holly" } };

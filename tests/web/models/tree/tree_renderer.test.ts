@@ -6,7 +6,7 @@ import { model } from "../../../../web/src/models/tree/index";
 import { boundingProfileOf, fitView, needsRefit } from "../../../../web/src/render/camera_fit";
 import { PaperShadow } from "../../../../web/src/render/paper_shadow";
 import { StageLight } from "../../../../web/src/render/stage_light";
-import { windUniforms } from "../../../../web/src/render/wind";
+import { windUniforms } from "../../../../web/src/render/wind_shader";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
 import { particlesCore } from "../particles/boundary/particles";
 

@@ -72,7 +72,7 @@ it("answers tags, HEAD and refusals over HTTP", async () => {
 it.runIf(isLongRun)("gives up a plant that takes too long, and grows the next", async () => {
 	const { base: own, process: service } = await start(4);
 	const slow = await fetch(`${own}specimens/tree/oak.stl?file-thickness=0.2`);
-	expect([slow.status, await slow.text()]).toEqual([503, expect.stringContaining("more than 4 s")]);
+	expect([slow.status, await slow.text()]).toEqual([503, expect.stringContaining("longer than 4 s")]);
 	expect((await fetch(`${own}specimens/redcurrant.json?count=5`)).status).toBe(200);
 	service.kill();
 });
@@ -149,6 +149,6 @@ it("refuses options that it does not know", () => {
 			return `${(error as { status: number }).status} ${(error as { stderr: Buffer }).stderr}`;
 		}
 	};
-	expect(call("--port", "http")).toMatch(/^2 service: --port http: a number from 0 to 65535\n/);
+	expect(call("--port", "http")).toMatch(/^2 service: --port http: use a number from 0 to 65535\.\n/);
 	expect(call("--colour")).toMatch(/^2 service: Unknown option/);
 });

@@ -78,7 +78,10 @@ it("refuses a request at once where the queue is full", async () => {
 	expect((await done).map(({ status }) => status)).toEqual(["rejected", "rejected", "rejected", "rejected"]);
 	// Requests of the queue start no thread when the pool closes.
 	expect(started).toHaveLength(2);
-	await expect(run("f")).rejects.toMatchObject({ status: 503, message: "the service is shutting down" });
+	await expect(run("f")).rejects.toMatchObject({
+		status: 503,
+		message: "The service is shutting down. Try again in a moment.",
+	});
 });
 
 it("ends a thread whose request takes too long, and starts another", async () => {
@@ -86,7 +89,7 @@ it("ends a thread whose request takes too long, and starts another", async () =>
 	const next = [run("b"), run("c")];
 	const refused = expect(slow).rejects.toMatchObject({
 		status: 503,
-		message: expect.stringContaining("more than 1 s"),
+		message: expect.stringContaining("longer than 1 s"),
 	});
 	vi.advanceTimersByTime(999);
 	expect(started[0].ended).toBe(false);
@@ -108,13 +111,13 @@ it("ends a thread whose request takes too long, and starts another", async () =>
 it("refuses a request whose thread fails", async () => {
 	const answer = run("a");
 	started[0].emit("error", new Error("out of memory"));
-	await expect(answer).rejects.toMatchObject({ status: 503, message: "internal error while generating the plant" });
+	await expect(answer).rejects.toMatchObject({ status: 503, message: expect.stringContaining("Internal error") });
 });
 
 it("takes a request out of the queue when its client leaves", async () => {
 	const clients = Array.from({ length: 2 }, () => new AbortController());
 	const answers = [run("a"), run("b"), ...clients.map(({ signal }, n) => run(`left ${n}`, signal))];
-	const left = expect(Promise.all(answers.slice(2))).rejects.toMatchObject({ message: "the client has left" });
+	const left = expect(Promise.all(answers.slice(2))).rejects.toMatchObject({ message: "The client has disconnected." });
 	const settled = Promise.allSettled(answers);
 	for (const client of clients) client.abort();
 	await left;
@@ -130,7 +133,7 @@ it("takes a request out of the queue when its client leaves", async () => {
 it("ends a growth soon after its client has left, and keeps the thread of one that is done before", async () => {
 	const clients = Array.from({ length: 2 }, () => new AbortController());
 	const [long, short] = clients.map(({ signal }, n) => run(`${n}`, signal));
-	const refused = expect(long).rejects.toMatchObject({ message: "the client has left" });
+	const refused = expect(long).rejects.toMatchObject({ message: "The client has disconnected." });
 	for (const client of clients) client.abort();
 	vi.advanceTimersByTime(499);
 	started[1].answer();
@@ -161,7 +164,10 @@ it("refuses a request that has waited as long as one growth may take", async () 
 it("answers what is here before it closes, and refuses what comes later", async () => {
 	const answers = [run("a"), run("b"), run("c")];
 	const drained = threads.drain();
-	await expect(run("d")).rejects.toMatchObject({ status: 503, message: "the service is shutting down" });
+	await expect(run("d")).rejects.toMatchObject({
+		status: 503,
+		message: "The service is shutting down. Try again in a moment.",
+	});
 	started[0].answer();
 	started[0].answer();
 	started[1].answer();

@@ -27,6 +27,7 @@ struct RestOfBranch {
   std::uint64_t modules;
 };
 
+// Skips the modules of a branch from `at` to its closing bracket, or to `end`.
 inline RestOfBranch rest_of_branch(const std::uint32_t* at, const std::uint32_t* end) {
   BranchEnd closing;
   std::uint64_t modules = 0;

@@ -11,6 +11,7 @@
 
 #include "foundation/random.hpp"
 #include "lsystem/derivation/branch.hpp"
+#include "lsystem/messages.generated.hpp"
 #include "lsystem/turtle/interpretation.hpp"
 
 namespace panicle::lsystem {
@@ -39,6 +40,7 @@ inline bool Derivation::make_room(std::uint64_t run, const Template& successor) 
   return machine_.make_room(next_.string.words, words) && machine_.make_room(next_.active, active);
 }
 
+// Copies the words of `now_` from the last copied one to before `at` to the end of `next_`.
 inline bool Derivation::copy_up_to(std::uint64_t at) {
   const std::uint64_t count = at - copied_;
   copy_words(next_.string.words.data() + next_.string.used, now_.string.words.data() + copied_,
@@ -47,6 +49,9 @@ inline bool Derivation::copy_up_to(std::uint64_t at) {
   return true;
 }
 
+// Appends a successor and its active modules to `next_`, which has room for them (make_room); decomposes its modules if
+// the text has decomposition rules. `origin` and `symbol` are those of the module that it replaces, `by` its
+// production. Returns false with the machine's error.
 inline bool Derivation::append(const Template& successor, const Origin& origin, std::uint32_t symbol,
                                const Production* by) {
   if (parts_ != nullptr) return append_parts(successor, origin, symbol, by, 0);
@@ -62,7 +67,7 @@ inline bool Derivation::append(const Template& successor, const Origin& origin, 
   return true;
 }
 
-// The same for the module at a word, with reports to the watcher.
+// Appends the successor of a production in place of the module at a word, and reports each step to the watcher.
 [[gnu::noinline]] bool Derivation::append_watched(std::uint64_t at, const Production& by, const Origin& origin,
                                                   std::uint32_t symbol) {
   Watcher& watcher = *options_.watcher;
@@ -101,6 +106,8 @@ bool Derivation::append_parts(const Template& successor, const Origin& origin, s
   return true;
 }
 
+// Copies one module to the end of `next_`, makes room for it, and lists it as active if a production or a % may act on
+// it in the next step. Returns false with the machine's error.
 bool Derivation::append_module(const std::uint32_t* module) {
   String& string = next_.string;
   const std::uint32_t words = words_of(*module), symbol = symbol_of(*module);
@@ -118,11 +125,12 @@ bool Derivation::append_module(const std::uint32_t* module) {
 // Writes the turtle's state into ?P and the like, so that the next step can use it.
 bool Derivation::locate() {
   if (!program_.locates || machine_.failed()) return !machine_.failed();
-  const Diagnostic trouble = lsystem::locate(bound_, now_.string, options_.start, seed_, limits_, options_.space);
-  if (trouble.reason != Reason::none) return machine_.fail(trouble);
+  const Diagnostic error = lsystem::locate(bound_, now_.string, options_.start, seed_, limits_, options_.space);
+  if (error.reason != Reason::none) return machine_.fail(error);
   return machine_.spend(now_.string.used / 32);
 }
 
+// Writes the axiom.
 bool Derivation::begin() {
   const Template& axiom = program_.axiom;
   const std::uint64_t root = hash_text("axiom");
@@ -132,6 +140,7 @@ bool Derivation::begin() {
   return true;
 }
 
+// Takes one derivation step. Returns whether any module was rewritten; false also if the step failed: see `error()`.
 bool Derivation::step() {
   if (machine_.failed()) return false;
   rewrote_ = waiting_ = false;
@@ -151,6 +160,8 @@ bool Derivation::step() {
   return rewrote_;
 }
 
+// Interprets the string, sends the queries of ?E modules to the environment and writes its responses into them. Returns
+// false with the machine's error.
 bool Derivation::query_environment(const Turtle& start, Listener& listener) {
   if (machine_.failed()) return false;
   if (listener.observes_first()) {
@@ -160,14 +171,17 @@ bool Derivation::query_environment(const Turtle& start, Listener& listener) {
     listener.responses_begin();
   }
   if (options_.watcher != nullptr) options_.watcher->queries();
-  const Diagnostic trouble = write_responses(bound_, now_.string, start, listener, seed_, limits_, options_.space);
-  if (trouble.reason != Reason::none) return machine_.fail(trouble);
+  const Diagnostic error = write_responses(bound_, now_.string, start, listener, seed_, limits_, options_.space);
+  if (error.reason != Reason::none) return machine_.fail(error);
   if (options_.watcher != nullptr) options_.watcher->responded();
   answered_ = true;
   at_rest_ = false;
   return true;
 }
 
+// Rewrites the active module at a word of `now_`: copies the unchanged modules before it, then appends the successor of
+// its production. Without a production the module is copied later, and remains active if a later step may rewrite it. A
+// ?E without a response since the last step has no production. Returns false with the machine's error.
 inline bool Derivation::rewrite_module(std::uint64_t at) {
   const std::uint32_t* const module = now_.string.words.data() + at;
   const std::uint32_t header = *module;
@@ -185,7 +199,7 @@ inline bool Derivation::rewrite_module(std::uint64_t at) {
   return append(production->successor, origin, symbol_of(header), production);
 }
 
-// Takes one step from `now_` to `next_`, and swaps them.
+// Rewrites all active modules of `now_` into `next_`, and swaps both. Returns false with the machine's error.
 bool Derivation::rewrite() {
   if (chance_ == Chance::each_step) machine_.decide_at(steps_);
   if (program_.in_context && !(machine_.spend(now_.string.used / 32) && neighbourhood_.begin(now_.string)))
@@ -209,6 +223,7 @@ bool Derivation::rewrite() {
   return true;
 }
 
+// Lists the module at a word of `now_` as active in the next step, too.
 bool Derivation::keep_active(std::uint64_t at) {
   const std::uint32_t header = now_.string.words.data()[at];
   waiting_ |= symbol_of(header) != query_symbol && machine_.tries_again(header);
@@ -217,12 +232,14 @@ bool Derivation::keep_active(std::uint64_t at) {
   return true;
 }
 
+// Whether a module without a production may be rewritten in a later step.
 bool Derivation::stays_active(std::uint32_t header) const {
   return symbol_of(header) == query_symbol || program_.rules[symbol_of(header)].in_context ||
          program_.is_turtle_query(symbol_of(header)) || machine_.tries_again(header);
 }
 
-// A step that rewrites nothing has its way through the string counted, too: chance may let many of them follow.
+// Moves the neighbourhood to the module at a word. Counts the way there as work, also in steps that rewrite nothing:
+// chance may let many of them follow.
 bool Derivation::look_around(std::uint64_t at) {
   neighbourhood_.go_to(at, walked_);
   const std::uint64_t units = walked_ / 32;
@@ -230,10 +247,10 @@ bool Derivation::look_around(std::uint64_t at) {
   return machine_.spend(units);
 }
 
+// Fails since there is no memory for the neighbourhood.
 bool Derivation::out_of_sight() {
-  return machine_.fail(error_at(Reason::limit, {},
-                                "There is no memory for the neighbours of % modules; let the grammar take fewer steps.",
-                                {std::to_string(now_.string.modules)}));
+  return machine_.fail(
+      error_at(Reason::limit, {}, message(messages::lsystem::no_memory_for_contexts, now_.string.modules)));
 }
 
 // Skips the % at `at` and the rest of its branch: up to the closing bracket, or to the end.
@@ -268,14 +285,17 @@ void derive(Derivation& derivation, std::uint32_t steps, const DerivationOptions
       break;
     }
   }
-  derived.stopped = derivation.trouble();
+  derived.stopped = derivation.error();
 }
 
+// Adds the last string of a derivation to its result.
 Derived with_string(Derived derived, Derivation&& derivation) {
   derived.string = std::make_shared<const String>(std::move(derivation).take_string());
   return derived;
 }
 
+// Derives a string in a number of steps or, without one, until nothing is rewritten any more. A limit or an error is
+// not a failed result: it is in `stopped`, beside the last whole string.
 Result<Derived> derive(const BoundProgram& bound, std::uint64_t seed, std::optional<std::uint32_t> steps,
                        const Limits& limits, const DerivationOptions& options) {
   const bool to_rest = !steps;
@@ -290,13 +310,14 @@ Result<Derived> derive(const BoundProgram& bound, std::uint64_t seed, std::optio
   return with_string(std::move(derived), std::move(derivation));
 }
 
-Result<Derived> whole(Result<Derived> derived) {
+// The result, or its error if the derivation stopped early.
+Result<Derived> error_if_stopped(Result<Derived> derived) {
   if (derived && derived->stopped.reason != Reason::none) return derived->stopped;
   return derived;
 }
 
-// Returns the result of unfolding or, where a limit ends that, of steps. Each has half of the work that is left: so
-// steps lead to the same string with and without a watcher.
+// The result of unfolding or, if a limit ends that, of steps. Each has half of the work that is left: so steps lead to
+// the same string with and without a watcher.
 Result<Derived> unfold_or_derive(const BoundProgram& bound, std::uint64_t seed, const Limits& limits,
                                  const DerivationOptions& options) {
   WorkBudget own(limits.work, limits.bytes);
@@ -311,30 +332,35 @@ Result<Derived> unfold_or_derive(const BoundProgram& bound, std::uint64_t seed, 
   return derive(bound, seed, {}, shared, options);
 }
 
+// The requested number of steps, else that of the text, if any.
 std::optional<std::uint32_t> steps_of(const BoundProgram& bound, std::optional<std::uint32_t> requested) {
   return requested ? requested : derivation_length(bound);
 }
 
+// The error of a request for too many steps.
 Diagnostic too_many_steps(std::uint32_t steps, const Limits& limits) {
-  return error_at(Reason::limit, {}, "The grammar is asked for % steps; the limit is %.",
-                  {std::to_string(steps), std::to_string(limits.steps)});
+  return error_at(Reason::limit, {}, message(messages::lsystem::request_over_limit, steps, limits.steps));
 }
 
 }  // namespace
 
+// Derives until nothing is rewritten any more.
 Result<Derived> develop_to_rest(const BoundProgram& bound, std::uint64_t seed, const Limits& limits,
                                 const DerivationOptions& options) {
-  return whole(derive(bound, seed, {}, limits, options));
+  return error_if_stopped(derive(bound, seed, {}, limits, options));
 }
 
+// Derives the requested number of steps, else those of the text, else unfolds the axiom completely. An early stop is an
+// error.
 Result<Derived> develop(const BoundProgram& bound, std::uint64_t seed, std::optional<std::uint32_t> requested,
                         const Limits& limits, const DerivationOptions& options) {
   const std::optional<std::uint32_t> steps = steps_of(bound, requested);
   if (!steps) return unfold(bound, seed, limits, options);
   if (*steps > limits.steps) return too_many_steps(*steps, limits);
-  return whole(derive(bound, seed, steps, limits, options));
+  return error_if_stopped(derive(bound, seed, steps, limits, options));
 }
 
+// The same, but a limit that stops the derivation is not an error: the result is the last whole string.
 Result<Derived> develop_so_far(const BoundProgram& bound, std::uint64_t seed, std::optional<std::uint32_t> requested,
                                const Limits& limits, const DerivationOptions& options) {
   const std::optional<std::uint32_t> steps = steps_of(bound, requested);
@@ -346,6 +372,7 @@ Result<Derived> develop_so_far(const BoundProgram& bound, std::uint64_t seed, st
   return derived;
 }
 
+// The number of modules of a string.
 std::uint64_t length(const String& string) { return string.modules; }
 
 }  // namespace panicle::lsystem

@@ -5,7 +5,7 @@
 //
 //   Derivation derivation(bound, seed, limits);
 //   while (derivation.steps() < n && derivation.query_environment(start, environment)) derivation.step();
-//   if (derivation.trouble().reason != Reason::none) …
+//   if (derivation.error().reason != Reason::none) …
 //   interpret_without_queries(bound, derivation.string(), start, drawing, limits);
 #pragma once
 
@@ -46,7 +46,7 @@ class Derivation {
   bool at_rest() const { return at_rest_; }
   // The first error: evaluation, with line and column; limit. Reason::none without an error. An error ends the
   // derivation.
-  const Diagnostic& trouble() const { return machine_.trouble(); }
+  const Diagnostic& error() const { return machine_.error(); }
 
  private:
   // A string and the places of its active modules.

@@ -5,9 +5,12 @@
 
 #include "expression/number_text.hpp"
 #include "foundation/random.hpp"
+#include "lsystem/messages.generated.hpp"
 
 namespace panicle::lsystem {
 
+// Copies the registers, which evaluation overwrites; `bound` and `limits` must outlive the machine. Work is counted
+// against the request's budget, or against one of the machine's own where the request has none.
 Machine::Machine(const BoundProgram& bound, std::uint64_t seed, const Limits& limits, const Space* space)
     : program_(*bound.program),
       limits_(limits),
@@ -26,9 +29,9 @@ Machine::Machine(const BoundProgram& bound, std::uint64_t seed, const Limits& li
   budget_.spend(bound.registers.size() / 32);  // copied for every walk of the turtle
 }
 
-// Conditions and weights decide whether a module is rewritten: in a step they are drawn for the module and the step.
-// The choice among several productions, and random values in successors, are drawn for the module alone, since that
-// happens but once.
+// Chooses a production whose conditions or weights are random; null if none matches. In a step these are drawn for the
+// module and the step. The choice among several productions, and random values in successors, are drawn for the module
+// alone, since that happens only once.
 const Production* Machine::choose_by_chance(const Rules& rules, std::uint32_t count) {
   const std::uint64_t address = sources_.address;
   if (stepping_) sources_.address = hash_combine(address, step_);
@@ -38,6 +41,8 @@ const Production* Machine::choose_by_chance(const Rules& rules, std::uint32_t co
   return production;
 }
 
+// The first reason why a production does not match a module, tested in the order of `matches`: the number of
+// parameters, the context, the condition. A random condition is drawn for the same step as in choosing.
 Machine::Obstacle Machine::obstacle_of(const Production& production, const std::uint32_t* module) {
   if (production.arity != parameters_of(*module)) return Obstacle::parameters;
   load(module);
@@ -51,6 +56,8 @@ Machine::Obstacle Machine::obstacle_of(const Production& production, const std::
   return met ? Obstacle::none : Obstacle::condition;
 }
 
+// Whether a module, given by its header word, has a production with a random condition or weight: one that does not
+// match now may match in a later step.
 bool Machine::waits_for_chance(std::uint32_t header) const {
   const Range range = rules_[symbol_of(header)].productions;
   return std::any_of(productions_ + range.begin, productions_ + range.end, [&](const Production& production) {
@@ -95,20 +102,24 @@ const Production* Machine::draw_production(const Rules& rules, std::uint32_t cou
   return failed() ? nullptr : drawn;
 }
 
+// Whether a production's contexts match; loads the neighbours' parameters.
 bool Machine::sees(const Production& production) {
   std::uint64_t looked = 0;
   const bool fits = neighbourhood_->fits(production, {registers_, precise_}, looked);
   return spend(looked / 32) && fits;
 }
 
+// Computes a production's weight, which must not be negative.
 bool Machine::weigh(const Production& production, float& weight) {
   if (!evaluate(production.weight.code)) return false;
   weight = value_of(production.weight.source);
   if (meets(Demand::not_negative, weight)) return true;
   return fail(error_at(Reason::evaluation, production.weight.place,
-                       "A weight must be a number of 0 or more; here it is %.", {number_text(weight)}));
+                       message(messages::lsystem::bad_weight, number_text(weight))));
 }
 
+// Writes the lineage of each module of a successor: its address, derived from that of its parent, and the symbols of
+// its parent and grandparent.
 void Machine::write_lineages(const Template& successor, std::uint32_t* to, const Origin& parent, std::uint32_t symbol) {
   const std::uint32_t ancestors = symbol | (parent.ancestors & 0xffff) << 16;
   for (std::uint32_t i = successor.births.begin; i < successor.births.end; ++i) {
@@ -119,43 +130,33 @@ void Machine::write_lineages(const Template& successor, std::uint32_t* to, const
   }
 }
 
+// The error of a parameter that the turtle cannot use.
 Diagnostic Machine::refusal(const Program& program, const Patch& patch, float value) {
-  const char* wanted = patch.demand == Demand::not_negative ? "a number of 0 or more" : "a finite number";
-  return error_at(Reason::evaluation, patch.place, "% needs %; here it is given %.",
-                  {program.symbols[patch.symbol], wanted, number_text(value)});
+  const MessageCode<2>& code =
+      patch.demand == Demand::not_negative ? messages::lsystem::needs_not_negative : messages::lsystem::needs_finite;
+  return error_at(Reason::evaluation, patch.place, message(code, program.symbols[patch.symbol], number_text(value)));
 }
 
+// Fails with that error.
 bool Machine::refuse(const Patch& patch, float value) { return fail(refusal(program_, patch, value)); }
 
+// Fails since time or work is used up.
 bool Machine::give_up() {
-  if (budget_.time_is_over())
-    return fail(error_at(Reason::limit, {},
-                         "The time limit is reached; give it more time, or let the grammar take fewer steps or write "
-                         "shorter strings.",
-                         {}));
-  return fail(error_at(Reason::limit, {},
-                       "The grammar takes more than % units of work, which is the limit; let it take fewer steps or "
-                       "write shorter strings.",
-                       {std::to_string(limits_.work)}));
+  if (budget_.time_is_over()) return fail(error_at(Reason::limit, {}, message(messages::lsystem::time_limit)));
+  return fail(error_at(Reason::limit, {}, message(messages::lsystem::work_limit, limits_.work)));
 }
 
+// Enlarges a string to a number of words, within the limit.
 bool Machine::grow(Words& string, std::uint64_t words) {
   if (words > limits_.words)
-    return fail(error_at(
-        Reason::limit, {},
-        "The string grows beyond % words, which is the limit; let the grammar take fewer steps or stop growing.",
-        {std::to_string(limits_.words)}));
+    return fail(error_at(Reason::limit, {}, message(messages::lsystem::string_limit, limits_.words)));
   if (string.reserve(words, limits_.words)) return true;
-  return fail(error_at(Reason::limit, {},
-                       "There is no memory for a string of % words; let the grammar take fewer steps or stop growing.",
-                       {std::to_string(words)}));
+  return fail(error_at(Reason::limit, {}, message(messages::lsystem::no_memory_for_string, words)));
 }
 
+// The error of a derivation that does not end within the limit of steps.
 Diagnostic Machine::too_many_steps(const Limits& limits) {
-  return error_at(Reason::limit, {},
-                  "The string is still rewritten after % steps, which is the limit; give the productions a condition "
-                  "under which they stop.",
-                  {std::to_string(limits.steps)});
+  return error_at(Reason::limit, {}, message(messages::lsystem::never_ends, limits.steps));
 }
 
 }  // namespace panicle::lsystem

@@ -35,7 +35,7 @@ class Machine {
   Obstacle obstacle_of(const Production& production, const std::uint32_t* module);
 
   // Writes a successor to `to`, where it has room in whole blocks. `parent` is the origin of the module that
-  // `choose` looked at last, `symbol` its symbol. False: `trouble()`.
+  // `choose` looked at last, `symbol` its symbol. False: `error()`.
   bool write(const Template& successor, std::uint32_t* to, const Origin& parent, std::uint32_t symbol) {
     if (!spend(successor.cost) || !evaluate(successor.code)) return false;
     copy_words(to, words_ + successor.first, successor.words);
@@ -87,13 +87,15 @@ class Machine {
 
   static Diagnostic too_many_steps(const Limits& limits);
 
-  bool fail(Diagnostic trouble) {
-    trouble_ = std::move(trouble);
+  // Stores an error; returns false.
+  bool fail(Diagnostic error) {
+    error_ = std::move(error);
     return false;
   }
-  bool failed() const { return trouble_.reason != Reason::none; }
-  const Diagnostic& trouble() const { return trouble_; }
+  bool failed() const { return error_.reason != Reason::none; }
+  const Diagnostic& error() const { return error_; }
 
+  // Whether a value is as finite, or as positive, as a demand requires. x − x is 0 for finite x only.
   static bool meets(Demand demand, float value) {
     if (demand == Demand::none) return true;
     return value - value == 0 && (demand == Demand::finite || value >= 0);
@@ -101,6 +103,8 @@ class Machine {
   static Diagnostic refusal(const Program& program, const Patch& patch, float value);
 
  private:
+  // Loads a module's parameters into the first registers, and the address of its random values. Floats are copied in
+  // whole blocks, so the registers and the words behind the module must be readable up to the end of the last one.
   void load(const std::uint32_t* module) {
     const std::uint32_t count = parameters_of(*module);
     if (precise_ != nullptr) {
@@ -111,24 +115,31 @@ class Machine {
     }
     if (has_lineage(*module)) sources_.address = origin_of(module).address;
   }
+  // Whether a production fits the module at hand, which has `count` parameters: their number, its context and its
+  // condition. Also false if evaluation fails, see `failed`.
   bool matches(const Production& production, std::uint32_t count) {
     if (production.arity != count || (production.in_context && !may_fit(production))) return false;
     if (!spend(production.cost) || (production.looks_on && !sees(production))) return false;
     if (!production.condition.given) return true;
     return evaluate(production.condition.code) && holds(production.condition.source);
   }
+  // Whether the neighbours may fit the production's context: a quick test before the exact one.
   bool may_fit(const Production& production) const {
     return neighbourhood_ != nullptr && neighbourhood_->may_fit(production);
   }
   [[gnu::noinline]] bool sees(const Production& production);
+  // Runs a piece of compiled code, in double precision where the module has doubles; false after an error.
   bool evaluate(Range code) {
-    if (precise_ != nullptr) return execute(program_.code, code.begin, code.end, precise_, sources_, trouble_);
-    return execute(program_.code, code.begin, code.end, registers_, sources_, trouble_);
+    if (precise_ != nullptr) return execute(program_.code, code.begin, code.end, precise_, sources_, error_);
+    return execute(program_.code, code.begin, code.end, registers_, sources_, error_);
   }
+  // Whether the register of a condition is true.
   bool holds(std::uint32_t source) const {
     return precise_ != nullptr ? precise_[source] != 0 : registers_[source] != 0;
   }
   [[gnu::noinline]] const Production* choose_by_chance(const Rules& rules, std::uint32_t count);
+  // The first production of a symbol's rules that fits a module of `count` parameters; null if none does, or after an
+  // error.
   const Production* first_that_matches(const Rules& rules, std::uint32_t count) {
     for (std::uint32_t i = rules.productions.begin; i < rules.productions.end; ++i) {
       const Production& production = productions_[i];
@@ -167,7 +178,7 @@ class Machine {
   bool stepping_ = false;
   Sources sources_;
   std::array<float, 3> chance_ = {};
-  Diagnostic trouble_;
+  Diagnostic error_;
 };
 
 }  // namespace panicle::lsystem

@@ -4,6 +4,8 @@
 
 namespace panicle::lsystem {
 
+// Classifies the symbols for the walk over the string: which of them contexts see, which have context-sensitive
+// productions, and which open or close branches.
 Neighbourhood::Neighbourhood(const Program& program)
     : program_(program), classes_(program.symbols.size(), passed_over) {
   for (std::size_t symbol = 0; symbol < classes_.size(); ++symbol) {
@@ -18,6 +20,7 @@ Neighbourhood::Neighbourhood(const Program& program)
   for (const Production& production : program.productions) wants_ends_ |= production.right.size() > 1;
 }
 
+// Finds the neighbours in a string, which must not change until the next call. Returns false if there is no memory.
 bool Neighbourhood::begin(const String& string) {
   string_ = &string;
   next_ = at_ = 0;
@@ -26,7 +29,8 @@ bool Neighbourhood::begin(const String& string) {
   return walk();
 }
 
-// The next visible module behind a branch is also the right neighbour of the module before the branch.
+// Finds the left and right neighbours of all context-sensitive modules in one walk. The next visible module behind a
+// branch is also the right neighbour of the module before the branch. Returns false if there is no memory.
 bool Neighbourhood::walk() {
   const std::uint32_t* const words = string_->begin();
   const auto used = static_cast<std::uint32_t>(string_->used);
@@ -71,6 +75,8 @@ bool Neighbourhood::walk() {
   return true;
 }
 
+// Moves on to the context-sensitive module at a word; calls must be in ascending order. Adds the words that were passed
+// to `looked`.
 void Neighbourhood::go_to(std::uint64_t at, std::uint64_t& looked) {
   const std::uint32_t* const words = string_->begin();
   looked += at - at_;
@@ -90,6 +96,8 @@ void Neighbourhood::go_to(std::uint64_t at, std::uint64_t& looked) {
   right_ = kind_at(behind_it_);
 }
 
+// Whether a production's contexts match the current module; loads the neighbours' parameters into the registers. Adds
+// the visited words to `looked`.
 bool Neighbourhood::fits(const Production& production, Registers registers, std::uint64_t& looked) {
   if (!fits_left(production.left, registers)) return false;
   const Range right = production.right;
@@ -100,6 +108,7 @@ bool Neighbourhood::fits(const Production& production, Registers registers, std:
   return follow(right.begin, right.end, module + words_of(*module), registers, looked) != nullptr;
 }
 
+// Whether the left neighbours match, from the nearest one towards the root.
 bool Neighbourhood::fits_left(Range wanted, Registers registers) const {
   std::uint32_t place = before_it_;
   for (std::uint32_t i = wanted.end; i-- > wanted.begin;) {
@@ -154,6 +163,7 @@ const std::uint32_t* Neighbourhood::next_seen(const std::uint32_t* at, bool into
   return nullptr;
 }
 
+// Whether a module has the wanted symbol and number of parameters; if so, loads its parameters.
 bool Neighbourhood::is(const Neighbour& wanted, const std::uint32_t* module, Registers registers) const {
   if (symbol_of(*module) != wanted.symbol || parameters_of(*module) != wanted.arity) return false;
   if (registers.precise != nullptr) {

@@ -56,9 +56,11 @@ class Neighbourhood {
   static constexpr std::uint32_t walk_words = 3;
 
   bool walk();
+  // The kind of module at a place of the string; any if there is none.
   std::uint32_t kind_at(std::uint32_t place) const {
     return place == none ? Neighbour::any : Neighbour::kind(string_->begin()[place]);
   }
+  // The end of the branch that begins at a module.
   const std::uint32_t* end_of_branch(const std::uint32_t* at) const {
     return string_->begin() + ends_.data()[at - string_->begin()];
   }

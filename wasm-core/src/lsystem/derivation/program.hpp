@@ -20,6 +20,7 @@ namespace panicle::lsystem {
 inline constexpr std::uint8_t no_meaning = 0xff;
 static_assert(turtle_symbols.size() < no_meaning);
 
+// The number of the turtle's symbol for an action.
 constexpr std::uint32_t symbol_for(Action action) {
   std::uint32_t symbol = 0;
   while (turtle_symbols[symbol].action != action) ++symbol;
@@ -113,6 +114,7 @@ struct Declaration {
 
 class Program {
  public:
+  // The turtle's action for a symbol; null if it has none.
   const TurtleSymbol* turtle(std::uint32_t symbol) const {
     return meanings[symbol] == no_meaning ? nullptr : &turtle_symbols[meanings[symbol]];
   }
@@ -120,6 +122,7 @@ class Program {
   bool is_turtle_query(std::uint32_t symbol) const {
     return meanings[symbol] != no_meaning && turtle_symbols[meanings[symbol]].action >= Action::query_position;
   }
+  // Whether there are rules for a purpose (derivation, interpretation …).
   bool has(Purpose purpose) const { return !rules_for[static_cast<std::size_t>(purpose)].empty(); }
   const std::vector<Rules>& rules_of(Purpose purpose) const { return rules_for[static_cast<std::size_t>(purpose)]; }
   // Whether a step depends on more than each module by itself, so that the order of rewriting matters.

@@ -1,6 +1,9 @@
 #include "lsystem/derivation/skippable_symbols.hpp"
 
 namespace panicle::lsystem {
+
+// The turtle is the moving pen that draws a string.
+
 namespace {
 
 // Whether an action changes the turtle's position, or its later positions.
@@ -19,18 +22,22 @@ bool leads_on(Action action) {
   }
 }
 
+// Whether an action belongs to polygons.
 bool draws_polygons(Action action) {
   return action == Action::begin_polygon || action == Action::end_polygon || action == Action::corner;
 }
 
-bool any(Action) { return true; }
+// Any action at all.
+bool any_action(Action) { return true; }
 
 }  // namespace
 
+// Finds the symbols that an interpretation can skip: without a listener (`heard` false) all that do not move the
+// turtle, else those without a meaning.
 SkippableSymbols::SkippableSymbols(const Program& program, const Rules* images, bool heard)
     : program_(program), images_(images), quiet_(program.symbols.size()) {
   for (std::uint32_t symbol = 0; symbol < quiet_.size(); ++symbol) {
-    bool quiet = !means(symbol, heard ? any : leads_on);
+    bool quiet = !means(symbol, heard ? any_action : leads_on);
     const Range drawn = has_image(symbol) ? images[symbol].productions : Range{};
     for (std::uint32_t i = drawn.begin; i < drawn.end; ++i)
       quiet = quiet && !heard && comes_back(program.productions[i].successor);
@@ -38,6 +45,7 @@ SkippableSymbols::SkippableSymbols(const Program& program, const Rules* images, 
   }
 }
 
+// Whether a symbol's turtle action satisfies a predicate.
 bool SkippableSymbols::means(std::uint32_t symbol, bool (*what)(Action)) const {
   const std::uint8_t meaning = program_.meanings[symbol];
   return meaning != no_meaning && what(turtle_symbols[meaning].action);
@@ -61,8 +69,8 @@ bool SkippableSymbols::comes_back(const Template& image) const {
   return true;
 }
 
-// A growing plant has queries at its tips. One walk over the headers finds the branches without queries, which the
-// turtle need not walk, each in the order of its [; a branch with a query is stored as empty.
+// Finds the branches without queries, which the turtle need not walk, in one walk over the headers: a growing plant has
+// queries only at its tips. Branches are listed in the order of their [; one with a query is stored as empty.
 void SkippableSymbols::find_branches(const String& string) {
   std::vector<std::size_t> open;
   std::uint64_t offset = 0;

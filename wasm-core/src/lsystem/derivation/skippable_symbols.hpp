@@ -34,6 +34,7 @@ class SkippableSymbols {
     std::uint64_t begin, end;
   };
 
+  // Whether an interpretation rule replaces the symbol when it is drawn.
   bool has_image(std::uint32_t symbol) const { return images_ != nullptr && images_[symbol].productions.size() > 0; }
   bool means(std::uint32_t symbol, bool (*what)(Action)) const;
   bool comes_back(const Template& image) const;

@@ -5,12 +5,14 @@
 namespace panicle::lsystem {
 namespace {
 
+// Whether a byte may be part of a name; those of non-ASCII letters may.
 bool is_letter_or_digit(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || (c & 0x80) != 0;
 }
 
 }  // namespace
 
+// A module as text, such as `F(1,2)`.
 std::string module_text(const Program& program, const std::uint32_t* module) {
   std::string text = program.symbols[symbol_of(*module)];
   const std::uint32_t count = parameters_of(*module);
@@ -24,6 +26,7 @@ std::string module_text(const Program& program, const std::uint32_t* module) {
   return text;
 }
 
+// A string as text; spaces separate modules that would otherwise be read as one.
 std::string to_text(const Program& program, const String& string) {
   std::string text;
   for (const std::uint32_t* module = string.begin(); module < string.end(); module += words_of(*module)) {

@@ -13,19 +13,21 @@
 namespace panicle::lsystem {
 namespace {
 
+// Depth-first derivation for grammars whose productions depend on a module alone.
 class Unfolding {
  public:
   Unfolding(const BoundProgram& bound, std::uint64_t seed, const Limits& limits, const Space* space)
       : machine_(bound, seed, limits, space), program_(*bound.program), limits_(limits) {}
 
+  // Derives the axiom until no production applies, depth first: a stack holds the successors on the way.
   Result<Derived> run() {
     const std::uint64_t root = hash_text("axiom");
     machine_.begin(root);
-    if (!open(program_.axiom, {root, no_symbol << 16 | no_symbol}, no_symbol, 0)) return machine_.trouble();
+    if (!open(program_.axiom, {root, no_symbol << 16 | no_symbol}, no_symbol, 0)) return machine_.error();
     while (!successors_.empty()) {
       Successor& successor = successors_.back();
       if (successor.at < successor.end) {
-        if (!next(successor)) return machine_.trouble();
+        if (!next(successor)) return machine_.error();
       } else {
         pending_used_ = successor.begin;
         successors_.pop_back();
@@ -43,6 +45,8 @@ class Unfolding {
     std::uint32_t generation;
   };
 
+  // Processes the next module of a successor: unfolds it if a production rewrites it, else writes it; skips the rest of
+  // a branch behind %.
   bool next(Successor& successor) {
     const std::uint32_t* const module = pending_.data() + successor.at;
     const std::uint32_t header = *module;
@@ -65,7 +69,7 @@ class Unfolding {
     return !machine_.failed() && keep(module);
   }
 
-  // Communication modules are not rewritten: their responses come during interpretation.
+  // Whether a module may be rewritten. Communication modules (?E) are not: their responses come during interpretation.
   bool rewritable(std::uint32_t header) const {
     return symbol_of(header) != query_symbol && program_.rules[symbol_of(header)].productions.size() > 0;
   }
@@ -80,6 +84,7 @@ class Unfolding {
     return true;
   }
 
+  // Appends a module to the finished string.
   bool keep(const std::uint32_t* module) {
     const std::uint32_t words = words_of(*module);
     if (!machine_.make_room(done_.words, done_.used + words)) return false;
@@ -102,6 +107,7 @@ class Unfolding {
 
 }  // namespace
 
+// Unfolds the axiom completely: depth first if the grammar allows, else step by step.
 Result<Derived> unfold(const BoundProgram& bound, std::uint64_t seed, const Limits& limits,
                        const DerivationOptions& options) {
   const bool queries = options.environment != nullptr && bound.program->has_queries;

@@ -15,6 +15,7 @@ namespace panicle::lsystem {
 constexpr std::uint32_t header_of(std::uint32_t symbol, std::uint32_t parameters, std::uint32_t words, bool doubles) {
   return symbol | parameters << 16 | (doubles ? 1u << 23 : 0u) | words << 24;
 }
+// The parts of a module's header: symbol, number of parameters, whether some are doubles, and its length in words.
 constexpr std::uint32_t symbol_of(std::uint32_t header) { return header & 0xffff; }
 constexpr std::uint32_t parameters_of(std::uint32_t header) { return header >> 16 & 0x7f; }
 constexpr bool has_doubles(std::uint32_t header) { return (header >> 23 & 1) != 0; }
@@ -34,6 +35,7 @@ struct Origin {
   std::uint32_t ancestors = no_symbol << 16 | no_symbol;  // parent | grandparent << 16
 };
 
+// Whether the module's words end with its lineage: address and ancestors.
 inline bool has_lineage(std::uint32_t header) {
   return words_of(header) > 1 + parameters_of(header) + double_words(header);
 }
@@ -51,6 +53,7 @@ inline void set_parameter(std::uint32_t* module, std::uint32_t index, float valu
   std::memcpy(module + words_of(*module) - double_words(*module) + 2 * index, &precise, sizeof precise);
 }
 
+// The address and ancestors of a module with a lineage.
 inline Origin origin_of(const std::uint32_t* module) {
   Origin origin;
   const std::uint32_t* const lineage = module + 1 + parameters_of(*module);
@@ -63,6 +66,7 @@ inline Origin origin_of(const std::uint32_t* module) {
 // room behind them.
 inline constexpr std::uint32_t block = 4;
 
+// Copies words, in blocks if they are few: up to a block more than `count` is read and written.
 inline void copy_words(std::uint32_t* to, const std::uint32_t* from, std::size_t count) {
   if (count > 64) {
     std::memcpy(to, from, count * sizeof *to);

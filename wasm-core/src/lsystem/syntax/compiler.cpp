@@ -7,47 +7,57 @@
 #include "foundation/random.hpp"
 #include "lsystem/derivation/machine.hpp"
 #include "lsystem/derivation/program.hpp"
+#include "lsystem/messages.generated.hpp"
 #include "lsystem/syntax/parser.hpp"
 #include "lsystem/syntax/remarks.hpp"
 #include "lsystem/syntax/symbol_table.hpp"
 
 namespace panicle::lsystem {
+
+// A lineage is the address of a module and the symbols of its ancestors; the turtle is the moving pen that draws a
+// string.
+
 namespace {
 
-constexpr std::size_t most_symbols = 0xfff0;
+constexpr std::size_t max_symbols = 0xfff0;
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-bool draws(const Expression& expression) {
+// Whether an expression draws random values.
+bool has_random(const Expression& expression) {
   return std::any_of(expression.nodes.begin(), expression.nodes.end(),
                      [](const Node& node) { return is_random(node.op); });
 }
 
-bool draws(const std::vector<AssignmentTree>& block) {
-  return std::any_of(block.begin(), block.end(), [](const AssignmentTree& one) { return draws(one.expression); });
+// The same for the values of assignments, and for the arguments of modules.
+bool has_random(const std::vector<AssignmentTree>& block) {
+  return std::any_of(block.begin(), block.end(), [](const AssignmentTree& one) { return has_random(one.expression); });
 }
 
-bool draws(const std::vector<ModuleTree>& modules) {
+bool has_random(const std::vector<ModuleTree>& modules) {
   for (const ModuleTree& module : modules)
     for (const Expression& argument : module.arguments)
-      if (draws(argument)) return true;
+      if (has_random(argument)) return true;
   return false;
 }
 
+// Whether a ?E module is among the modules.
 bool has_query(const std::vector<ModuleTree>& modules) {
   return std::any_of(modules.begin(), modules.end(), [](const ModuleTree& module) { return module.name == "?E"; });
 }
 
 // Whether a program cannot do without lineages.
 bool needs_lineages(const Grammar& grammar) {
-  if (draws(grammar.axiom) || has_query(grammar.axiom)) return true;
+  if (has_random(grammar.axiom) || has_query(grammar.axiom)) return true;
   for (const ProductionTree& production : grammar.productions) {
-    if (production.weight.given() || has_query(production.successor) || draws(production.successor)) return true;
-    if (draws(production.condition) || draws(production.before) || draws(production.after)) return true;
+    if (production.weight.given() || has_query(production.successor) || has_random(production.successor)) return true;
+    if (has_random(production.condition) || has_random(production.before) || has_random(production.after)) return true;
   }
   return false;
 }
 
+// Compiler of a parsed grammar into a program: registers, code, and templates of successors. Methods that return a bool
+// return false with the error in `error_`.
 class Compiler {
  public:
   Compiler(const Grammar& grammar, Lineages lineages)
@@ -60,9 +70,10 @@ class Compiler {
     program_->lineages = lineages == Lineages::always || needs_lineages(grammar);
   }
 
+  // Compiles all parts, in the order in which they depend on each other.
   Result<std::shared_ptr<const Program>> run() {
-    const bool fine = declarations() && symbols() && roles() && sight() && axiom() && productions();
-    if (!fine) return trouble_;
+    const bool fine = declarations() && symbols() && roles() && context_filter() && axiom() && productions();
+    if (!fine) return error_;
     program_->once_bound = lowering_.finish();
     program_->remarks = remarks_on(grammar_);
     program_->words.resize(program_->words.size() + block);  // room for copies in whole blocks
@@ -70,24 +81,27 @@ class Compiler {
   }
 
  private:
+  // The program's code, set to the precision of the grammar.
   static Code& code_of(Program& program, const Grammar& grammar) {
     program.code.doubles = grammar.doubles;
     return program.code;
   }
 
-  bool fail(Reason reason, const SourceLocation& place, const char* pattern, Pieces pieces = {}) {
-    trouble_ = error_at(reason, place, pattern, pieces);
+  bool fail(Reason reason, const SourceLocation& place, const Message& problem) {
+    error_ = error_at(reason, place, problem);
     return false;
   }
 
+  // Takes the value of a result, or its error.
   template <class Value>
   bool take(const Result<Value>& result, Value& value) {
     if (result) return value = result.value(), true;
-    trouble_ = result.error();
+    error_ = result.error();
     return false;
   }
 
-  // An expression of a #define that an input replaces must still be valid: undefined names in it are errors.
+  // Compiles definitions, derivation length and settings. An expression of a #define that an input replaces must still
+  // be valid: undefined names in it are errors.
   bool declarations() {
     for (const DefinitionTree& definition : grammar_.definitions) {
       Declaration declaration{std::string(definition.name), definition.kind, definition.place, {}, 0};
@@ -101,6 +115,7 @@ class Compiler {
            values(grammar_.depths, program_->depths);
   }
 
+  // Compiles those expressions that are given.
   template <class Expressions, class Values>
   bool values(const Expressions& expressions, Values& values) {
     for (std::size_t i = 0; i < expressions.size(); ++i)
@@ -108,18 +123,21 @@ class Compiler {
     return true;
   }
 
+  // Compiles an expression, if it is given.
   bool value_if_given(const Expression& expression, Value& value) {
     return !expression.given() || this->value(expression, value);
   }
 
+  // Numbers all symbols.
   bool symbols() {
     symbols_.fill();
     ordinals_.assign(program_->symbols.size(), 0);
-    if (program_->symbols.size() > most_symbols)
-      return fail(Reason::limit, grammar_.axiom.front().place, "The grammar has more than 65,520 symbols; use fewer.");
+    if (program_->symbols.size() > max_symbols)
+      return fail(Reason::limit, grammar_.axiom.front().place, message(messages::lsystem::too_many_symbols));
     return true;
   }
 
+  // Assigns roles (names for groups of symbols) to symbols.
   bool roles() {
     Roles& roles = program_->roles;
     roles.of_symbol.assign(program_->symbols.size(), Roles::none);
@@ -133,34 +151,31 @@ class Compiler {
     return true;
   }
 
+  // Gives a role to a symbol of the text; the turtle's symbols have none, and others one at most.
   bool give_role(std::uint32_t role, const Named& symbol) {
     Roles& roles = program_->roles;
     const std::uint32_t number = symbols_.find(symbol.name);
     if (number == Names::none)
-      return fail(Reason::undefined, symbol.place,
-                  "Neither the axiom nor a production has the symbol '%'; take it out of the role.", {symbol.name});
+      return fail(Reason::undefined, symbol.place, message(messages::lsystem::role_of_unknown, symbol.name));
     if (symbols_.is_turtles(number))
-      return fail(Reason::syntax, symbol.place,
-                  "'%' is the turtle's and has no role; give one to the symbol that writes it.", {symbol.name});
+      return fail(Reason::syntax, symbol.place, message(messages::lsystem::role_of_turtle, symbol.name));
     std::uint32_t& given = roles.of_symbol[number];
     if (given != Roles::none && given != role)
-      return fail(Reason::syntax, symbol.place, "'%' has the role '%' already; a symbol has one.",
-                  {symbol.name, roles.names[given]});
+      return fail(Reason::syntax, symbol.place,
+                  message(messages::lsystem::role_twice, symbol.name, roles.names[given]));
     given = role;
     return true;
   }
 
   // Marks the symbols that contexts ignore.
-  bool sight() {
-    const ContextFilterTree& sight = grammar_.sight;
-    const bool consider = sight.kind == ContextFilterTree::Kind::consider;
+  bool context_filter() {
+    const ContextFilterTree& filter = grammar_.sight;
+    const bool consider = filter.kind == ContextFilterTree::Kind::consider;
     program_->passed_over.assign(program_->symbols.size(), consider);
     Names listed;
-    for (const Named& symbol : sight.symbols) {
+    for (const Named& symbol : filter.symbols) {
       if (symbols_.find(symbol.name) == Names::none)
-        return fail(Reason::undefined, symbol.place,
-                    "Nothing in this text has the symbol '%'; take it out of the list, or put spaces between several.",
-                    {symbol.name});
+        return fail(Reason::undefined, symbol.place, message(messages::lsystem::filter_of_unknown, symbol.name));
       listed.add(symbol.name);
     }
     // Each L-system of the text may have a symbol of that name.
@@ -169,6 +184,7 @@ class Compiler {
     return true;
   }
 
+  // Compiles the axiom, like a successor.
   bool axiom() {
     lowering_.begin_production({}, hash_text("axiom"));
     return successor(grammar_.axiom, false, {}, program_->axiom);
@@ -197,10 +213,12 @@ class Compiler {
     return true;
   }
 
+  // The rules by symbol of derivation, decomposition or homomorphism.
   std::vector<Rules>& rules_of(Purpose purpose) {
     return purpose == Purpose::derivation ? program_->rules : program_->rules_for[static_cast<std::size_t>(purpose)];
   }
 
+  // Reserves places for all productions, sorted by purpose and predecessor, so that those of a symbol are a range.
   void make_places() {
     std::uint32_t first = 0;
     for (std::size_t purpose = 0; purpose < purposes; ++purpose) {
@@ -220,6 +238,7 @@ class Compiler {
     program_->named_in.resize(first);
   }
 
+  // Compiles a production: contexts, condition, successor, weight, and its cost in units of work.
   bool production(const ProductionTree& tree, Production& production) {
     production.predecessor = symbols_.find(tree.predecessor, tree.system);
     production.place = tree.place;
@@ -229,8 +248,7 @@ class Compiler {
       return false;
     set_nearest(production);
     if (production.in_context && tree.purpose != Purpose::derivation)
-      return fail(Reason::syntax, tree.place,
-                  "Productions of a decomposition or homomorphism see no neighbours; take the context out.");
+      return fail(Reason::syntax, tree.place, message(messages::lsystem::context_not_allowed));
     const auto place = static_cast<std::size_t>(&production - program_->productions.data());
     Range& named = program_->named_in[place];
     named.begin = static_cast<std::uint32_t>(program_->namings.size());
@@ -244,7 +262,7 @@ class Compiler {
     lowering_.forget_locals(locals);
     named.end = static_cast<std::uint32_t>(program_->namings.size());
     if (tree.weight.given() && !value(tree.weight, production.weight)) return false;
-    production.by_chance = draws(tree.before) || draws(tree.condition) || draws(tree.weight);
+    production.by_chance = has_random(tree.before) || has_random(tree.condition) || has_random(tree.weight);
     const std::uint32_t neighbours = production.left.size() + production.right.size();
     const std::uint32_t code =
         cost_of(program_->code, production.condition.code) + cost_of(program_->code, production.weight.code);
@@ -253,7 +271,7 @@ class Compiler {
     return true;
   }
 
-  // The block before a condition is computed together with it; without a condition the block always matches.
+  // Compiles a condition with the block before it; a block without a condition always matches.
   bool condition(const ProductionTree& tree, Value& condition) {
     if (tree.before.empty()) return value_if_given(tree.condition, condition);
     lowering_.begin_code();
@@ -267,6 +285,7 @@ class Compiler {
     return true;
   }
 
+  // Compiles the assignments of a block.
   bool assign(const std::vector<AssignmentTree>& block) {
     for (const AssignmentTree& assignment : block) {
       std::uint32_t source = 0;
@@ -277,14 +296,14 @@ class Compiler {
     return true;
   }
 
-  // Its parameters go to registers from `to` on.
+  // Compiles the left or right context of a production into a range of neighbours, whose parameters go to registers
+  // from `to` on.
   bool context(const ProductionTree& tree, const std::vector<NeighbourTree>& wanted, Range& range, std::uint32_t& to) {
     std::vector<Neighbour>& neighbours = program_->neighbours;
     std::vector<std::uint32_t> open;
     range.begin = range.end = static_cast<std::uint32_t>(neighbours.size());
     if (tree.predecessor == "?E" && !wanted.empty())
-      return fail(Reason::syntax, tree.place,
-                  "?E is answered by the environment and has no context; let its neighbour look at it, A > ?E(x).");
+      return fail(Reason::syntax, tree.place, message(messages::lsystem::query_with_context));
     for (const NeighbourTree& neighbour : wanted) {
       const std::uint32_t symbol = symbols_.find(neighbour.name, tree.system);
       if (symbols_.is_turtles(symbol) && !takes(symbol, neighbour.arity, neighbour.place)) return false;
@@ -294,8 +313,7 @@ class Compiler {
         neighbours[open.back()].closed = range.end;
         open.pop_back();
       } else if (symbol != push_symbol && program_->passed_over[symbol] != 0) {
-        return fail(Reason::syntax, neighbour.place,
-                    "Contexts do not see '%'; take it out of ignore:, or put it into consider:.", {neighbour.name});
+        return fail(Reason::syntax, neighbour.place, message(messages::lsystem::context_ignored, neighbour.name));
       }
       neighbours.push_back({symbol, neighbour.arity, to, 0});
       to += neighbour.arity;
@@ -304,6 +322,7 @@ class Compiler {
     return true;
   }
 
+  // Records a production's nearest neighbours, which are tested first, and whether more must be tested.
   void set_nearest(Production& production) const {
     const std::vector<Neighbour>& neighbours = program_->neighbours;
     const Range left = production.left, right = production.right;
@@ -318,28 +337,26 @@ class Compiler {
       production.nearest_right = kind(neighbours[right.begin]);
   }
 
+  // Whether productions may rewrite a symbol: brackets, % and some queries of the turtle they may not.
   bool may_rewrite(const ProductionTree& tree, std::uint32_t predecessor) {
     if (!symbols_.is_turtles(predecessor)) return true;
     const Action action = turtle_symbols[program_->meanings[predecessor]].action;
     const bool holds = action == Action::push || action == Action::pop || action == Action::cut;
     if (holds || (tree.predecessor[0] == '?' && tree.purpose != Purpose::derivation))
-      return fail(Reason::syntax, tree.place, "'%' cannot be rewritten; use a symbol of your own.", {tree.predecessor});
+      return fail(Reason::syntax, tree.place, message(messages::lsystem::not_rewritable, tree.predecessor));
     return takes(predecessor, tree.arity, tree.place);
   }
 
+  // Whether a turtle symbol can have a number of arguments.
   bool takes(std::uint32_t symbol, std::size_t count, const SourceLocation& place) {
     const TurtleSymbol& turtle = *program_->turtle(symbol);
-    if (count <= turtle.most_arguments || passes_over(turtle.action)) return true;
-    const std::string most = turtle.most_arguments == 0 ? " takes no argument"
-                             : turtle.most_arguments == 1
-                                 ? " takes at most one argument"
-                                 : " takes at most " + std::to_string(turtle.most_arguments) + " arguments";
-    const char* otherwise = is_letter(turtle.symbol[0]) ? ", or name a symbol of your own otherwise." : ".";
-    return fail(Reason::syntax, place, "'%' (%)%, but here it has %; leave out the rest%",
-                {program_->symbols[symbol], turtle.name, most, std::to_string(count), otherwise});
+    if (count <= turtle.max_arguments || passes_over(turtle.action)) return true;
+    const MessageCode<3>& code =
+        is_letter(turtle.symbol[0]) ? messages::lsystem::turtle_letter_arguments : messages::lsystem::turtle_arguments;
+    return fail(Reason::syntax, place, message(code, program_->symbols[symbol], turtle.max_arguments, count));
   }
 
-  // The last definition of a name counts.
+  // Records the register of a name that a block assigns, for traces; the last assignment counts.
   void name_local(std::string_view name, std::uint32_t source) {
     std::vector<Naming>& all = program_->namings;
     const auto found = std::find_if(all.begin() + static_cast<std::ptrdiff_t>(first_local_), all.end(),
@@ -350,13 +367,13 @@ class Compiler {
       found->source = source;
   }
 
-  // Whether the turtle ignores arguments behind the first: cpfg's lines may have arguments of their own behind the
-  // length.
+  // Whether the turtle ignores arguments behind the first: cpfg's lines may have further ones behind the length.
   bool passes_over(Action action) const {
     return grammar_.notation == Notation::cpfg && (action == Action::line || action == Action::move ||
                                                    action == Action::line_apart || action == Action::move_apart);
   }
 
+  // Compiles an expression.
   bool value(const Expression& expression, Value& value) {
     lowering_.begin_code();
     const std::uint32_t begin = lowering_.here();
@@ -367,6 +384,7 @@ class Compiler {
     return true;
   }
 
+  // Compiles a successor into a template: words to copy, and the code and patches that fill in its parameters.
   bool successor(const std::vector<ModuleTree>& modules, bool answer, const std::vector<AssignmentTree>& block,
                  Template& result) {
     Program& program = *program_;
@@ -390,6 +408,8 @@ class Compiler {
     return true;
   }
 
+  // Compiles a module of a successor or axiom: its words, and code for parameters that are computed. `answer`: whether
+  // it answers a query of the turtle, where only modules that can be drawn are allowed.
   bool module(const ModuleTree& tree, bool answer) {
     Program& program = *program_;
     const std::uint32_t symbol = symbols_.find(tree.name, tree.system);
@@ -430,24 +450,22 @@ class Compiler {
   // Whether a module of a response is allowed: it must be drawable in place, or rewritten in a later step.
   bool drawable(const ModuleTree& tree, std::uint32_t symbol) {
     if (symbols_.is_turtles(symbol) && symbol != query_symbol) return true;
-    Diagnostic& trouble = program_->not_drawable;
-    if (trouble.reason == Reason::none)
-      trouble = error_at(Reason::syntax, tree.place,
-                         "What answers ?E is drawn at once, so only the turtle's symbols can stand here, not '%'; with "
-                         "a derivation length answers can be rewritten in the next step instead.",
-                         {tree.name});
+    Diagnostic& error = program_->not_drawable;
+    if (error.reason == Reason::none)
+      error = error_at(Reason::syntax, tree.place, message(messages::lsystem::response_not_drawable, tree.name));
     // In cpfg's notation responses always come between steps.
     const bool between = grammar_.steps.given() || grammar_.notation == Notation::cpfg;
-    if (!between) trouble_ = trouble;
+    if (!between) error_ = error;
     return between;
   }
 
+  // Fails since a name was probably meant as several symbols.
   bool read_as_one(std::string_view name, const SourceLocation& place) {
-    return fail(Reason::syntax, place, "'%' is read as one symbol, which nothing defines; put spaces between several.",
-                {name});
+    return fail(Reason::syntax, place, message(messages::lsystem::read_as_one, name));
   }
 
-  // `precise`: the place of its double in the template. `known`: its value, where it depends on the text alone.
+  // Compiles a parameter of a module of `symbol`: a constant, or a patch that fills it in. `precise` is the offset of
+  // its double in the template; `known` becomes its value if that depends on the text alone.
   bool parameter(const Expression& expression, std::uint32_t symbol, std::uint32_t precise, double& known) {
     Program& program = *program_;
     std::uint32_t source = 0;
@@ -462,7 +480,7 @@ class Compiler {
       case Lowering::Known::now: {
         const float value = program.code.registers[source];
         if (!Machine::meets(demand, value)) {
-          trouble_ = Machine::refusal(program, patch, value);
+          error_ = Machine::refusal(program, patch, value);
           return false;
         }
         std::memcpy(&word, &value, sizeof word);
@@ -489,7 +507,7 @@ class Compiler {
   std::vector<std::uint32_t> ordinals_;  // by symbol: how many stand before in the successor
   std::uint32_t first_ = 0;              // word of the template
   std::size_t first_local_ = 0;          // naming of the production
-  Diagnostic trouble_;
+  Diagnostic error_;
 };
 
 }  // namespace
@@ -497,19 +515,20 @@ class Compiler {
 Result<std::shared_ptr<const Program>> compile(std::string_view text, const Limits& limits, Lineages lineages,
                                                Notation notation) {
   if (text.size() > limits.text_bytes)
-    return error_at(Reason::limit, {}, "The grammar is % bytes long; the limit is %.",
-                    {std::to_string(text.size()), std::to_string(limits.text_bytes)});
+    return error_at(Reason::limit, {}, message(messages::lsystem::text_too_long, text.size(), limits.text_bytes));
   const Result<Grammar> grammar = parse(text, notation);
   if (!grammar) return grammar.error();
   return Compiler(grammar.value(), lineages).run();
 }
 
+// Properties of a compiled program: roles of symbols, whether it queries the environment, and its symbols by number.
 const Roles& roles(const Program& program) { return program.roles; }
 
 bool has_queries(const Program& program) { return program.has_queries; }
 
 std::span<const std::string> symbols(const Program& program) { return program.symbols; }
 
+// The symbols that productions rewrite, in the order of the text.
 std::vector<std::string_view> predecessors(const Program& program) {
   std::vector<std::string_view> names;
   for (const std::uint32_t symbol : program.predecessors) names.push_back(program.symbols[symbol]);

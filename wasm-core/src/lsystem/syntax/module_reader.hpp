@@ -29,7 +29,7 @@ class ModuleReader : public TokenReader {
 
  private:
   bool question(const Token& token, std::string_view& name);
-  bool two_signs(const Token& token, std::string_view& name, const char* otherwise);
+  bool two_signs(const Token& token, std::string_view& name, const MessageCode<0>& otherwise);
   bool no_symbol(const Token& token);
   bool arguments(ModuleTree& module);
 };

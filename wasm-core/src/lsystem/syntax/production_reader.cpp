@@ -5,27 +5,29 @@
 #include <utility>
 
 #include "expression/code.hpp"
+#include "expression/messages.generated.hpp"
+#include "lsystem/messages.generated.hpp"
 
 namespace panicle::lsystem {
 namespace {
 
-constexpr std::size_t most_neighbours = 64;
-constexpr std::size_t most_assignments = 64;
+constexpr std::size_t max_neighbours = 64;
+constexpr std::size_t max_assignments = 64;
 
 }  // namespace
 
+// Reads a production, `left < predecessor > right : condition --> successor : weight`. As all readers here, returns
+// false with the error in `trouble_`.
 bool ProductionReader::production(Purpose purpose) {
   ProductionTree production;
   production.purpose = purpose;
   production.system = system_;
-  if (is_label())
-    return wrong(here(), "In cpfg '%:' labels a production; there are no labels here, so leave it out.", {found()});
+  if (is_label()) return wrong(here(), message(messages::lsystem::label_not_supported, found()));
   if (!predecessor(production) || !condition(production)) return false;
   at_ = arrow_ + 1;
   const std::size_t end = end_of_line(arrow_);
   for (std::size_t i = at_; i < end; ++i)
-    if (tokens_[i].kind == TokenKind::arrow)
-      return wrong(tokens_[i].place, "This line has a second -->; begin each production on a line of its own.");
+    if (tokens_[i].kind == TokenKind::arrow) return wrong(tokens_[i].place, message(messages::lsystem::second_arrow));
   const bool empty = on_sign('*');  // cpfg's way to write an empty successor
   at_ += empty;
   if (!empty && !modules(production.successor)) return false;
@@ -33,7 +35,7 @@ bool ProductionReader::production(Purpose purpose) {
     ++at_;
     if (!expression_to(end_, production.weight)) return false;
   }
-  if (at_ < end_) return wrong(here(), "Nothing but a weight may follow *, but here is '%'.", {found()});
+  if (at_ < end_) return wrong(here(), message(messages::lsystem::after_star, found_text()));
   grammar_.productions.push_back(std::move(production));
   return true;
 }
@@ -66,6 +68,7 @@ std::uint32_t ProductionReader::times_named(std::string_view name) {
   return times_[words_.find(name)];
 }
 
+// Counts all words of the text, and lists the names that directives define; on first use.
 void ProductionReader::index_words() {
   if (!times_.empty()) return;
   times_.assign(tokens_.size(), 0);
@@ -75,7 +78,7 @@ void ProductionReader::index_words() {
   }
 }
 
-// `left < predecessor > right`, up to the colon of a condition.
+// Reads `left < predecessor > right`, up to the colon of a condition.
 bool ProductionReader::predecessor(ProductionTree& production) {
   std::size_t end = at_;
   while (end < arrow_ && !tokens_[end].is(':')) ++end;
@@ -83,14 +86,13 @@ bool ProductionReader::predecessor(ProductionTree& production) {
   std::vector<Named> beside;
   if (std::any_of(tokens_.begin() + at_, tokens_.begin() + end, [](const Token& token) { return token.is('<'); })) {
     if (!neighbours(end, '<', production.left, beside)) return false;
-    if (!on_sign('<'))
-      return wrong(here(), "The left context stands first, then the predecessor, then the right one: A < B > C.");
+    if (!on_sign('<')) return wrong(here(), message(messages::lsystem::context_order));
     ++at_;
   }
   production.place = here();
   if (!symbol(production.predecessor) || !formals(production.formals)) return false;
   production.arity = static_cast<std::uint32_t>(production.formals.size());
-  if (on_sign('<')) return wrong(here(), "There is a second < here; a predecessor has one left context.");
+  if (on_sign('<')) return wrong(here(), message(messages::lsystem::second_left_context));
   if (on_sign('>')) {
     ++at_;
     if (!neighbours(end, '>', production.right, beside)) return false;
@@ -98,16 +100,14 @@ bool ProductionReader::predecessor(ProductionTree& production) {
   production.formals.insert(production.formals.end(), beside.begin(), beside.end());
   if (at_ < end_ && !on_sign(':')) {
     if (on_name() || is_turtles(found()))
-      return wrong(
-          here(), "A production rewrites one module, and what stands beside it is its context, A < B > C; here is '%'.",
-          {found()});
-    return wrong(here(), "A condition begins with a colon, but here is '%'.", {found()});
+      return wrong(here(), message(messages::lsystem::one_predecessor, found_text()));
+    return wrong(here(), message(messages::lsystem::condition_syntax, found_text()));
   }
   end_ = after;
   return are_valid(production.formals);
 }
 
-// The modules of a context: the left one up to its `<`, the right one up to `end`. A lone `*` is none.
+// Reads the modules of a context: the left one up to its `<`, the right one up to `end`. A lone `*` is none.
 bool ProductionReader::neighbours(std::size_t end, char side, std::vector<NeighbourTree>& neighbours,
                                   std::vector<Named>& beside) {
   if (on_sign('*')) return ++at_, true;
@@ -120,33 +120,32 @@ bool ProductionReader::neighbours(std::size_t end, char side, std::vector<Neighb
     neighbour.arity = static_cast<std::uint32_t>(beside.size() - before);
     const bool opens = neighbour.name == "[", closes = neighbour.name == "]";
     if (side == '<' && (opens || closes))
-      return wrong(neighbour.place, "A left context is the way from the root to the module, which has no brackets.");
+      return wrong(neighbour.place, message(messages::lsystem::left_context_brackets));
     if (opens) open.push_back(neighbour.place);
-    if (closes && open.empty()) return wrong(neighbour.place, "This ] closes nothing.");
+    if (closes && open.empty()) return wrong(neighbour.place, message(messages::expression::never_opened, "]"));
     if (closes) open.pop_back();
     neighbours.push_back(neighbour);
-    if (neighbours.size() > most_neighbours)
-      return fail(Reason::limit, neighbour.place, "A context has at most 64 modules; look less far.");
+    if (neighbours.size() > max_neighbours)
+      return fail(Reason::limit, neighbour.place, message(messages::lsystem::context_too_long));
   }
-  if (!open.empty()) return wrong(open.back(), "This [ is never closed.");
+  if (!open.empty()) return wrong(open.back(), message(messages::expression::never_closed, "["));
   if (neighbours.empty())
-    return wrong(began, "A context is expected beside %; leave the sign out where there is none, or write *.",
-                 {std::string_view(side == '<' ? "<" : ">")});
+    return wrong(began, message(messages::lsystem::context_empty, std::string_view(side == '<' ? "<" : ">")));
   return true;
 }
 
+// Checks the number of formal parameters, and that their names differ.
 bool ProductionReader::are_valid(const std::vector<Named>& formals) {
-  if (formals.size() > most_parameters)
-    return fail(Reason::limit, formals[most_parameters].place,
-                "A predecessor and its context have at most 32 parameters together; leave some modules out.");
+  if (formals.size() > max_parameters)
+    return fail(Reason::limit, formals[max_parameters].place, message(messages::lsystem::too_many_formals));
   for (std::size_t i = 1; i < formals.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
       if (formals[k].name == formals[i].name)
-        return wrong(formals[i].place, "The parameter '%' stands here twice.", {formals[i].name});
+        return wrong(formals[i].place, message(messages::lsystem::parameter_twice, formals[i].name));
   return true;
 }
 
-// `{block} condition {block}`, each of which may be left out.
+// Reads `{block} condition {block}`, each of which may be left out.
 bool ProductionReader::condition(ProductionTree& production) {
   if (at_ == arrow_) return true;
   ++at_;
@@ -156,33 +155,31 @@ bool ProductionReader::condition(ProductionTree& production) {
   at_ += always;
   if (at_ < arrow_ && !on_sign('{') && !expression_before(arrow_, production.condition)) return false;
   if (on_sign('{') && !block(production.after)) return false;
-  if (at_ < arrow_) return wrong(here(), "'%' cannot stand here; take it out.", {found()});
+  if (at_ < arrow_) return wrong(here(), message(messages::expression::unexpected, found_text()));
   end_ = after;
   return true;
 }
 
-// `{name = expression; …}`
+// Reads `{name = expression; …}`.
 bool ProductionReader::block(std::vector<AssignmentTree>& assignments) {
   const SourceLocation opened = here();
   ++at_;
   while (!on_sign('}')) {
-    if (at_ >= end_) return wrong(opened, "This { is never closed before the arrow, on the same line.");
+    if (at_ >= end_) return wrong(opened, message(messages::lsystem::block_never_closed, "{"));
     if (on_sign(';')) {
       ++at_;
       continue;
     }
-    if (!on_name())
-      return wrong(here(), "A block holds assignments, such as {y = 2*x; z = y+1}; here is '%'.", {found()});
+    if (!on_name()) return wrong(here(), message(messages::lsystem::block_syntax, "{y = 2*x; z = y+1}", found_text()));
     AssignmentTree assignment{tokens_[at_].text, {}};
     ++at_;
-    if (!expect('=', "A block holds assignments, such as {y = 2*x; z = y+1}; an = is expected here, not '%'."))
-      return false;
+    if (!expect('=')) return false;
     if (!expression_before(end_, assignment.expression)) return false;
     if (at_ < end_ && !on_sign(';') && !on_sign('}'))
-      return wrong(here(), "A ; or the end of the block is expected here, not '%'.", {found()});
+      return wrong(here(), message(messages::lsystem::block_end_expected, found_text()));
     assignments.push_back(std::move(assignment));
-    if (assignments.size() > most_assignments)
-      return fail(Reason::limit, here(), "A block holds at most 64 assignments; work less out in it.");
+    if (assignments.size() > max_assignments)
+      return fail(Reason::limit, here(), message(messages::lsystem::block_too_long));
   }
   ++at_;
   return true;

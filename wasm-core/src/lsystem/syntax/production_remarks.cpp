@@ -5,20 +5,27 @@
 #include <string>
 #include <utility>
 
+#include "expression/messages.generated.hpp"
 #include "expression/names.hpp"
 #include "expression/number_text.hpp"
+#include "lsystem/messages.generated.hpp"
 #include "lsystem/turtle/turtle_symbols.generated.hpp"
 
 namespace panicle::lsystem {
+
+// The turtle is the moving pen that draws a string.
+
 namespace {
 
 constexpr std::uint32_t none = Names::none;
 
+// The line of a place, as text.
 std::string line_of(const SourceLocation& place) { return std::to_string(place.line); }
 
 // Numbers symbols. Each L-system of the text has its own symbols: the same name in another one has another number.
 class SymbolNumbers {
  public:
+  // The number of a symbol of an L-system.
   std::uint32_t number(std::string_view name, std::uint32_t system) {
     key_.assign(name);
     if (system != 0 && name[0] != '?') key_.append("\x1f").append(std::to_string(system));
@@ -43,10 +50,12 @@ class BySymbol {
   std::vector<Value> values_;
 };
 
+// Finder of productions that can never apply, for remarks (notes on a text that is valid but probably not meant).
 class ProductionChecker {
  public:
   explicit ProductionChecker(const Grammar& grammar) : grammar_(grammar) {}
 
+  // Runs all checks; returns the remarks.
   std::vector<Remark> run() {
     check_arities();
     check_order();
@@ -55,8 +64,9 @@ class ProductionChecker {
   }
 
  private:
-  void add(const SourceLocation& place, const char* pattern, Pieces pieces) {
-    remarks_.push_back({sentence(pattern, pieces), place.line, place.column});
+  // Adds a remark.
+  void add(const SourceLocation& place, const Message& problem) {
+    remarks_.push_back({problem, place.line, place.column});
   }
 
   // Whether the turtle draws a module of this name that no production rewrites.
@@ -74,6 +84,7 @@ class ProductionChecker {
     const ProductionTree* first = nullptr;  // production
   };
 
+  // Calls `each` for every module of axiom and successors.
   template <class Each>
   void each_module(const Each& each) const {
     for (const ModuleTree& module : grammar_.axiom) each(module);
@@ -81,33 +92,34 @@ class ProductionChecker {
       for (const ModuleTree& module : production.successor) each(module);
   }
 
+  // Remarks on modules with a number of parameters that no production has, and on productions that no module suits.
   void check_arities() {
-    BySymbol<Arities> all;
+    BySymbol<Arities> by_symbol;
     for (const ProductionTree& production : grammar_.productions) {
-      Arities& of = all[symbols_.number(production.predecessor, production.system)];
-      of.rewritten |= std::uint64_t{1} << production.arity;
-      if (of.first == nullptr) of.first = &production;
+      Arities& arities = by_symbol[symbols_.number(production.predecessor, production.system)];
+      arities.rewritten |= std::uint64_t{1} << production.arity;
+      if (arities.first == nullptr) arities.first = &production;
     }
     each_module([&](const ModuleTree& module) {
-      Arities& of = all[symbols_.number(module.name, module.system)];
+      Arities& arities = by_symbol[symbols_.number(module.name, module.system)];
       const std::uint64_t bit = std::uint64_t{1} << module.arguments.size();
-      of.written |= bit;
+      arities.written |= bit;
       if (is_turtle_symbol(module.name)) return;
-      if (of.rewritten == 0 || ((of.rewritten | of.remarked) & bit) != 0) return;
-      of.remarked |= bit;
-      const std::string line = line_of(of.first->place);
-      add(module.place,
-          "% has % here, but its production in line % has %, so this module is not rewritten; give it as many, or "
-          "add a production for it.",
-          {module.name, parameters_text(module.arguments.size()), line, parameters_text(of.first->arity)});
+      if (arities.rewritten == 0 || ((arities.rewritten | arities.remarked) & bit) != 0) return;
+      arities.remarked |= bit;
+      const std::string line = line_of(arities.first->place);
+      add(module.place, message(messages::lsystem::remark_parameter_count, module.name,
+                                message(messages::expression::term_parameters, module.arguments.size()), line,
+                                message(messages::expression::term_parameters, arities.first->arity)));
     });
     for (const ProductionTree& production : grammar_.productions) {
-      const Arities& of = all[symbols_.number(production.predecessor, production.system)];
+      const Arities& arities = by_symbol[symbols_.number(production.predecessor, production.system)];
       const std::uint64_t bit = std::uint64_t{1} << production.arity;
-      if (of.written == 0 || of.remarked != 0 || (of.written & bit) != 0 || production.predecessor[0] == '?') continue;
-      add(production.place,
-          "No % in this text has %, so this production is never used; give it as many as the modules have.",
-          {production.predecessor, parameters_text(production.arity)});
+      if (arities.written == 0 || arities.remarked != 0 || (arities.written & bit) != 0 ||
+          production.predecessor[0] == '?')
+        continue;
+      add(production.place, message(messages::lsystem::remark_no_module, production.predecessor,
+                                    message(messages::expression::term_parameters, production.arity)));
     }
   }
 
@@ -147,6 +159,7 @@ class ProductionChecker {
     return std::string(name);
   }
 
+  // Whether a production has a weight.
   static bool has_weight(const ProductionTree& production) { return production.weight.given(); }
   // Whether the weight is a positive constant, so that the production is drawn sooner or later.
   static bool has_positive_weight(const ProductionTree& production) {
@@ -189,11 +202,7 @@ class ProductionChecker {
       if (!context.empty()) compare(find(key(context, {})));
       if (!condition.empty()) compare(find(key({}, condition)));
       if (!condition.empty() && !context.empty()) compare(find(key(context, condition)));
-      if (line != none)
-        add(production.place,
-            "This production is never used, since the one in line % always applies first; move it up, or give both a "
-            "weight, A --> B : 0.5.",
-            {std::to_string(line)});
+      if (line != none) add(production.place, message(messages::lsystem::remark_never_first, line));
       if (has_weight(production)) has_weighted[group_number] = 1;
       if (conditional && (condition.empty() || is_number(production.condition))) continue;
       const std::uint32_t number = keys.add(key(context, condition));
@@ -208,6 +217,7 @@ class ProductionChecker {
     }
   }
 
+  // Whether an expression is a single number.
   static bool is_number(const Expression& expression) {
     return expression.nodes.size() == 1 && expression.nodes[0].kind == Node::Kind::number;
   }
@@ -227,6 +237,7 @@ class ProductionChecker {
     Names bracketed;
     std::vector<SourceLocation> places;
 
+    // Stores a place where a branch follows a symbol, the first one of each pair.
     void add_bracketed(std::uint32_t before, std::uint32_t after, const SourceLocation& place) {
       if (bracketed.add(key(before, after)) == places.size()) places.push_back(place);
     }
@@ -254,30 +265,25 @@ class ProductionChecker {
         const std::uint32_t wanted = symbols_.number(nearest.name, production.system);
         if (const SourceLocation* const place = only_bracketed(left_, wanted, symbol, searches))
           add(nearest.place,
-              "% is before % only in a branch that is closed between them, in line %, and a left context does not "
-              "match "
-              "modules in it; write % before that bracket.",
-              {nearest.name, production.predecessor, line_of(*place), nearest.name});
+              message(messages::lsystem::remark_left_branch, nearest.name, production.predecessor, line_of(*place)));
       }
       if (!production.right.empty() && production.right[0].name != "[") {
         const NeighbourTree& nearest = production.right[0];
         const std::uint32_t wanted = symbols_.number(nearest.name, production.system);
         if (const SourceLocation* const place = only_bracketed(right_, symbol, wanted, searches))
           add(nearest.place,
-              "% is behind % only in a branch, in line %, and a right context skips branches; to match it there, write "
-              "% > [ % ].",
-              {nearest.name, production.predecessor, line_of(*place), production.predecessor, nearest.name});
+              message(messages::lsystem::remark_right_branch, nearest.name, production.predecessor, line_of(*place)));
       }
     }
   }
 
   // The place where two symbols have a bracket between them, if no rewriting can make them neighbours without one; null
-  // otherwise, and after `most_searches`.
+  // otherwise, and after `max_searches`.
   const SourceLocation* only_bracketed(const Side& side, std::uint32_t before, std::uint32_t after,
                                        std::size_t& searches) const {
-    static constexpr std::size_t most_searches = 32;  // each visits all pairs
+    static constexpr std::size_t max_searches = 32;  // each visits all pairs
     const std::uint32_t found = side.bracketed.find(Side::key(before, after));
-    if (found == none || ++searches > most_searches) return nullptr;
+    if (found == none || ++searches > max_searches) return nullptr;
     const std::vector<bool> may_end = reaching(last_, before), may_begin = reaching(side.first, after);
     for (const Pair& pair : side.beside)
       if (may_end[pair.before] && may_begin[pair.after]) return nullptr;
@@ -364,6 +370,7 @@ class ProductionChecker {
 
 }  // namespace
 
+// Remarks on productions that can never apply, and on modules that no production fits.
 std::vector<Remark> remarks_on_productions(const Grammar& grammar) { return ProductionChecker(grammar).run(); }
 
 }  // namespace panicle::lsystem

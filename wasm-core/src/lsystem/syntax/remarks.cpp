@@ -5,20 +5,27 @@
 #include <string>
 #include <utility>
 
+#include "expression/messages.generated.hpp"
 #include "expression/names.hpp"
 #include "lsystem/derivation/program.hpp"
+#include "lsystem/messages.generated.hpp"
 #include "lsystem/syntax/production_remarks.hpp"
 
 namespace panicle::lsystem {
+
+// The turtle is the moving pen that draws a string.
+
 namespace {
 
 constexpr std::string_view turns = "+-&^/\\<>";
 constexpr std::string_view angle_names[] = {"angle", "delta", "δ"};
 
+// Reader of a grammar that collects remarks: notes on passages that are allowed but probably not meant.
 class Reader {
  public:
   explicit Reader(const Grammar& grammar) : grammar_(grammar) {}
 
+  // Collects remarks on passages that are allowed but probably not meant, in the order of the text.
   std::vector<Remark> run() {
     for (const ProductionTree& production : grammar_.productions) known_.add(production.predecessor);
     for (const TurtleSymbol& turtle : turtle_symbols)
@@ -29,13 +36,9 @@ class Reader {
     for (const ProductionTree& production : grammar_.productions) {
       if (grammar_.axiom[0].place.line < production.place.line) add_those_on_axiom();
       if (production.predecessor == "S" && grammar_.notation == Notation::huang)
-        once("S as a symbol", production.place,
-             "S is the turtle's sphere and is drawn where no production rewrites it; give a symbol of your own another "
-             "name.");
+        once("S as a symbol", production.place, message(messages::lsystem::remark_sphere));
       if (production.condition.nodes.size() == 1 && production.condition.nodes[0].kind == Node::Kind::number)
-        once("one number", production.condition.place,
-             "A condition that is a number always holds, or never; a weight stands behind the successor and a colon: A "
-             "--> B : 0.33.");
+        once("one number", production.condition.place, message(messages::lsystem::remark_constant_condition));
       string(production.successor, production.place.line);
     }
     add_those_on_axiom();
@@ -43,9 +46,10 @@ class Reader {
   }
 
  private:
-  void once(std::string_view what, const SourceLocation& place, const char* pattern, Pieces pieces = {}) {
+  // Adds a remark, unless one of the same kind was added before.
+  void once(std::string_view what, const SourceLocation& place, const Message& problem) {
     const std::uint32_t number = reported_.size();
-    if (reported_.add(what) == number) remarks_.push_back({sentence(pattern, pieces), place.line, place.column});
+    if (reported_.add(what) == number) remarks_.push_back({problem, place.line, place.column});
   }
 
   // Inserts the remarks on the axiom at its place in the text; they are found before all others.
@@ -54,7 +58,8 @@ class Reader {
     on_axiom_.clear();
   }
 
-  bool known(std::string_view symbol) const { return known_.find(symbol) != Names::none; }
+  // Whether a symbol is the turtle's or is rewritten by a production.
+  bool is_known(std::string_view symbol) const { return known_.find(symbol) != Names::none; }
 
   // Notes an unused constant that a reader would take for the angle of turns without arguments.
   void note_uses() {
@@ -83,50 +88,40 @@ class Reader {
         if (definition.name == angle_names[i] && !used[i]) angle_ = angle_names[i];
   }
 
-  // `line` is where an arrow stands, behind which the string begins; 0 for none.
+  // Collects the remarks on a string of modules. `line` is that of the arrow before it; 0 for none.
   void string(const std::vector<ModuleTree>& modules, std::uint32_t line) {
     for (std::size_t i = 0; i < modules.size(); ++i) {
       module(modules[i]);
       const bool begins_line = (i == 0 ? line : modules[i - 1].place.line) != modules[i].place.line;
       if (begins_line && reads_as_comment(modules, i))
-        once("//", modules[i].place,
-             "This line is read as two rolls of the turtle and symbols that draw nothing; a comment is written /* … "
-             "*/.");
+        once("//", modules[i].place, message(messages::lsystem::remark_comment));
       if (begins_line && i > 0 && reads_as_words(modules, i))
-        once(
-            "words", modules[i].place,
-            "This line goes on with the string before it, as symbols that draw nothing; if it is meant as a statement, "
-            "there is none of that name.");
+        once("words", modules[i].place, message(messages::lsystem::remark_words));
     }
   }
 
+  // Collects the remarks on one module.
   void module(const ModuleTree& module) {
     if (module.arguments.empty()) bare(module);
-    if (!known(module.name)) unknown(module);
+    if (!is_known(module.name)) unknown(module);
   }
 
+  // Whether the text sets a global setting.
   bool is_set(GlobalSetting which) const { return grammar_.settings[static_cast<std::size_t>(which)].given(); }
 
-  // The default of an omitted argument is reported once, unless the text sets it.
+  // Remarks on the default of an omitted argument, once, unless the text sets it.
   void bare(const ModuleTree& module) {
     const bool cpfg = grammar_.notation == Notation::cpfg;
-    if (module.name == "!" && !cpfg)
-      once("!", module.place, "! without an argument sets the width to 1; in cpfg it narrows the lines: write !(w).");
+    if (module.name == "!" && !cpfg) once("!", module.place, message(messages::lsystem::remark_width));
     if ((module.name == "!" || module.name == "#") && cpfg && !is_set(GlobalSetting::line_width_increment))
-      once("!", module.place,
-           "% without an argument changes the width by the line width increment, which is 0 until a line such as line "
-           "width increment: 0.1 says another.",
-           {module.name});
+      once("!", module.place, message(messages::lsystem::remark_width_increment, module.name));
     if (module.name.size() != 1 || turns.find(module.name[0]) == std::string_view::npos ||
         is_set(GlobalSetting::angle_increment))
       return;
     if (!angle_.empty())
-      once("angle", module.place,
-           "% without an argument turns by 90° and does not heed '%'; write %(%), or a line angle increment: %.",
-           {module.name, angle_, module.name, angle_, angle_});
+      once("angle", module.place, message(messages::lsystem::remark_angle_unused, module.name, angle_));
     else if (cpfg)
-      once("angle", module.place,
-           "% without an argument turns by 90°; a line such as angle increment: 25 says another.", {module.name});
+      once("angle", module.place, message(messages::lsystem::remark_angle, module.name));
   }
 
   // Notes a symbol that no production rewrites and the turtle does not know.
@@ -134,15 +129,12 @@ class Reader {
     const std::string_view name = module.name, digits = name.substr(1);
     const bool turtles = name[0] == 'F' || name[0] == 'f' || name[0] == 'S';
     if (turtles && !digits.empty() && digits.find_first_not_of("0123456789") == std::string_view::npos)
-      once(name, module.place, "% is one symbol of its own and draws nothing; write %(%).",
-           {name, name.substr(0, 1), digits});
+      once(name, module.place, message(messages::lsystem::remark_digits, name, name.substr(0, 1), digits));
     const bool capitals = name.size() > 1 && name.find_first_not_of("FGABCDLRXYIJKPQ") == std::string_view::npos;
     if (capitals && name.find('F') != std::string_view::npos)
-      once(name, module.place, "% is one symbol of its own and draws nothing; put spaces between several.", {name});
+      once(name, module.place, message(messages::lsystem::remark_run_together, name));
     if ((name == "G" || name == "g") && !module.arguments.empty())
-      once(name, module.place,
-           "% draws nothing in the paper's notation, which this text has; a line #turtle cpfg makes it the turtle's.",
-           {name});
+      once(name, module.place, message(messages::lsystem::remark_cpfg_only, name));
   }
 
   // Whether modules read as a comment: `//` and at least two words without meaning.
@@ -152,7 +144,7 @@ class Reader {
                        modules.begin() + static_cast<std::ptrdiff_t>(at) + 4,
                        [&](const ModuleTree& module) {
                          return module.arguments.empty() && module.place.line == modules[at].place.line &&
-                                (module.name == "/" || !known(module.name));
+                                (module.name == "/" || !is_known(module.name));
                        }) &&
            modules[at + 2].name != "/" && modules[at + 3].name != "/";
   }
@@ -164,7 +156,7 @@ class Reader {
     for (const std::uint32_t line = modules[at].place.line; at < modules.size() && modules[at].place.line == line;
          ++at) {
       const ModuleTree& module = modules[at];
-      if (!module.arguments.empty() || module.name.size() < least || known(module.name)) return false;
+      if (!module.arguments.empty() || module.name.size() < least || is_known(module.name)) return false;
       letters += module.name.size();
       ++words;
     }
@@ -179,6 +171,7 @@ class Reader {
   std::vector<Remark> on_axiom_;
 };
 
+// The names that a program defines.
 Names declared_by(const Program& program) {
   Names names;
   for (const Declaration& declaration : program.declarations) names.add(declaration.name);
@@ -187,6 +180,7 @@ Names declared_by(const Program& program) {
 
 }  // namespace
 
+// All remarks on a grammar, in the order of the text.
 std::vector<Remark> remarks_on(const Grammar& grammar) {
   std::vector<Remark> all = Reader(grammar).run();
   for (Remark& remark : remarks_on_productions(grammar)) all.push_back(std::move(remark));
@@ -196,24 +190,25 @@ std::vector<Remark> remarks_on(const Grammar& grammar) {
   return all;
 }
 
+// The remarks on a program, and on inputs that it does not have.
 std::vector<Remark> remarks(const Program& program, std::span<const Inputs::Scalar> requested,
                             std::optional<std::uint32_t> steps) {
   std::vector<Remark> all = program.remarks;
   for (const Production& production : program.productions)
     if (production.by_chance && !steps && !program.steps.given)
-      all.push_back({sentence("% draws for its random condition once; with a derivation length it draws in each step.",
-                              {program.symbols[production.predecessor]}),
+      all.push_back({message(messages::lsystem::remark_random_condition, program.symbols[production.predecessor]),
                      production.place.line, production.place.column});
   const Names declared = requested.empty() ? Names() : declared_by(program);
   for (const Inputs::Scalar& given : requested)
     if (declared.find(given.name) == Names::none)
-      all.push_back({sentence("The grammar has no #define %, so its parameter changes nothing.", {given.name}), 0, 0});
+      all.push_back({message(messages::lsystem::remark_unknown_parameter, given.name), 0, 0});
   return all;
 }
 
+// A remark with its place, as text.
 std::string to_text(const Remark& remark) {
   if (remark.line == 0) return remark.message;
-  return sentence("Line %, column %: %", {std::to_string(remark.line), std::to_string(remark.column), remark.message});
+  return message(messages::expression::at_line_and_column, remark.line, remark.column, remark.message);
 }
 
 }  // namespace panicle::lsystem

@@ -1,6 +1,9 @@
 #include "lsystem/syntax/symbol_table.hpp"
 
 namespace panicle::lsystem {
+
+// The turtle is the moving pen that draws a string.
+
 namespace {
 
 constexpr char unreachable[] = "\x1f";  // in a name that no text can have
@@ -13,6 +16,7 @@ std::string full_name(std::string_view name, std::uint32_t system) {
   return std::string(name) + unreachable + std::to_string(system);
 }
 
+// The index of a turtle symbol.
 std::uint8_t meaning_of_sign(std::string_view sign) {
   std::uint8_t i = 0;
   while (turtle_symbols[i].symbol != sign) ++i;
@@ -21,6 +25,8 @@ std::uint8_t meaning_of_sign(std::string_view sign) {
 
 }  // namespace
 
+// Numbers all symbols: the turtle's first, then those of the axiom and of the productions in the order of the text.
+// Turtle symbols that the text may redefine lose their meaning at the end, when all productions are known.
 void SymbolTable::fill() {
   add_turtles();
   for (const ModuleTree& module : grammar_.axiom) add(module.name, module.system);
@@ -30,9 +36,10 @@ void SymbolTable::fill() {
     for (const NeighbourTree& neighbour : production.right) add(neighbour.name, production.system);
     for (const ModuleTree& module : production.successor) add(module.name, module.system);
   }
-  yield();
+  release_letters();
 }
 
+// Adds the turtle's symbols; cpfg's own ones are hidden in the other notation.
 void SymbolTable::add_turtles() {
   for (std::uint32_t i = 0; i < turtle_symbols.size(); ++i) {
     const TurtleSymbol& turtle = turtle_symbols[i];
@@ -42,6 +49,7 @@ void SymbolTable::add_turtles() {
   }
 }
 
+// Adds the predecessor of a production, and records with how many parameters it is rewritten.
 void SymbolTable::add_rewritten(const ProductionTree& production) {
   const std::uint32_t predecessor = add(production.predecessor, production.system);
   const std::uint64_t arity = std::uint64_t{1} << production.arity;
@@ -51,8 +59,8 @@ void SymbolTable::add_rewritten(const ProductionTree& production) {
   derived_[predecessor] |= arity;
 }
 
-// Turtle letters that cpfg lacks become the text's own symbols where it rewrites them.
-void SymbolTable::yield() {
+// Releases the turtle's letters that cpfg lacks to the text, if it rewrites them: they lose their turtle meaning.
+void SymbolTable::release_letters() {
   for (std::uint32_t symbol = 0; symbol < program_.symbols.size(); ++symbol) {
     const TurtleSymbol* const turtle = program_.turtle(symbol);
     if (turtle != nullptr && turtle->yields && is_rewritten(symbol) && grammar_.notation == Notation::cpfg)
@@ -60,6 +68,7 @@ void SymbolTable::yield() {
   }
 }
 
+// The number of a symbol of an L-system; Names::none if there is none.
 std::uint32_t SymbolTable::find(std::string_view name, std::uint32_t system) const {
   return system == 0 ? numbers_.find(name) : numbers_.find(full_name(name, system));
 }
@@ -68,6 +77,8 @@ std::uint32_t SymbolTable::add(std::string_view name, std::uint32_t system) {
   return system == 0 ? add(name, name) : add(full_name(name, system), name);
 }
 
+// Returns the number of a symbol, and adds it where it is new. `full` differs between L-systems, `name` is the symbol
+// as the text writes it.
 std::uint32_t SymbolTable::add(std::string_view full, std::string_view name) {
   const std::uint32_t number = numbers_.add(full);
   if (number == program_.symbols.size()) {
@@ -89,6 +100,7 @@ std::uint8_t SymbolTable::meaning_of(std::string_view name) const {
   return no_meaning;
 }
 
+// Whether modules of a symbol carry a lineage: those that are rewritten, drawn, or queries.
 bool SymbolTable::remembers(std::uint32_t symbol) const {
   if (is_rewritten(symbol)) return true;
   if (!is_turtles(symbol)) return false;
@@ -107,6 +119,7 @@ bool SymbolTable::remembers(std::uint32_t symbol) const {
   }
 }
 
+// Whether a name is a symbol of its own, and not a word that reads as several known symbols.
 bool SymbolTable::stands_for_itself(std::string_view name, std::uint32_t symbol) const {
   if (is_turtles(symbol) || is_rewritten(symbol)) return true;
   for (std::size_t i = 0; i < name.size(); ++i) {

@@ -21,6 +21,7 @@ class SymbolTable {
 
   // The number of a name, in the L-system of that number (0: the text itself); Names::none where it has none.
   std::uint32_t find(std::string_view name, std::uint32_t system = 0) const;
+  // Whether the turtle, the drawing pen, has an action for the symbol.
   bool is_turtles(std::uint32_t symbol) const { return program_.meanings[symbol] != no_meaning; }
   // Whether a production of derivation with so many parameters rewrites the symbol.
   bool is_derived(std::uint32_t symbol, std::size_t arity) const { return (derived_[symbol] >> arity & 1) != 0; }
@@ -38,7 +39,7 @@ class SymbolTable {
   std::uint8_t meaning_of(std::string_view name) const;
   void add_turtles();
   void add_rewritten(const ProductionTree& production);
-  void yield();
+  void release_letters();
 
   const Grammar& grammar_;
   Program& program_;

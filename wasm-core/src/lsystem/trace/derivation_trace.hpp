@@ -50,7 +50,7 @@ struct TraceEntry {
 
 class DerivationTrace final : public Watcher {
  public:
-  static constexpr std::size_t most_rewritten = 4'000'000;  // in all steps, for ancestors to be found
+  static constexpr std::size_t max_rewritten = 4'000'000;  // in all steps, for ancestors to be found
 
   // `bound` and the space must last until `finish`. `by_steps`: whether each step draws anew (Derivation::Chance).
   DerivationTrace(const BoundProgram& bound, std::uint64_t seed, const Limits& limits, const Space* space,
@@ -88,8 +88,11 @@ class DerivationTrace final : public Watcher {
 
   void begins(const String& string) override;
   void ends(const String& string) override;
+  // Before a module is rewritten: records that the modules since the previous rewritten one were copied unchanged.
+  // While the last string is drawn it does not change, so only the module is noted.
   void rewrites(std::uint64_t at) override;
   void applied(const Production& production, const Machine& machine) override;
+  // Records the production that makes the next part.
   void part(const Production* production) override { parts_.push_back(production); }
   void rewritten(std::uint64_t modules) override;
   void removes(std::uint64_t at, std::uint64_t modules) override;
@@ -107,9 +110,9 @@ class DerivationTrace final : public Watcher {
   bool is_before_traced_step() const { return steps() + 1 == request_.step; }
   TraceEntry* find_entry(std::uint32_t index);
   void begin_step(const String& string);
-  void find_refusals();
+  void find_refusals_once();
   std::uint32_t index_of(std::uint64_t word);
-  void copied_until(std::uint32_t index);
+  void record_copied_until(std::uint32_t index);
   void change(std::uint32_t removed, std::uint32_t written);
   void write(std::uint32_t parent, const Production* production);
   void take_window(const String& string);

@@ -10,7 +10,7 @@
 
 namespace panicle::lsystem {
 
-// A production that does not rewrite a module, and the reason: "its condition is false with x = 3".
+// A production that does not rewrite a module, and the reason: "the condition is false with x = 3".
 struct Refusal {
   SourceLocation production;
   std::string reason;
@@ -22,7 +22,7 @@ class Refusals {
  public:
   static constexpr std::size_t most = 24;  // reasons of one module; further productions are left out
   // Modules that all searches for brackets between neighbours may visit; then brackets are no longer reported.
-  static constexpr std::uint64_t most_visited = 20'000'000;
+  static constexpr std::uint64_t max_visited = 20'000'000;
 
   // Random draws are those of `step`; without one, each module draws once for all steps. `answered`: whether ?E has had
   // responses since the step before. The references must outlive this object.
@@ -35,7 +35,8 @@ class Refusals {
   std::vector<Refusal> of(std::uint64_t at);
 
  private:
-  bool may_visit() { return ++visited_ < most_visited; }
+  // Counts a visited module; false at the limit.
+  bool may_visit() { return ++visited_ < max_visited; }
   std::string reason_for(const Production& production, Machine::Obstacle obstacle, const std::uint32_t* module);
   std::string context_mismatch(const Production& production, const std::uint32_t* module);
   std::string values_of(const Production& production) const;

@@ -11,18 +11,25 @@
 #include "lsystem/derivation/skippable_symbols.hpp"
 #include "lsystem/derivation/string_text.hpp"
 #include "lsystem/derivation/watcher.hpp"
+#include "lsystem/messages.generated.hpp"
 #include "lsystem/syntax/parser.hpp"
 
 namespace panicle::lsystem {
+
+// The turtle is the moving pen that draws a string; a lineage is the address of a module and the symbols of its
+// ancestors; homomorphism rules replace modules while the string is drawn, without changing it.
+
 namespace {
 
-constexpr float most_colours = 255;
+constexpr float max_colours = 255;
 // The largest coordinate and the range of sizes that can be drawn, in the text's unit: the square of an area is finite
 // up to `farthest`, and the square of a size below `least_size` would be 0.
 constexpr float farthest = 1e9f, least_size = 1e-18f;
 
+// Whether a coordinate is small enough to be drawn.
 bool is_near(float value) { return std::fabs(value) <= farthest; }
 bool is_near(const glm::vec3& p) { return is_near(p.x) && is_near(p.y) && is_near(p.z); }
+// Whether a vector has about length 1.
 bool is_unit(const glm::vec3& v) { return std::fabs(glm::dot(v, v) - 1) < 0.01f; }
 
 // How query modules (?E, ?P, ?H, ?L, ?U) are handled.
@@ -33,6 +40,9 @@ enum class QueryMode : std::uint8_t {
   skip,            // queries are neither sent nor drawn
 };
 
+// Interpreter of a string as commands of a turtle, a cursor with a position and three axes that draws as it moves.
+// Events go to the listener. `module` points to the words of a module, `source` to those of the module of the string
+// that it is drawn for.
 class Interpreter {
  public:
   Interpreter(const BoundProgram& bound, const Turtle& start, Listener& listener, std::uint64_t seed,
@@ -54,7 +64,8 @@ class Interpreter {
     turtle_.elasticity = setting(GlobalSetting::elasticity).value_or(turtle_.elasticity);
   }
 
-  // `responded` is the string itself where responses are written into it.
+  // Interprets a string. Returns the number of lines. `responded` is the string itself if responses are written into
+  // it, else null.
   Result<std::uint32_t> run(const String& string, QueryMode query_mode, String* responded = nullptr) {
     query_mode_ = query_mode;
     responded_ = responded;
@@ -67,38 +78,40 @@ class Interpreter {
     const std::uint32_t* const end = string.end();
     string_ = at;
     // The cost of a walk itself. Drawing the image of a module is counted where its successor is written.
-    if (!machine_.spend(program_.symbols.size() / 16)) return machine_.trouble();
+    if (!machine_.spend(program_.symbols.size() / 16)) return machine_.error();
     for (; at < end; ++module_) {
-      if (module_ % 64 == 0 && !machine_.spend(16)) return machine_.trouble();
+      if (module_ % 64 == 0 && !machine_.spend(16)) return machine_.error();
       if (is_silent) at = skippable.behind_branches(string, at);
       const std::uint32_t* const module = at;
       if (at == end) break;
       const std::uint32_t symbol = symbol_of(*module);
       at += words_of(*module);
       if (skippable.covers(symbol)) continue;
-      const bool cut = has_image(symbol) ? draw(module, module, 0) : execute(module, module);
-      if (machine_.failed()) return machine_.trouble();
+      const bool cut = has_image(symbol) ? draw_module(module, module, 0) : execute(module, module);
+      if (machine_.failed()) return machine_.error();
       if (!cut) continue;
       const RestOfBranch rest = rest_of_branch(at, end);
       at = rest.end;
       module_ += static_cast<std::uint32_t>(rest.modules);
     }
-    if (!polygons_.empty()) note("A { was never closed by a }; its polygon is not drawn.", 1);
+    if (!polygons_.empty()) note(message(messages::lsystem::polygon_never_closed), 1);
     return static_cast<std::uint32_t>(lines_);
   }
 
  private:
+  // A polygon that is open: the turtle at its beginning, its thickness (0: a sheet) and corners so far.
   struct Polygon {
     Turtle start;
     float thickness;
     std::vector<glm::vec3> corners;
   };
 
+  // Whether a homomorphism (a rule for drawing alone) replaces modules of a symbol.
   bool has_image(std::uint32_t symbol) const { return images_ != nullptr && images_[symbol].productions.size() > 0; }
 
-  // Draws the homomorphism of a module in its place, recursively up to the depth of the text. True: the rest of the
-  // branch is cut.
-  bool draw(const std::uint32_t* module, const std::uint32_t* source, std::uint32_t depth) {
+  // Draws the homomorphism of a module in its place, recursively up to the depth of the text. Returns true if the rest
+  // of the branch is cut.
+  bool draw_module(const std::uint32_t* module, const std::uint32_t* source, std::uint32_t depth) {
     if (depth < bound_.depths[1]) {
       const Production* const production = machine_.choose(module, images_);
       if (machine_.failed()) return false;
@@ -107,6 +120,8 @@ class Interpreter {
     return program_.meanings[symbol_of(*module)] != no_meaning && execute(module, source);
   }
 
+  // Draws the successor that a homomorphism gives a module in place of it. Returns true if the rest of the branch is
+  // cut.
   bool draw_image(const Template& successor, const std::uint32_t* module, const std::uint32_t* source,
                   std::uint32_t depth) {
     if (!machine_.spend(1 + successor.modules / 2)) return false;
@@ -119,7 +134,7 @@ class Interpreter {
     while (at < end) {
       const std::uint32_t* const part = at;
       at += words_of(*part);
-      const bool cut = draw(part, source, depth + 1);
+      const bool cut = draw_module(part, source, depth + 1);
       if (machine_.failed()) return false;
       if (!cut) continue;
       at = rest_of_branch(at, end).end;
@@ -128,9 +143,9 @@ class Interpreter {
     return false;
   }
 
+  // Fails since there is no memory.
   bool no_memory() {
-    return machine_.fail(
-        error_at(Reason::limit, {}, "There is no memory for what a module is drawn as; make its production shorter."));
+    return machine_.fail(error_at(Reason::limit, {}, message(messages::lsystem::no_memory_for_drawing)));
   }
 
   // The default of an omitted argument.
@@ -139,10 +154,12 @@ class Interpreter {
     if (symbol.setting == Setting::line_length) return setting(GlobalSetting::line_length, symbol.standard);
     return symbol.standard;
   }
+  // The value of a global setting, or `otherwise`.
   float setting(GlobalSetting which, float otherwise) const {
     return bound_.settings[static_cast<std::size_t>(which)].value_or(otherwise);
   }
 
+  // The three parameters of a module from the given one on; 0 for missing ones.
   glm::vec3 vector_of(const std::uint32_t* module, std::uint32_t first) const {
     glm::vec3 v(0);
     for (std::uint32_t i = 0; i < 3 && first + i < parameters_of(*module); ++i)
@@ -150,7 +167,8 @@ class Interpreter {
     return v;
   }
 
-  // Executes one turtle command, with the lineage of the module `source`. True: the rest of the branch is cut.
+  // Executes one turtle command, with the lineage of the module `source`. Returns true if the rest of the branch is
+  // cut.
   bool execute(const std::uint32_t* module, const std::uint32_t* source) {
     const std::uint32_t number = symbol_of(*module);
     const TurtleSymbol& symbol = turtle_symbols[program_.meanings[number]];
@@ -185,7 +203,7 @@ class Interpreter {
         break;
       case Action::turn:
         turn(turtle_,
-             symbol.action == Action::turn && symbol.most_arguments == 0 ? value : turns_ * symbol.sign * value);
+             symbol.action == Action::turn && symbol.max_arguments == 0 ? value : turns_ * symbol.sign * value);
         break;
       case Action::pitch:
         pitch(turtle_, turns_ * symbol.sign * value);
@@ -217,6 +235,7 @@ class Interpreter {
     return false;
   }
 
+  // Executes the turtle commands that are rare in texts.
   void execute_rare(Action action, const std::uint32_t* module, const std::uint32_t* source, float value, bool given) {
     switch (action) {
       case Action::level:
@@ -254,7 +273,7 @@ class Interpreter {
         if (!polygons_.empty())
           corner();
         else
-          note("A . outside of { } is no corner of anything.", 2);
+          note(message(messages::lsystem::corner_outside_polygon), 2);
         break;
       case Action::end_polygon:
         end_polygon(source);
@@ -278,6 +297,7 @@ class Interpreter {
     }
   }
 
+  // Reports a shape at the turtle to the listener: a surface, ball, disc or circle.
   void draw_whole(Action action, const std::uint32_t* module, const std::uint32_t* source, float size) {
     if (action == Action::surface)
       listener_.surface(turtle_, std::string_view(program_.symbols[symbol_of(*module)]).substr(1), size,
@@ -290,7 +310,8 @@ class Interpreter {
     listener_.disc(upright, size / 2, lineage_of(source));
   }
 
-  // Without an argument `!` narrows and `#` widens by the increment; in the paper's notation ! alone is 1.
+  // Sets the line width. Without an argument `!` narrows and `#` widens it by the increment; in the paper's notation !
+  // alone is 1.
   void set_width(float value, bool given, float sign) {
     if (!given && program_.notation == Notation::cpfg) {
       const float by = setting(GlobalSetting::line_width_increment, 0);
@@ -300,24 +321,27 @@ class Interpreter {
     }
   }
 
-  void set_colour(float value) { turtle_.colour = static_cast<std::int32_t>(std::clamp(value, 1.0f, most_colours)); }
+  // Sets the colour's index, from 1 on.
+  void set_colour(float value) { turtle_.colour = static_cast<std::int32_t>(std::clamp(value, 1.0f, max_colours)); }
 
+  // Opens a polygon.
   void begin_polygon(float thickness, const std::uint32_t* module) {
-    if (!is_near(thickness * turtle_.size)) return refuse(module, "is thicker than 10^9 units; make it thinner.");
+    if (!is_near(thickness * turtle_.size)) return refuse(module, message(messages::lsystem::polygon_too_thick));
     if (polygons_.size() < limits_.depth) {
       polygons_.push_back({turtle_, thickness * turtle_.size, {}});
       return;
     }
-    machine_.fail(error_at(Reason::limit, {}, "More than % polygons are open at once, which is the limit; close them.",
-                           {std::to_string(limits_.depth)}));
+    machine_.fail(error_at(Reason::limit, {}, message(messages::lsystem::too_many_polygons, limits_.depth)));
   }
 
+  // Adds the turtle's position to the open polygon.
   void corner() {
     if (machine_.spend(1)) polygons_.back().corners.push_back(turtle_.position);
   }
 
+  // Closes the last polygon and reports it.
   void end_polygon(const std::uint32_t* source) {
-    if (polygons_.empty()) return note("A } closes no polygon; it is passed over.", 4);
+    if (polygons_.empty()) return note(message(messages::lsystem::polygon_never_opened), 4);
     if (query_mode_ != QueryMode::write_turtle) {
       const Polygon& closed = polygons_.back();
       if (closed.thickness > 0)
@@ -329,11 +353,12 @@ class Interpreter {
   }
 
   // Reports each kind of note once.
-  void note(std::string_view sentence, std::uint32_t kind) {
-    if ((noted_ & kind) == 0 && query_mode_ != QueryMode::write_turtle) listener_.note(sentence);
+  void note(const Message& problem, std::uint32_t kind) {
+    if ((noted_ & kind) == 0 && query_mode_ != QueryMode::write_turtle) listener_.note(problem.encoded());
     noted_ |= kind;
   }
 
+  // Writes the turtle's position or one of its axes into the parameters of a query.
   void locate(Action action, const std::uint32_t* module) {
     if (responded_ == nullptr || module < responded_->begin() || module >= responded_->end()) return;
     const glm::vec3& at = action == Action::query_position  ? turtle_.position
@@ -345,6 +370,7 @@ class Interpreter {
     for (std::uint32_t i = 0; i < count; ++i) set_parameter(written, i, at[static_cast<int>(i)]);
   }
 
+  // The lineage of a module: its parent, grandparent and address.
   Lineage lineage_of(const std::uint32_t* module) const {
     if (!has_lineage(*module)) return {{}, {}, 0, no_symbol, no_symbol, module_};
     const Origin origin = origin_of(module);
@@ -352,45 +378,49 @@ class Interpreter {
     return {name_of(parent), name_of(grandparent), origin.address, parent, grandparent, module_};
   }
 
+  // The name of a symbol; empty for none.
   std::string_view name_of(std::uint32_t symbol) const {
     return symbol == no_symbol ? std::string_view() : std::string_view(program_.symbols[symbol]);
   }
 
-  void refuse(const std::uint32_t* module, const char* why) {
-    machine_.fail(error_at(Reason::evaluation, {}, "Module % of the string, %, %",
-                           {std::to_string(module_ + 1), module_text(program_, module), why}));
+  // Fails with a problem at a module.
+  void refuse(const std::uint32_t* module, const Message& problem) {
+    machine_.fail(error_at(Reason::evaluation, {},
+                           message(messages::lsystem::at_module, module_ + 1, module_text(program_, module), problem)));
   }
 
+  // Fails if the turtle is too far away.
   void check_place(const std::uint32_t* module) {
-    if (!is_near(turtle_.position))
-      refuse(module, "leads farther than 10^9 units from the origin; shorten lines, or draw less enlarged.");
+    if (!is_near(turtle_.position)) refuse(module, message(messages::lsystem::too_far));
   }
 
+  // Moves the turtle ahead by `distance` drawing sizes. `module` is for error messages.
   void move(float distance, const std::uint32_t* module) {
     turtle_.position = ahead(turtle_, distance * turtle_.size);
     check_place(module);
   }
 
-  // Sets the drawing size, `by` times as large or as small as before.
+  // Sets the drawing size to `size`, which is the old one times or over `by`; fails if it has become too small for a
+  // float. `module` is for error messages.
   void enlarge(float size, float by, const std::uint32_t* module) {
-    if (size == 0 && by != 0 && turtle_.size != 0)
-      return refuse(module, "makes what is drawn too small for its size to be a number; draw less reduced.");
+    if (size == 0 && by != 0 && turtle_.size != 0) return refuse(module, message(messages::lsystem::size_underflow));
     turtle_.size = size;
   }
 
   // Whether something of this size can be drawn at the turtle; if not, the interpretation fails.
   bool can_draw(float size, const std::uint32_t* module) {
     if (!is_near(size))
-      refuse(module, "is larger than 10^9 units; make it smaller, or draw less enlarged.");
+      refuse(module, message(messages::lsystem::too_large));
     else if (std::fabs(size) < least_size)
-      refuse(module, "is smaller than 10^-18 units: nothing would be seen of it. Make it larger, or leave it out.");
+      refuse(module, message(messages::lsystem::too_small));
     else if (!is_near(turtle_.width))
-      refuse(module, "is drawn wider than 10^9 units; set a smaller width by !.");
+      refuse(module, message(messages::lsystem::too_wide));
     else if (!is_unit(turtle_.heading) || !is_unit(turtle_.left))
-      refuse(module, "has no direction: a turn, a tropism or @R before it has too large numbers. Make them smaller.");
+      refuse(module, message(messages::lsystem::no_direction));
     return !machine_.failed();
   }
 
+  // Moves the turtle ahead and draws a line.
   void line(float distance, const std::uint32_t* module, const std::uint32_t* source) {
     if (distance == 0 || turtle_.size == 0) return;
     if (!can_draw(distance * turtle_.size, module)) return;
@@ -402,6 +432,7 @@ class Interpreter {
     if (turtle_.elasticity != 0) bend(turtle_);
   }
 
+  // Moves the turtle ahead by a radius and draws a sphere.
   void sphere(float radius, const std::uint32_t* module, const std::uint32_t* source) {
     if (radius == 0 || turtle_.size == 0 || !can_draw(radius * turtle_.size, module)) return;
     move(radius, module);
@@ -409,23 +440,22 @@ class Interpreter {
       listener_.sphere(turtle_, radius * turtle_.size, lineage_of(source));
   }
 
+  // Saves the turtle's state at the beginning of a branch.
   void push() {
     if (stack_.size() < limits_.depth) {
       stack_.push_back(turtle_);
       return;
     }
-    machine_.fail(error_at(Reason::limit, {},
-                           "More than % branches are open at once, which is the limit; nest fewer brackets.",
-                           {std::to_string(limits_.depth)}));
+    machine_.fail(error_at(Reason::limit, {}, message(messages::lsystem::too_many_branches, limits_.depth)));
   }
 
-  // Sends a query. True: the response cut the branch.
+  // Sends a query to the listener and draws or writes its response. Returns true if the response cut the branch.
   bool query(const std::uint32_t* module) {
     if (query_mode_ == QueryMode::skip || query_mode_ == QueryMode::write_turtle) return false;
     const std::uint32_t count = parameters_of(*module);
-    float parameters[most_parameters];
+    float parameters[max_parameters];
     std::memcpy(parameters, module + 1, count * sizeof(float));
-    float before[most_parameters];
+    float before[max_parameters];
     std::copy_n(parameters, count, before);
     listener_.query(turtle_, {parameters, count}, lineage_of(module));
     if (!machine_.spend(1)) return false;        // also where the response has used up the work
@@ -434,7 +464,7 @@ class Interpreter {
         if (std::memcmp(&parameters[i], &before[i], sizeof(float)) != 0) set_parameter(to, i, parameters[i]);
     };
     if (query_mode_ == QueryMode::draw_response) {
-      std::uint32_t responded[1 + most_parameters + lineage_words + 2 * most_parameters + block] = {};
+      std::uint32_t responded[1 + max_parameters + lineage_words + 2 * max_parameters + block] = {};
       std::memcpy(responded, module, words_of(*module) * sizeof *module);
       write(responded);
       return draw_response(module, responded);
@@ -451,8 +481,7 @@ class Interpreter {
     if (production == nullptr) return false;
     const Template& successor = production->successor;
     if (!response_.reserve(successor.words, successor.words))
-      return !machine_.fail(
-          error_at(Reason::limit, {}, "There is no memory for the answer of ?E; make its production shorter."));
+      return !machine_.fail(error_at(Reason::limit, {}, message(messages::lsystem::no_memory_for_response)));
     if (!machine_.write(successor, response_.data(), {}, query_symbol)) return false;
     if (watcher_ != nullptr) {
       watcher_->rewrites(static_cast<std::uint64_t>(module - string_));
@@ -461,6 +490,7 @@ class Interpreter {
     return draw_all(response_.data(), response_.data() + successor.words, module);
   }
 
+  // Executes a range of modules. Returns true if the rest of the branch is cut.
   bool draw_all(const std::uint32_t* at, const std::uint32_t* end, const std::uint32_t* source) {
     while (at < end) {
       const std::uint32_t* const module = at;
@@ -503,6 +533,7 @@ class NullListener : public Listener {
   void cut(const Turtle&) override {}
 };
 
+// Interprets a string and writes responses into it. Returns the error, if any.
 Diagnostic write_into(const BoundProgram& bound, String& string, const Turtle& start, Listener& listener,
                       std::uint64_t seed, const Limits& limits, const Space* space, QueryMode query_mode) {
   const auto walked = Interpreter(bound, start, listener, seed, limits, space).run(string, query_mode, &string);

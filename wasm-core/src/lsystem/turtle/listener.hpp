@@ -37,6 +37,7 @@ class Listener {
   // Whether it needs to observe the whole string before it responds: then Derivation::query_environment walks the
   // string twice, and calls observation_begins and responses_begin before the walks.
   virtual bool observes_first() const { return false; }
+  // Called where lines are only observed, before queries are answered, and where answering begins.
   virtual void observation_begins() {}
   virtual void responses_begin() {}
   // % cut the rest of a branch here.
@@ -52,6 +53,7 @@ class Listener {
   virtual void surface(const Turtle&, std::string_view, float, const Lineage&) {}
   // @O drew a sphere about the turtle, @o a disc across its heading.
   virtual void ball(const Turtle& turtle, float radius, const Lineage& lineage) { sphere(turtle, radius, lineage); }
+  // Called for a disc of that radius at right angles to the heading.
   virtual void disc(const Turtle&, float, const Lineage&) {}
   // A part of the string that the walk ignores, in one sentence; each once.
   virtual void note(std::string_view) {}

@@ -7,11 +7,13 @@ namespace {
 
 constexpr int bits_dropped = 34;  // of an address's 64
 
+// The id of an address, its topmost 30 bits.
 std::uint32_t id_of(std::uint64_t address) { return static_cast<std::uint32_t>(address >> bits_dropped); }
 
 // The set of ids in use, in a hash table that is at least twice as large.
 class IdSet {
  public:
+  // A table for so many ids; its size is a power of two.
   explicit IdSet(std::size_t ids) {
     std::size_t size = 16;
     while (size < 2 * ids) size *= 2;
@@ -34,6 +36,7 @@ class IdSet {
 
 }  // namespace
 
+// An address for each ball: that of the module that drew it, and a different one for each further ball of one module.
 std::vector<std::uint64_t> own_addresses(std::span<const std::uint64_t> module_addresses) {
   std::vector<std::uint64_t> own;
   own.reserve(module_addresses.size());
@@ -45,6 +48,7 @@ std::vector<std::uint64_t> own_addresses(std::span<const std::uint64_t> module_a
   return own;
 }
 
+// An id, unique in the plant, for each ball's address; those from the index `second_from` on are of the second bunch.
 std::vector<std::uint32_t> berry_ids(std::span<const std::uint64_t> addresses, std::size_t second_from) {
   std::vector<std::uint32_t> ids;
   ids.reserve(addresses.size());

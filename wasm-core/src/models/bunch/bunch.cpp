@@ -18,8 +18,12 @@
 #include "models/bunch/values.hpp"
 
 namespace panicle::bunch {
+
+// A pedicel is the stalk of one flower or berry.
+
 namespace {
 
+// Counts internodes, berries and kinds of stems. Joints, further pieces of one organ, count as internodes only.
 void count(GrownBunch& grown) {
   Counts& counts = grown.counts;
   counts.internodes = static_cast<std::uint32_t>(grown.internodes.size());
@@ -64,6 +68,7 @@ std::uint64_t fingerprint(const GrownBunch& grown) {
   return print.value();
 }
 
+// Adds all numbers of a mesh to the fingerprint.
 void add_mesh(Fingerprint& print, const Mesh& mesh) {
   print.add(std::span<const float>(mesh.positions));
   print.add(std::span<const float>(mesh.normals));
@@ -106,13 +111,14 @@ std::uint64_t mesh_fingerprint(const GrownBunch& grown) {
 
 }  // namespace
 
+// Grows a bunch by the requested procedure, natural or the paper's, then adds counts, fingerprints, meshes and light.
 Result<GrownBunch> grow(const BunchRequest& request, const Limits& limits) {
   GrownBunch grown;
   const Values values(request.parameters, grown.notes);
   grown.natural = values[Parameter::procedure] == 1;
-  const Diagnostic trouble =
+  const Diagnostic error =
       grown.natural ? grow_natural(request, values, limits, grown) : grow_paper(request, values, limits, grown);
-  if (trouble.reason != Reason::none) return trouble;
+  if (error.reason != Reason::none) return error;
   count(grown);
   grown.fingerprint = fingerprint(grown);
   if (!request.meshes) return grown;

@@ -23,6 +23,7 @@ struct Owners {
   const std::int32_t berries, foliage;
 };
 
+// Adds the balls that hide sky in place of a berry: one, or for a long berry a row of two or three along its direction.
 void add_balls(const Berry& berry, const Traits& traits, std::int32_t owner, std::vector<SkyBody>& balls) {
   const float ratio = traits.length / traits.width;
   if (!(ratio >= two_from)) {
@@ -39,11 +40,8 @@ void add_balls(const Berry& berry, const Traits& traits, std::int32_t owner, std
   add(three ? 1 : 0.9f);
 }
 
-MeshPart place_of(const FoliagePart& part) {
-  return {part.first_vertex, part.vertex_count, part.first_index, part.index_count};
-}
-
-Sky surroundings(const GrownBunch& grown, std::span<const Segment> segments) {
+// The sky with all that hides it: berries as balls, the other stems and the foliage as specks. Pedicels are left out.
+Sky make_sky(const GrownBunch& grown, std::span<const Segment> segments) {
   const Owners owners(grown);
   std::vector<SkyBody> balls;
   for (std::size_t i = 0; i < grown.berries.size(); ++i)
@@ -53,8 +51,7 @@ Sky surroundings(const GrownBunch& grown, std::span<const Segment> segments) {
     if (grown.internodes[i].kind != Kind::pedicel) add_specks(segments[i], static_cast<std::int32_t>(i), specks);
   if (grown.foliage) {
     std::int32_t owner = owners.foliage;
-    for (const FoliagePart& part : grown.foliage->parts)
-      add_specks(grown.foliage->mesh, place_of(part), owner++, specks);
+    for (const FoliagePart& part : grown.foliage->parts) add_specks(grown.foliage->mesh, part, owner++, specks);
   }
   return Sky(balls, specks);
 }
@@ -75,18 +72,21 @@ SkyFrame frame_for(const Berry& berry) {
   return frame;
 }
 
+// How much sky each vertex of each berry sees, 0 … 255; berries without surfaces of their own share one mesh.
 std::vector<std::uint8_t> sky_of_berries(Sky& sky, const GrownBunch& grown) {
   const Owners owners(grown);
-  const bool own = grown.surfaces.has_value();
-  const std::size_t each = own ? grown.surfaces->uvs.size() / 2 : grown.berry->uvs.size() / 2;
-  std::vector<std::uint8_t> bytes(each * grown.berries.size());
+  const bool has_surfaces = grown.surfaces.has_value();
+  const std::size_t per_berry = has_surfaces ? grown.surfaces->uvs.size() / 2 : grown.berry->uvs.size() / 2;
+  std::vector<std::uint8_t> bytes(per_berry * grown.berries.size());
   for (std::size_t i = 0; i < grown.berries.size(); ++i) {
     const Berry& berry = grown.berries[i];
     sky.set_receiver({berry.centre, berry.radius, owners.berries + static_cast<std::int32_t>(i), berry.parent});
-    const auto into = std::span(bytes).subspan(each * i, each);
-    if (own) {
-      const auto of = [&](const std::vector<float>& all) { return std::span(all).subspan(3 * each * i, 3 * each); };
-      sky.sample(of(grown.surfaces->positions), of(grown.surfaces->normals), into);
+    const auto into = std::span(bytes).subspan(per_berry * i, per_berry);
+    if (has_surfaces) {
+      const auto slice = [&](const std::vector<float>& all) {
+        return std::span(all).subspan(3 * per_berry * i, 3 * per_berry);
+      };
+      sky.sample(slice(grown.surfaces->positions), slice(grown.surfaces->normals), into);
     } else {
       sky.set_frame(frame_for(berry));
       sky.sample(grown.berry->positions, grown.berry->normals, into);
@@ -95,20 +95,22 @@ std::vector<std::uint8_t> sky_of_berries(Sky& sky, const GrownBunch& grown) {
   return bytes;
 }
 
+// How much sky each vertex of the leaves and the cane sees, 0 … 255.
 std::vector<std::uint8_t> sky_of_foliage(Sky& sky, const GrownBunch& grown) {
   const Mesh& mesh = grown.foliage->mesh;
   std::vector<std::uint8_t> bytes(mesh.positions.size() / 3);
   std::int32_t owner = Owners(grown).foliage;
   for (const FoliagePart& part : grown.foliage->parts)
-    sample_part(sky, mesh, place_of(part), owner++, part.kind == FoliagePart::Kind::leaf, bytes);
+    sample_part(sky, mesh, part, owner++, part.kind == FoliagePart::Kind::leaf, bytes);
   return bytes;
 }
 
 }  // namespace
 
+// Computes how much sky all vertices of the bunch see past its other parts.
 void add_sky(GrownBunch& grown) {
   const std::vector<Segment> segments = segments_of(grown.internodes);
-  Sky sky = surroundings(grown, segments);
+  Sky sky = make_sky(grown, segments);
   SkyBytes& bytes = grown.sky.emplace();
   bytes.stems = sky_of_stems(sky, *grown.stem, segments);
   bytes.berries = sky_of_berries(sky, grown);

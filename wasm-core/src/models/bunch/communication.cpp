@@ -1,7 +1,11 @@
 #include "models/bunch/communication.hpp"
 
+#include "models/bunch/messages.generated.hpp"
+
 namespace panicle::bunch {
 
+// Where a query module ?E has its parameters, by their number: type, θ, length for three; type, θ, φ, length, width for
+// five; the berry's radius is the sixth. Returns false for any other number.
 bool slots_for(std::size_t arity, ParameterSlots& slots) {
   switch (arity) {
     case 3:
@@ -18,11 +22,7 @@ bool slots_for(std::size_t arity, ParameterSlots& slots) {
   }
 }
 
-Diagnostic wrong_arity() {
-  return {Reason::bad_input,
-          "The bunch answers ?E with 3, 5 or 6 parameters: (type, theta, l), "
-          "(type, theta, phi, l, w) or (type, theta, phi, l, w, b).",
-          0, 0};
-}
+// The error for a query with another number of parameters.
+Diagnostic wrong_arity() { return bad_input(message(messages::bunch::query_arity)); }
 
 }  // namespace panicle::bunch

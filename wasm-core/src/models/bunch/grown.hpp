@@ -53,12 +53,10 @@ struct Thinned {
   glm::vec3 place{0};  // where its pedicel begins, metres
 };
 
-// A contiguous run of the foliage's mesh.
-struct FoliagePart {
+// A part of the foliage's mesh.
+struct FoliagePart : MeshRange {
   enum class Kind : std::uint32_t { cane = 0, leaf = 1, petiole = 2 };
   Kind kind = Kind::cane;
-  std::uint32_t first_vertex = 0, vertex_count = 0;
-  std::uint32_t first_index = 0, index_count = 0;
 };
 
 struct Foliage {

@@ -7,14 +7,19 @@
 #include "lsystem_plant/derivation_trace_columns.hpp"
 #include "lsystem_plant/requested_program.hpp"
 #include "models/bunch/stems.hpp"
+#include "protocol/common_request.hpp"
 
 namespace panicle::bunch {
+
+// A pedicel is the stalk of one flower or berry; the rachis is the main axis of the bunch.
+
 namespace {
 
 using Floats = std::vector<float>;
 using Integers = std::vector<std::int32_t>;
 using Words = std::vector<std::uint32_t>;
 
+// Adds the columns of a plan: its sides, their counts, and the lengths of its axes.
 void add_plan(Columns& columns, const std::string& name, const Plan& plan) {
   columns.add(name + ".sides",
               column_of<float>(plan.sides, 2,
@@ -35,12 +40,14 @@ void add_plan(Columns& columns, const std::string& name, const Plan& plan) {
   columns.add(name + ".axes", std::move(axes));
 }
 
+// Adds the profile, the outline that the handles draw, as a column of numbers.
 void add_profile(Columns& columns, const Profile& profile) {
   Floats numbers{profile.length};
   for (const SidePoint& side : profile.sides) numbers.insert(numbers.end(), {side.width, side.drop});
   columns.add("profile", std::move(numbers));
 }
 
+// Adds the internodes as segments, with their tags and columns.
 void add_skeleton(Plant& plant, const std::vector<Internode>& internodes) {
   plant.tags = {"rachis", "axis", "end", "pedicel"};
   plant.segments = segments_of(internodes);
@@ -53,6 +60,7 @@ void add_skeleton(Plant& plant, const std::vector<Internode>& internodes) {
                     }));
 }
 
+// Adds the columns of all berries: their balls, directions, pedicels and ids, and one for each trait.
 void add_berries(Columns& columns, const GrownBunch& grown) {
   const std::vector<Berry>& berries = grown.berries;
   columns.add("berries.spheres",
@@ -78,6 +86,7 @@ void add_berries(Columns& columns, const GrownBunch& grown) {
                 column_of<float>(grown.traits, 1, [trait = trait](const Traits& one, float* at) { *at = one.*trait; }));
 }
 
+// Adds the lost berries: ids, reasons and places.
 void add_thinned(Columns& columns, const std::vector<Thinned>& thinned) {
   columns.add("thinned.id",
               column_of<std::uint32_t>(thinned, 1, [](const Thinned& one, std::uint32_t* at) { *at = one.id; }));
@@ -88,11 +97,12 @@ void add_thinned(Columns& columns, const std::vector<Thinned>& thinned) {
               3);
 }
 
+// Makes the mesh `stems` with a run for the rachis and for each first-order axis.
 PlantMesh stems_of(StemMesh stem) {
   PlantMesh mesh{"stems", "stem", std::move(stem.mesh), {}, {}};
   for (const StemPart& part : stem.parts) {
     const std::string name = part.group < 0 ? "rachis" : "axis " + std::to_string(part.group);
-    mesh.runs.push_back({name, part.first_vertex, part.vertex_count, part.first_index, part.index_count});
+    mesh.runs.push_back({part, name});
   }
   mesh.columns.add(
       "axis", column_of<std::int32_t>(stem.parts, 1, [](const StemPart& part, std::int32_t* at) { *at = part.group; }));
@@ -100,25 +110,25 @@ PlantMesh stems_of(StemMesh stem) {
   return mesh;
 }
 
+// Makes the mesh `flower` with a run for each kind of organ.
 PlantMesh flower_of(FlowerMesh flower) {
   PlantMesh mesh{"flower", "petal", std::move(flower.mesh), {}, {}};
   static constexpr const char* names[] = {"stamens", "cap", "pistil", "petals", "calyx"};
   for (const FlowerPiece& piece : flower.pieces)
-    mesh.runs.push_back({names[static_cast<std::size_t>(piece.kind)], piece.first_vertex, piece.vertex_count,
-                         piece.first_index, piece.index_count});
+    mesh.runs.push_back({piece, names[static_cast<std::size_t>(piece.kind)]});
   mesh.columns.add("unit", Floats{flower.unit});
   return mesh;
 }
 
+// Makes the mesh `foliage` with a run for each part.
 PlantMesh foliage_of(Foliage foliage) {
   PlantMesh mesh{"foliage", "blade", std::move(foliage.mesh), {}, {}};
   static constexpr const char* names[] = {"cane", "leaf", "petiole"};
-  for (const FoliagePart& part : foliage.parts)
-    mesh.runs.push_back({names[static_cast<std::size_t>(part.kind)], part.first_vertex, part.vertex_count,
-                         part.first_index, part.index_count});
+  for (const FoliagePart& part : foliage.parts) mesh.runs.push_back({part, names[static_cast<std::size_t>(part.kind)]});
   return mesh;
 }
 
+// Adds the surfaces of pressed berries; all have the texture coordinates and triangles of one pattern.
 void add_surfaces(Columns& columns, BerrySurfaces surfaces) {
   columns.add("berries.pattern.uvs", std::move(surfaces.uvs), 2);
   columns.add("berries.pattern.indices", std::move(surfaces.indices), 3);
@@ -127,6 +137,7 @@ void add_surfaces(Columns& columns, BerrySurfaces surfaces) {
   columns.add("berries.pressed", std::move(surfaces.pressed));
 }
 
+// Adds how much sky the vertices see to the meshes and the berries.
 void add_sky(Plant& plant, SkyBytes sky) {
   for (PlantMesh& mesh : plant.meshes) {
     if (mesh.name == "stems") mesh.columns.add("sky", std::move(sky.stems));
@@ -150,6 +161,7 @@ void add_trace(Plant& plant, const GrownBunch& grown) {
   plant.columns.add("organs.module", modules(grown.berries));
 }
 
+// Reads a request and grows its bunch.
 Result<Plant> grow_plant(panicle::Request& blocks, const Limits& limits) {
   const auto request = read_request(blocks);
   if (!request) return request.error();
@@ -163,16 +175,16 @@ Result<Plant> grow_plant(panicle::Request& blocks, const Limits& limits) {
 const Model model{"bunch", grow_plant,
                   [](std::string_view text, const Limits& limits) { return compile_program(text, {}, limits); }};
 
+// Reads the blocks of a request; an error if one is wrong.
 Result<BunchRequest> read_request(panicle::Request& blocks) {
   BunchRequest request;
-  blocks.text("model");
-  request.seed = blocks.word("seed", request.seed);
-  request.meshes = blocks.wants("meshes");
-  request.measures = blocks.wants("measures");
-  request.sky = blocks.wants("sky");
-  request.mesh_fingerprint = blocks.wants("mesh_fingerprint");
-  const auto parameters = blocks.floats("parameters");
-  request.parameters.assign(parameters.begin(), parameters.end());
+  const CommonRequest common = read_common(blocks);
+  request.seed = common.seed;
+  request.meshes = common.meshes;
+  request.measures = common.measures;
+  request.sky = common.sky;
+  request.mesh_fingerprint = common.mesh_fingerprint;
+  request.parameters.assign(common.parameters.begin(), common.parameters.end());
   request.grammar = blocks.text("grammar");
   request.program = program_by_handle(blocks);
   if (blocks.has("steps")) request.steps = blocks.word("steps");
@@ -187,11 +199,12 @@ Result<BunchRequest> read_request(panicle::Request& blocks) {
   request.leaf = blocks.flat_leaf();
   request.stem_sides = blocks.word("stem_sides");
   request.berry_segments = blocks.word("berry_segments");
-  if (Diagnostic trouble = blocks.trouble(); trouble.reason != Reason::none) return trouble;
-  if (Diagnostic trouble = check(request.leaf); trouble.reason != Reason::none) return trouble;
+  if (Diagnostic error = blocks.trouble(); error.reason != Reason::none) return error;
+  if (Diagnostic error = check(request.leaf); error.reason != Reason::none) return error;
   return request;
 }
 
+// Turns a grown bunch into a plant: skeleton, columns, meshes, counts, measures and fingerprints.
 Plant plant_of(GrownBunch&& grown) {
   Plant plant;
   add_skeleton(plant, grown.internodes);

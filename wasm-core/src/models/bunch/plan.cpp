@@ -3,12 +3,16 @@
 #include <algorithm>
 
 namespace panicle::bunch {
+
+// The rachis is the main axis of the bunch.
+
 namespace {
 
-// Rounds halves up. Arguments here are never negative, so truncation is the floor.
+// The nearest integer; halves are rounded up. Arguments here are never negative, so truncation is the floor.
 std::int32_t nearest(float x) { return static_cast<std::int32_t>(x + 0.5f); }
 
-// n(s): the side's first axis is its longest, then the count falls linearly to one end structure at rd.
+// The number n(s) of segments of axis `s`: the side's first axis, number `first`, is its longest; then the count falls
+// linearly to one at its last axis rd.
 std::int32_t segments_of_axis(const SidePlan& side, std::int32_t first, std::int32_t s) {
   if (s == first || side.n == 0) return side.n;
   const float span = static_cast<float>(std::max(1, side.rd - first));
@@ -18,6 +22,8 @@ std::int32_t segments_of_axis(const SidePlan& side, std::int32_t first, std::int
 
 }  // namespace
 
+// The counts of the paper's bunch for an outline: m segments of the rachis (`m`, or as the length requires if 0), and
+// the segments of its m − 1 axes, which go round the four sides.
 Plan make_plan(const Profile& profile, std::int32_t m) {
   Plan plan;
   plan.m = m > 0 ? m : std::max(1, nearest(profile.length / pixels_per_rachis_segment));
@@ -32,6 +38,7 @@ Plan make_plan(const Profile& profile, std::int32_t m) {
   return plan;
 }
 
+// The profile, of that factor the size.
 Profile scaled(const Profile& profile, float factor) {
   Profile smaller = profile;
   smaller.length *= factor;
@@ -39,6 +46,8 @@ Profile scaled(const Profile& profile, float factor) {
   return smaller;
 }
 
+// The factors by which segments are stretched so that whole numbers of them reach the outline; `amount`: 0 none … 1
+// exactly.
 Fit make_fit(const Profile& profile, const Plan& plan, float amount) {
   const auto towards = [amount](float target) { return 1 + (target - 1) * amount; };
   Fit fit;

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 
+#include "models/bunch/messages.generated.hpp"
+
 namespace panicle::bunch {
 
+// Adds notes about the text, such as parameters that it does not use. `procedure`: the parameters of another one are
+// not noted; nor are those in `besides`.
 void remark_text(const lsystem::BoundProgram& text, const Values& values, std::string_view procedure,
                  std::span<const Parameter> besides, std::vector<std::string>& notes) {
   std::vector<lsystem::Inputs::Scalar> used;
@@ -17,15 +21,11 @@ void remark_text(const lsystem::BoundProgram& text, const Values& values, std::s
     notes.push_back(lsystem::to_text(remark));
 }
 
+// Adds notes about a drawing without internodes, with loose balls, or without flowers.
 void remark_drawn(const Drawn& drawn, std::vector<std::string>& notes) {
-  if (drawn.internodes == 0) notes.push_back("The grammar drew nothing.");
-  if (drawn.loose_balls == 1)
-    notes.push_back("One sphere of the grammar hangs on no line and was left out; draw an F before it.");
-  if (drawn.loose_balls > 1)
-    notes.push_back(std::to_string(drawn.loose_balls) +
-                    " spheres of the grammar hang on no line and were left out; draw an F before each.");
-  if (drawn.internodes > 0 && drawn.balls == 0 && !drawn.refused)
-    notes.push_back("The grammar bears no flowers, for it draws no sphere (S) on any line.");
+  if (drawn.internodes == 0) notes.push_back(message(messages::bunch::nothing_drawn));
+  if (drawn.loose_balls > 0) notes.push_back(message(messages::bunch::spheres_without_line, drawn.loose_balls));
+  if (drawn.internodes > 0 && drawn.balls == 0 && !drawn.refused) notes.push_back(message(messages::bunch::no_flowers));
 }
 
 }  // namespace panicle::bunch

@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 
+#include "models/bunch/messages.generated.hpp"
 #include "models/bunch/parameters.generated.hpp"
 
 namespace panicle::bunch {
@@ -14,12 +15,14 @@ namespace {
 
 constexpr std::array<std::string_view, 4> names = {"rachis", "axis", "end", "pedicel"};  // in the order of Kind
 
+// The kind of internode that a role's name means; none for an unknown name.
 std::optional<Kind> kind_named(std::string_view role) {
   const auto found = std::find(names.begin(), names.end(), role);
   if (found == names.end()) return std::nullopt;
   return static_cast<Kind>(found - names.begin());
 }
 
+// The kind of internodes that a symbol of the paper's texts draws.
 Kind standard_kind(std::string_view symbol) {
   for (const RoleInfo& info : role_table) {
     const bool claims = info.begins ? symbol.substr(0, info.symbol.size()) == info.symbol : symbol == info.symbol;
@@ -28,7 +31,7 @@ Kind standard_kind(std::string_view symbol) {
   return Kind::axis;
 }
 
-// The kinds that a text declares.
+// Per symbol, the kind that the text declares for it; a note for each unknown role.
 std::vector<Kind> declared_kinds(const lsystem::Roles& roles, std::size_t symbols, std::vector<std::string>& notes) {
   std::vector<Kind> kinds(symbols, Kind::axis);
   std::vector<std::uint8_t> reported(roles.names.size(), 0);
@@ -39,8 +42,7 @@ std::vector<Kind> declared_kinds(const lsystem::Roles& roles, std::size_t symbol
       kinds[symbol] = *kind;
     } else if (!reported[role]) {
       reported[role] = 1;
-      notes.push_back("A bunch has no role " + std::string(roles.names[role]) +
-                      "; its roles are rachis, axis, end and pedicel.");
+      notes.push_back(message(messages::bunch::role_unknown, roles.names[role]));
     }
   }
   return kinds;
@@ -48,6 +50,7 @@ std::vector<Kind> declared_kinds(const lsystem::Roles& roles, std::size_t symbol
 
 }  // namespace
 
+// The kinds of internodes that the symbols of a text draw: as it declares them, or as in the paper if it declares none.
 SymbolRoles roles_of(const lsystem::Program& text, std::vector<std::string>& notes) {
   const lsystem::Roles& roles = lsystem::roles(text);
   const std::span<const std::string> symbols = lsystem::symbols(text);

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 
+#include "stems/segment.hpp"
+
 namespace panicle::bunch {
 
 enum class Kind : std::uint8_t { rachis = 0, axis = 1, end = 2, pedicel = 3 };
@@ -12,16 +14,12 @@ enum class State : std::uint8_t { grown = 0, withered = 1 };
 // In place of the index of a module in the first bunch's string, for parts that no module of it drew.
 inline constexpr std::uint32_t no_module = 0xffffffff;
 
-struct Internode {
-  std::int32_t parent = -1;  // index of an earlier internode; −1 at the root
+// A segment of the skeleton; its tag is unused, and `kind` in its place.
+struct Internode : Segment {
   Kind kind = Kind::rachis;
   State state = State::grown;
   std::int32_t axis = -1;  // first-order axis, 0 at the top; −1 for the rachis and its end
-  glm::vec3 start{0};
-  glm::vec3 end{0};
-  float radius = 0;      // at the start
-  float radius_end = 0;  // at the end
-  bool joint = false;    // whether it continues its parent: one organ, drawn in several pieces
+  bool joint = false;      // whether it continues its parent: one organ, drawn in several pieces
   std::uint32_t module = no_module;
 };
 

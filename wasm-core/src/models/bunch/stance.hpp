@@ -24,17 +24,20 @@ class UprightTransform {
         sign_(stance.side % 2 == 0 ? 1.0f : -1.0f),
         foot_(stance.foot) {}
 
+  // A place and a direction in the frame of the bunch hung straight down.
   glm::vec3 place(const glm::vec3& p) const { return way(p - foot_); }
   glm::vec3 way(const glm::vec3& v) const {
     const float across = sign_ * v[axis_];
     return turned(v, across * turn_.cosine + v.y * turn_.sine, v.y * turn_.cosine - across * turn_.sine);
   }
+  // A direction back from that frame.
   glm::vec3 way_back(const glm::vec3& v) const {
     const float across = sign_ * v[axis_];
     return turned(v, across * turn_.cosine - v.y * turn_.sine, v.y * turn_.cosine + across * turn_.sine);
   }
 
  private:
+  // The vector with other parts across and up, in the plane in which the bunch leans.
   glm::vec3 turned(glm::vec3 v, float across, float up) const {
     v[axis_] = sign_ * across;
     v.y = up;

@@ -8,6 +8,7 @@ namespace {
 constexpr StemEnd receptacle{.flare = 0.35f, .height = 0.35f};
 constexpr StemEnd shrivelled{.body = 0.75f, .tip = 0.5f, .height = 0.7f};
 
+// The form of an internode's upper end: a receptacle for pedicels with a berry, a shrivelled tip for withered ones.
 StemEnd end_of(const Internode& internode) {
   if (internode.kind != Kind::pedicel) return {};
   return internode.state == State::withered ? shrivelled : receptacle;
@@ -26,15 +27,19 @@ bool crowded(std::span<const Internode> skeleton) {
 
 }  // namespace
 
+// The internodes as segments, tagged by kind.
 std::vector<Segment> segments_of(std::span<const Internode> skeleton) {
   std::vector<Segment> segments;
   segments.reserve(skeleton.size());
-  for (const Internode& one : skeleton)
-    segments.push_back(
-        {one.parent, static_cast<std::uint32_t>(one.kind), one.start, one.end, one.radius, one.radius_end});
+  for (const Internode& one : skeleton) {
+    segments.push_back(one);
+    segments.back().tag = static_cast<std::uint32_t>(one.kind);
+  }
   return segments;
 }
 
+// Builds the tubes of all stems. `scale`: length of the unit in the mesh's; `natural`: tapering, with swollen nodes
+// only where they are not crowded.
 StemMesh sweep_internodes(std::span<const Internode> skeleton, const TubeOptions& options, float scale, bool natural) {
   const std::vector<Segment> segments = segments_of(skeleton);
   std::vector<std::int32_t> groups;

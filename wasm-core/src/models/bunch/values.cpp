@@ -1,29 +1,18 @@
 #include "models/bunch/values.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include "protocol/parameter_values.hpp"
 
 namespace panicle::bunch {
-namespace {
 
-float admitted(float value, const ParameterInfo& info, std::vector<std::string>& notes) {
-  float fitting = std::clamp(value, info.min, info.max);
-  if (fitting > 0 && fitting < info.gap_below) fitting = info.gap_below;
-  if (info.whole) fitting = std::floor(fitting + 0.5f);
-  if (fitting != value) notes.push_back("Parameter " + std::string(info.key) + " was brought into its range.");
-  return fitting;
-}
-
-}  // namespace
-
+// The values of all parameters: the requested ones, limited, or the defaults.
 Values::Values(const std::vector<float>& requested, std::vector<std::string>& notes) {
   for (std::uint32_t i = 0; i < parameter_count; ++i) {
-    const ParameterInfo& info = parameter_table[i];
-    given_[i] = i < requested.size() && requested[i] == requested[i];
-    values_[i] = given_[i] ? admitted(requested[i], info, notes) : info.standard;
+    given_[i] = is_given(requested, i);
+    values_[i] = parameter_value(parameter_table[i], requested, i, notes);
   }
 }
 
+// The given parameters that define a constant of the text.
 std::vector<const ParameterInfo*> Values::defining() const {
   std::vector<const ParameterInfo*> rows;
   for (std::uint32_t i = 0; i < parameter_count; ++i)
@@ -31,6 +20,7 @@ std::vector<const ParameterInfo*> Values::defining() const {
   return rows;
 }
 
+// The names and values of those constants.
 std::vector<lsystem::Inputs::Scalar> Values::defines() const {
   std::vector<lsystem::Inputs::Scalar> scalars;
   for (const ParameterInfo* row : defining())
@@ -38,6 +28,7 @@ std::vector<lsystem::Inputs::Scalar> Values::defines() const {
   return scalars;
 }
 
+// The outline by the handles: its length, and a point for each of the four sides.
 Profile Values::profile() const {
   using enum Parameter;
   const Values& values = *this;

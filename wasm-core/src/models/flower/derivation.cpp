@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
+#include "expression/messages.generated.hpp"
 #include "expression/number_text.hpp"
 #include "foundation/bytes.hpp"
 #include "foundation/random.hpp"
+#include "models/flower/messages.generated.hpp"
 #include "models/flower/numbers.hpp"
 #include "models/flower/ranks.hpp"
 
@@ -15,15 +18,27 @@ namespace {
 
 using expression::error_at;
 using expression::number_text;
-using expression::sentence;
+using generalized_map::message_of;
 using generalized_map::none;
 using generalized_map::Refusal;
-using generalized_map::words;
 
-constexpr std::uint32_t most_nested = 32;  // greatest depth of modules in one another
-constexpr std::size_t most_notes = 100;
+constexpr std::uint32_t max_nested = 32;  // greatest depth of modules in one another
+constexpr std::size_t max_notes = 100;
 constexpr std::uint64_t of_step = 0x73746570, of_face = 0x66616365;
 
+// The name of a side face in texts: C1, C2 …
+std::string name_of_side(Face face) {
+  return std::string("C").append(std::to_string(generalized_map::side_number(face)));
+}
+
+// A note on a problem in a line of the text.
+std::string at_line(std::uint32_t line, const Message& problem) {
+  return message(messages::expression::at_line, line, problem);
+}
+
+// Derives a flower: applies the productions of a program to a generalized map (a volumetric mesh of darts). Volumes are
+// numbered by the map; a record holds how a volume came to be, an instance is one call of a module. Methods that return
+// a bool return false with the error in `evaluation_`.
 class Deriver {
  public:
   Deriver(const Program& program, const Given& given, const Limits& limits)
@@ -40,12 +55,13 @@ class Deriver {
         condition_results_(program.productions.size(), 0),
         refusals_(program.productions.size(), Refusal::nothing) {}
 
+  // Derives the main grammar and all modules that it calls.
   Result<Derived> run() {
     derived_.notes = program_.notes;
-    if (!evaluation_.bind(limits_) || !begin()) return evaluation_.trouble();
+    if (!evaluation_.bind(limits_) || !begin()) return evaluation_.error();
     // Instances are appended while these run.
     for (std::uint32_t instance = 0; instance < derived_.instances.size() && !stopped_; ++instance)
-      if (!run(instance)) return evaluation_.trouble();
+      if (!run(instance)) return evaluation_.error();
     add_notes();
     if (limits_.budget != nullptr)
       limits_.budget->spend(std::min<std::uint64_t>(work_ + evaluation_.work(), limits_.work));
@@ -54,13 +70,16 @@ class Deriver {
   }
 
  private:
+  // A face that a volume grows on, and the number of the growth action that applies there.
   struct Chosen {
     Face face;
     std::uint32_t growth;
   };
 
+  // The label, the grammar's symbol, of a volume.
   std::uint32_t label_of(std::uint32_t volume) const { return derived_.map.volume(volume).label; }
 
+  // Adds the volume of the main axiom.
   bool begin() {
     const Grammar& main = program_.grammars[0];
     derived_.instances.push_back({0, 0, hash_text("flower")});
@@ -77,6 +96,7 @@ class Deriver {
     return true;
   }
 
+  // Records a volume with its values.
   void store(const Record& record, const VolumeValues& values) {
     if (record.volume >= derived_.record_of.size()) derived_.record_of.resize(record.volume + 1, invalid);
     derived_.record_of[record.volume] = static_cast<std::uint32_t>(derived_.records.size());
@@ -85,6 +105,7 @@ class Deriver {
     has_label_occurred_[record.label] = 1;
   }
 
+  // Derives an instance of a grammar: in each step rewrites the active volumes, then glues faces that meet.
   bool run(std::uint32_t instance) {
     instance_ = instance;
     active_ = {firsts_[instance]};
@@ -108,7 +129,7 @@ class Deriver {
     return true;
   }
 
-  // Applies all productions to one volume in one step. False: the evaluation's trouble.
+  // Applies all productions to one volume in one step: growth, relabelling and splitting, in this order.
   bool rewrite(std::uint32_t volume) {
     const std::uint32_t record = derived_.record_of[volume];
     const Label& label = program_.labels[label_of(volume)];
@@ -133,11 +154,11 @@ class Deriver {
       }
       condition_results_[production.number] |= 2;
       if (!grows) {
-        displaced(split == invalid ? nullptr : &program_.productions[split]);
+        mark_displaced(split == invalid ? nullptr : &program_.productions[split]);
         split = i;
       }
       if (production.becomes != invalid) {
-        displaced(becomes == invalid ? nullptr : &program_.productions[last]);
+        mark_displaced(becomes == invalid ? nullptr : &program_.productions[last]);
         becomes = production.becomes;
         last = i;
       }
@@ -158,8 +179,8 @@ class Deriver {
     return true;
   }
 
-  // Adds to the work and checks the limits of work and time. Work is counted by steps of searches and by executed
-  // instructions.
+  // Adds to the work and returns whether a limit of work or time is exceeded. Work is counted by steps of searches and
+  // by executed instructions.
   bool is_spent(std::uint64_t more) {
     work_ += more;
     const std::uint64_t work = work_ + evaluation_.work();
@@ -170,8 +191,8 @@ class Deriver {
     return work > limits_.work || out_of_time_;
   }
 
-  // Marks a production that applies without effect, since a later one has the same kind of effect.
-  void displaced(const Production* production) {
+  // Marks a production that applies without effect, since a later one has the same kind of effect. Null: none.
+  void mark_displaced(const Production* production) {
     if (production != nullptr) displaced_[production->number] = 1;
   }
 
@@ -195,16 +216,14 @@ class Deriver {
       if (of.worked_out) {
         const float side = evaluation_.at(of.source);
         if (!(side >= 1 && side <= generalized_map::largest_order && std::floor(side) == side))
-          return evaluation_.fail(error_at(Reason::evaluation, of.place,
-                                           "A face's number comes to %; it is a whole number from 1 on.",
-                                           {number_text(side)}));
+          return evaluation_.fail(
+              error_at(Reason::evaluation, of.place, message(messages::flower::face_number, number_text(side))));
         face = generalized_map::side(static_cast<std::uint32_t>(side));
       }
       if (!derived_.map.has(volume, face))
-        return evaluation_.fail(
-            error_at(Reason::evaluation, of.place, "% is a prism with % sides, which has no C%.",
-                     {program_.labels[label_of(volume)].name, std::to_string(derived_.map.volume(volume).order),
-                      std::to_string(generalized_map::side_number(face))}));
+        return evaluation_.fail(error_at(Reason::evaluation, of.place,
+                                         message(messages::flower::no_such_side, program_.labels[label_of(volume)].name,
+                                                 derived_.map.volume(volume).order, name_of_side(face))));
       if (!derived_.map.is_free(volume, face)) continue;
       const auto same =
           std::find_if(chosen_.begin(), chosen_.end(), [&](const Chosen& each) { return each.face == face; });
@@ -217,10 +236,12 @@ class Deriver {
     return true;
   }
 
+  // Grows a new volume on the chosen face of a volume; for a module the first volume of a new instance. `before` is the
+  // record of the volume that grows.
   bool grow(std::uint32_t volume, std::uint32_t before, const Chosen& chosen) {
     const GrowAction& growth = numbers_.growth(chosen.growth);
     const Instance& host = derived_.instances[instance_];
-    if (growth.module && host.depth + 1 > most_nested) {
+    if (growth.module && host.depth + 1 > max_nested) {
       if (too_deep_ == 0) too_deep_ = growth.arguments.place.line;
       return true;
     }
@@ -258,6 +279,8 @@ class Deriver {
     return numbers_.enter(derived_.instances, instance_);
   }
 
+  // Splits a volume at a face, and records the rest and the new part with their numbers. A refused split leaves the
+  // volume as it is.
   bool split_volume(std::uint32_t volume, std::uint32_t before, const Production& production) {
     // Every corner of the face is visited, also where the split is refused then.
     if (is_spent(derived_.map.volume(volume).order / 4)) return stop_for_work();
@@ -324,111 +347,108 @@ class Deriver {
     return waits;
   }
 
+  // The instance that a volume belongs to.
   std::uint32_t instance_of(std::uint32_t volume) const {
     return derived_.records[derived_.record_of[volume]].instance;
   }
 
+  // Ends the derivation at a step because the map refuses a volume, with a note.
   void stop(Refusal refusal, std::uint32_t step, const expression::SourceLocation& place) {
     stopped_ = true;
-    first_note(sentence("Growth ended in step %, line %: %%",
-                        {std::to_string(step), std::to_string(place.line), generalized_map::words(refusal),
-                         refusal == Refusal::full ? " Let it grow on fewer faces, or for fewer steps." : ""}));
+    first_note(message(refusal == Refusal::full ? messages::flower::stopped_full : messages::flower::stopped, step,
+                       place.line, message_of(refusal)));
   }
 
   // Adds a note before all others: the most important one.
   void first_note(std::string note) { derived_.notes.insert(derived_.notes.begin(), std::move(note)); }
 
+  // Ends the derivation since work or time is used up, with a note. Returns true: this is no error.
   bool stop_for_work() {
     stopped_ = true;
     if (out_of_time_) {
-      first_note(
-          sentence("Growth ended in step %: the time limit is reached. Give it more time, or let it take fewer "
-                   "steps.",
-                   {std::to_string(step_)}));
+      first_note(message(messages::flower::stopped_by_time, step_));
       return true;
     }
-    first_note(sentence(
-        "Growth ended in step %: trying productions took more than % units of work, which is the limit; let fewer "
-        "things wait for their turn, or let them work out less.",
-        {std::to_string(step_), std::to_string(limits_.work)}));
+    first_note(message(messages::flower::stopped_by_work, step_, limits_.work));
     return true;
   }
 
-  // A note on faces of a glue that no volume of a label has, or an empty text. The number of sides may be random, so
-  // this is not an error.
-  std::string without_face(std::uint32_t label, Face face) const {
+  // A message if no volume of a label has the face that a glue production names; none if some volume has it. The number
+  // of sides may be random, so this is not an error.
+  std::optional<Message> without_face(std::uint32_t label, Face face) const {
     std::uint32_t order = 0;
     for (std::uint32_t volume = 0; volume < derived_.map.volumes(); ++volume) {
       if (label_of(volume) != label) continue;
-      if (derived_.map.has(volume, face)) return "";
+      if (derived_.map.has(volume, face)) return {};
       order = derived_.map.volume(volume).order;
     }
-    if (order == 0) return "";
-    return sentence(
-        "% is a prism with % sides, which has no C%, and nothing was glued.",
-        {program_.labels[label].name, std::to_string(order), std::to_string(generalized_map::side_number(face))});
+    if (order == 0) return {};
+    return message(messages::flower::glue_without_face, program_.labels[label].name, order, name_of_side(face));
   }
 
   // Adds one note for all attached volumes, since most flowers have such places: a leaf of four sides on a stem of
   // twelve.
   void note_attached() {
-    constexpr std::size_t most_named = 6;
-    std::string first, others;
+    constexpr std::size_t max_named = 6;
+    const GrowAction* first = nullptr;
+    std::uint32_t first_times = 0;
+    std::optional<Message> others;
     std::size_t count = 0;
     for (std::size_t i = 0; i < attached_.size(); ++i) {
-      if (attached_[i] == 0 || ++count > most_named) continue;
+      if (attached_[i] == 0 || ++count > max_named) continue;
       const GrowAction& growth = numbers_.growth(static_cast<std::uint32_t>(i));
-      const std::string& name =
-          growth.module ? program_.grammars[growth.target].name : program_.labels[growth.target].name;
-      const std::string line = std::to_string(growth.arguments.place.line),
-                        times = attached_[i] == 1 ? "once" : sentence("% times", {std::to_string(attached_[i])});
-      if (count == 1)
-        first = sentence(
-            "Line %: % stands on faces that have other numbers of edges (%): it is attached there, and sewn to "
-            "nothing",
-            {line, name, times});
-      else
-        others += sentence("%% in line % (%)", {count > 2 ? ", " : "", name, line, times});
+      if (first == nullptr) {
+        first = &growth;
+        first_times = attached_[i];
+        continue;
+      }
+      const Message other =
+          message(messages::flower::term_attached, name_of(growth), growth.arguments.place.line, attached_[i]);
+      others = others ? message(messages::flower::term_list, *others, other) : other;
     }
-    if (count == 0) return;
-    if (count > most_named) others += sentence(", and % more", {std::to_string(count - most_named)});
-    derived_.notes.push_back(first + (others.empty() ? "." : sentence("; so are %.", {others})));
+    if (first == nullptr) return;
+    if (count > max_named) others = message(messages::flower::term_and_more, *others, count - max_named);
+    derived_.notes.push_back(
+        at_line(first->arguments.place.line,
+                others ? message(messages::flower::attached_others, name_of(*first), first_times, *others)
+                       : message(messages::flower::attached, name_of(*first), first_times)));
+  }
+
+  // The name of the volume or module that a growth adds.
+  const std::string& name_of(const GrowAction& growth) const {
+    return growth.module ? program_.grammars[growth.target].name : program_.labels[growth.target].name;
   }
 
   // Adds notes on productions that had no effect or only a part of it.
   void add_notes() {
     note_attached();
     for (const Production& production : program_.productions) {
-      const auto note = [&](const char* pattern, std::string_view more = {}) {
-        derived_.notes.push_back(sentence(pattern, {std::to_string(production.place.line), more}));
+      const auto note = [&](const Message& problem) {
+        derived_.notes.push_back(at_line(production.place.line, problem));
       };
       const bool glues = production.kind == Production::Kind::glue;
       const Refusal refusal = refusals_[production.number];
-      if (refusal != Refusal::nothing && glues) note("Line %: some of these faces were not glued: %", words(refusal));
-      if (refusal != Refusal::nothing && !glues)
-        note("Line %: what cannot be split there stays whole: %", words(refusal));
+      if (refusal != Refusal::nothing && glues) note(message(messages::flower::some_not_glued, message_of(refusal)));
+      if (refusal != Refusal::nothing && !glues) note(message(messages::flower::some_not_split, message_of(refusal)));
       if (glues && refusal == Refusal::nothing && glued_[production.number] == 0) {
-        std::string lacks = without_face(production.predecessor, production.face);
-        if (lacks.empty()) lacks = without_face(production.other, production.other_face);
-        if (!lacks.empty())
-          note("Line %: %", lacks);
+        std::optional<Message> lacks = without_face(production.predecessor, production.face);
+        if (!lacks) lacks = without_face(production.other, production.other_face);
+        if (lacks)
+          note(*lacks);
         else if (has_label_occurred_[production.predecessor] != 0 && has_label_occurred_[production.other] != 0)
-          note("Line %: these faces never came to be adjacent, and nothing was glued.");
+          note(message(messages::flower::never_adjacent));
       }
       // Only where the text sets the number of steps.
       if (production.by_step && condition_results_[production.number] == 1 && !stopped_ && !cut_short_)
-        note("Line %: this never came about: whenever there was room for it its condition did not hold.");
-      if (displaced_[production.number] != 0)
-        note("Line %: where a later line splits or renames the same volume in the same step, this one does not.");
+        note(message(messages::flower::never_applied));
+      if (displaced_[production.number] != 0) note(message(messages::flower::displaced));
     }
     if (too_deep_ > 0)
-      derived_.notes.push_back(
-          sentence("Line %: modules stand in one another more than % deep; what is deeper was left out.",
-                   {std::to_string(too_deep_), std::to_string(most_nested)}));
-    if (derived_.notes.size() <= most_notes) return;
-    const std::size_t more = derived_.notes.size() - most_notes;
-    derived_.notes.resize(most_notes);
-    derived_.notes.push_back(sentence("There are % more notes.", {std::to_string(more)}));
+      derived_.notes.push_back(at_line(too_deep_, message(messages::flower::modules_too_deep, max_nested)));
+    if (derived_.notes.size() <= max_notes) return;
+    const std::size_t more = derived_.notes.size() - max_notes;
+    derived_.notes.resize(max_notes);
+    derived_.notes.push_back(message(messages::flower::more_notes, more));
   }
 
   const Program& program_;
@@ -456,6 +476,7 @@ class Deriver {
 
 }  // namespace
 
+// The sizes and angles of all volumes, for the embedding in space.
 std::vector<generalized_map::Shape> Derived::shapes() const {
   std::vector<generalized_map::Shape> shapes;
   shapes.reserve(record_of.size());
@@ -468,39 +489,44 @@ std::vector<generalized_map::Shape> Derived::shapes() const {
   return shapes;
 }
 
+// The memory that it holds, roughly.
 std::uint64_t Derived::bytes() const {
   std::uint64_t bytes = map.bytes() + bytes_of(records) + bytes_of(values) + bytes_of(record_of) + bytes_of(instances);
   for (const std::string& note : notes) bytes += sizeof note + bytes_of(note);
   return bytes;
 }
 
+// Derives a flower from a program and given values.
 Result<Derived> derive(const Program& program, const Given& given, const Limits& limits) {
   return Deriver(program, given, limits).run();
 }
 
+// Computes the values of all records again for other given values, without deriving the map anew. Returns the error of
+// an evaluation.
 Result<std::vector<VolumeValues>> reworked(const Program& program, const Given& given, const Derived& derived,
                                            const Limits& limits) {
   FlowerEvaluation evaluation(program, given);
   Numbers numbers(program, evaluation);
-  if (!evaluation.bind(limits)) return evaluation.trouble();
+  if (!evaluation.bind(limits)) return evaluation.error();
   std::vector<VolumeValues> all(derived.records.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Record& record = derived.records[i];
     const auto order = static_cast<float>(derived.map.volume(record.volume).order);
-    if (!numbers.work_out(record, derived.records, derived.instances, all, order, all[i])) return evaluation.trouble();
+    if (!numbers.work_out(record, derived.records, derived.instances, all, order, all[i])) return evaluation.error();
     if (evaluation.work() > limits.work)
-      return error_at(Reason::limit, {}, "Numbers take more than % units of work, which is the limit.",
-                      {std::to_string(limits.work)});
+      return error_at(Reason::limit, {}, message(messages::flower::numbers_limit, limits.work));
   }
   return all;
 }
 
+// Whether two texts derive the same map, if the values that it depends on are equal.
 bool same_map(const Program& program, const Program& other) {
   return program.structure_key == other.structure_key && program.notes == other.notes &&
          std::equal(program.grammars.begin(), program.grammars.end(), other.grammars.begin(), other.grammars.end(),
                     [](const Grammar& a, const Grammar& b) { return a.once_bound.size() == b.once_bound.size(); });
 }
 
+// Whether the change of given values from `before` to `now` can change the map.
 bool rebuilds(const Program& program, const Given& before, const Given& now, const Limits& limits) {
   // 0 and −0 are equal, and 1/0 and 1/−0 are far apart.
   const auto differ = [](float a, float b) { return a != b || std::signbit(a) != std::signbit(b); };

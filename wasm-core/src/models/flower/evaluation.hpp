@@ -36,7 +36,7 @@ class FlowerEvaluation {
   FlowerEvaluation(const Program& program, const Given& given);
   FlowerEvaluation(const FlowerEvaluation&) = delete;
 
-  // Evaluates the variables of all grammars, and the number of steps of each. False: `trouble()`.
+  // Evaluates the variables of all grammars, and the number of steps of each. False: `error()`.
   bool bind(const Limits& limits);
   // Number of steps of the entered instance.
   std::uint32_t steps() const { return own_steps_; }
@@ -45,11 +45,13 @@ class FlowerEvaluation {
 
   // Sets the volume that a production is for, or that another grows from.
   void set_volume(const VolumeValues& values, const Rank& rank, std::uint32_t step);
+  // Sets the word of the text for the number of the side face.
   void set_face(std::uint32_t side) { set(Word::face, static_cast<float>(side)); }
   bool holds(const Number& condition, std::uint64_t address);
   bool run(expression::Range code, std::uint64_t address);
+  // The value of a register.
   float at(std::uint32_t source) const { return registers_[source]; }
-  // Evaluates a description and overwrites the values that it gives. False: `trouble()`.
+  // Evaluates a description and overwrites the values that it gives. False: `error()`.
   bool describe(const Description& description, std::uint64_t address, VolumeValues& values);
 
   // Evaluates the settings of a call, for a module's variables.
@@ -60,19 +62,22 @@ class FlowerEvaluation {
   std::uint64_t work() const { return work_; }
   // Variables of the text itself, by their index in the program, as they were bound.
   const std::vector<float>& variables() const { return variables_; }
-  bool failed() const { return trouble_.reason != Reason::none; }
-  const Diagnostic& trouble() const { return trouble_; }
-  bool fail(Diagnostic trouble) {
-    trouble_ = std::move(trouble);
+  bool failed() const { return error_.reason != Reason::none; }
+  const Diagnostic& error() const { return error_; }
+  // Stores an error; returns false.
+  bool fail(Diagnostic error) {
+    error_ = std::move(error);
     return false;
   }
 
  private:
   void set(Word word, float value) { registers_[static_cast<std::size_t>(word)] = value; }
   bool variables(std::uint32_t grammar, std::uint64_t address, const GivenVariables& given);
-  bool variable(std::size_t at, std::uint64_t address);
+  // Sets a variable to the value that the request gives it (only variables of the text itself, grammar 0), else to its
+  // expression's, whose random values go by `random_address`. False: `error()`.
+  bool bind_variable(std::size_t index, std::uint64_t random_address);
   bool is_finite(std::uint32_t variable, float value, const expression::SourceLocation& place);
-  void follow(std::uint32_t begin, std::uint32_t end);
+  void execute_once_bound(std::uint32_t begin, std::uint32_t end);
   bool count(const Number& number, std::uint32_t& steps);
 
   const Program& program_;
@@ -80,10 +85,10 @@ class FlowerEvaluation {
   std::vector<float> registers_;
   std::vector<float> variables_;
   std::vector<std::uint32_t> steps_;  // by grammar
-  std::uint32_t own_steps_ = 0, most_steps_ = 0;
+  std::uint32_t own_steps_ = 0, max_steps_ = 0;
   expression::Sources sources_;
   std::uint64_t work_ = 0;
-  Diagnostic trouble_;
+  Diagnostic error_;
 };
 
 }  // namespace panicle::flower

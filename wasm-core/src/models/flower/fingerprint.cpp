@@ -7,6 +7,7 @@
 
 namespace panicle::flower {
 
+// Computes a flower's fingerprint: a hash of its volumes, materials and vertices.
 std::uint64_t fingerprint_of(const Derived& derived, const generalized_map::Embedding& embedding) {
   const generalized_map::Map& map = derived.map;
   Fingerprint print;

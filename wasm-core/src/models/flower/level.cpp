@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "foundation/bytes.hpp"
+#include "mesh/normals.hpp"
 #include "models/flower/skin.hpp"
 #include "models/flower/units.hpp"
 
@@ -15,6 +16,7 @@ namespace {
 
 constexpr float crease = -0.25f;  // the cosine between two normals that are not smoothed into one
 
+// The index of a kind of material in the order of runs.
 std::size_t place_of(std::string_view kind) {
   return static_cast<std::size_t>(std::find(material_kinds.begin(), material_kinds.end(), kind) -
                                   material_kinds.begin());
@@ -22,18 +24,20 @@ std::size_t place_of(std::string_view kind) {
 
 }  // namespace
 
+// Builds a level of detail from the triangles that remain of the boundary; `places` are the boundary's vertices.
 Level::Level(RemainingTriangles remains, const std::vector<glm::vec3>& places)
     : volumes_(std::move(remains.volumes)), wide_(std::move(remains.wide)) {
   split_at_edges(remains.vertices, places);
 }
 
+// Gives each triangle the vertices of the smooth surface at its corners: one for each vertex of the boundary, and
+// further ones where the normal of a triangle differs too much from the sum of those that share the vertex so far.
 void Level::split_at_edges(const std::vector<std::uint32_t>& vertices, const std::vector<glm::vec3>& places) {
   std::vector<glm::vec3> normals;  // of `smooth_`, sums
   // Linked lists of the smooth vertices at each vertex of the boundary.
   std::vector<std::uint32_t> first(places.size(), invalid), next;
   for (std::size_t t = 0; t < vertices.size(); t += 3) {
-    const glm::vec3 &a = places[vertices[t]], &b = places[vertices[t + 1]], &c = places[vertices[t + 2]];
-    const glm::vec3 normal = glm::cross(b - a, c - a);
+    const glm::vec3 normal = triangle_normal(places[vertices[t]], places[vertices[t + 1]], places[vertices[t + 2]]);
     const float length = glm::length(normal);
     for (std::size_t i = t; i < t + 3; ++i) {
       std::uint32_t* side = &first[vertices[i]];
@@ -54,6 +58,8 @@ void Level::split_at_edges(const std::vector<std::uint32_t>& vertices, const std
   }
 }
 
+// Assigns materials: sorts the triangles into runs by kind, with vertices of their own. `numbers` are the materials by
+// volume.
 void Level::dress(const Program& program, const std::vector<std::uint8_t>& numbers) {
   std::array<std::size_t, 256> kind{};
   for (std::uint32_t number = 0; number < kind.size(); ++number)
@@ -92,49 +98,47 @@ void Level::dress(const Program& program, const std::vector<std::uint8_t>& numbe
   }
 }
 
+// Widens organs that stand for several: moves their vertices away from the axis between foot and tip, by a factor for
+// each organ.
 void Level::widen(const OrganForms& organs, std::vector<glm::vec3>& places) const {
   for (const auto& [organ, times] : wide_) {
-    const FormedOrgan& of = organs.organs()[organ];
-    const OrganForm& form = organs.form(of);
-    const std::uint32_t* const own = organs.vertices(of);
+    const FormedOrgan& formed = organs.organs()[organ];
+    const OrganForm& form = organs.form(formed);
+    const std::uint32_t* const own_vertices = organs.vertices(formed);
     glm::vec3 foot(0);
-    float feet = 0;
+    float foot_count = 0;
     for (std::size_t v = 0; v < form.is_foot.size(); ++v)
-      if (form.is_foot[v] != 0) foot += places[own[v]], feet += 1;
-    foot /= feet;
-    const glm::vec3 way = places[own[form.tip()]] - foot;
-    const float square = glm::dot(way, way);
+      if (form.is_foot[v] != 0) foot += places[own_vertices[v]], foot_count += 1;
+    foot /= foot_count;
+    const glm::vec3 axis = places[own_vertices[form.tip()]] - foot;
+    const float square = glm::dot(axis, axis);
     if (!(square > 0)) continue;
     for (std::size_t v = 0; v < form.is_foot.size(); ++v) {
       if (form.is_foot[v] != 0) continue;
-      glm::vec3& place = places[own[v]];
-      const glm::vec3 on = foot + glm::dot(place - foot, way) / square * way;
-      place = on + times * (place - on);
+      glm::vec3& place = places[own_vertices[v]];
+      const glm::vec3 foot_point = foot + glm::dot(place - foot, axis) / square * axis;
+      place = foot_point + times * (place - foot_point);
     }
   }
 }
 
+// The mesh of the level, with the boundary's vertices at `places`.
 PlantMesh Level::mesh(const std::vector<glm::vec3>& places) const {
-  std::vector<glm::vec3> normals(smooth_.size(), glm::vec3(0));
-  for (std::size_t t = 0; t < triangles(); ++t) {
-    const auto [a, b, c] = triangle(t);
-    const glm::vec3 normal = glm::cross(places[b] - places[a], places[c] - places[a]);
-    for (std::size_t i = 3 * t; i < 3 * t + 3; ++i) normals[corners_[i]] += normal;
-  }
+  const std::vector<glm::vec3> normals =
+      sum_normals(smooth_.size(), corners_, [&](std::uint32_t smooth) { return places[smooth_[smooth]]; });
   PlantMesh made;
   made.runs = runs_;
   made.mesh.indices = indices_;
   made.mesh.positions.resize(3 * drawn_.size());
   made.mesh.normals.resize(3 * drawn_.size());
   for (std::size_t v = 0; v < drawn_.size(); ++v) {
-    const glm::vec3& normal = normals[drawn_[v]];
-    const float length = glm::length(normal);
     put(metres * y_up(places[vertex(v)]), &made.mesh.positions[3 * v]);
-    put(y_up(length > 1e-20f ? normal / length : glm::vec3(0, 0, 1)), &made.mesh.normals[3 * v]);
+    put(y_up(unit_normal(normals[drawn_[v]], 1e-20f)), &made.mesh.normals[3 * v]);
   }
   return made;
 }
 
+// The memory that it holds, roughly.
 std::uint64_t Level::bytes() const {
   return bytes_of(corners_) + bytes_of(volumes_) + bytes_of(smooth_) + bytes_of(wide_) + bytes_of(indices_) +
          bytes_of(drawn_) + bytes_of(number_);

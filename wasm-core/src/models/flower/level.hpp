@@ -38,6 +38,7 @@ class Level {
 
   // Triangles, three vertices of the boundary each.
   std::size_t triangles() const { return corners_.size() / 3; }
+  // The vertices of triangle `t`, with one number for all that share their normal.
   std::array<std::uint32_t, 3> triangle(std::size_t t) const {
     return {smooth_[corners_[3 * t]], smooth_[corners_[3 * t + 1]], smooth_[corners_[3 * t + 2]]};
   }

@@ -11,6 +11,8 @@
 #include "expression/diagnostics.hpp"
 #include "foundation/bytes.hpp"
 #include "light/sky_visibility.hpp"
+#include "mesh/normals.hpp"
+#include "models/flower/messages.generated.hpp"
 #include "models/flower/skin.hpp"
 #include "models/flower/thickness.hpp"
 #include "models/flower/units.hpp"
@@ -20,7 +22,7 @@ namespace {
 
 // Most triangles of each level, and the share of them for parts that cannot be thinned further: the rest is for visible
 // detail.
-constexpr std::array<std::size_t, level_count> most_triangles{6000, 2200, 800, 260};
+constexpr std::array<std::size_t, level_count> max_triangles{6000, 2200, 800, 260};
 constexpr float least_share = 0.65f;
 constexpr std::array<const char*, level_count> names{"level0", "level1", "level2", "level3"};
 // Of organs close together one in this number remains; tried in this order.
@@ -35,8 +37,8 @@ constexpr float widest = 4;
 constexpr float sky_cells = 14;
 constexpr std::uint32_t sky_directions = 14;
 
-// Values that are the same for every flower of one map: of an open flower of seed 1, with the variables that the map
-// depends on.
+// Computes values that are the same for every flower of one map: those of an open flower of seed 1, with the variables
+// that the map depends on. Returns false if they cannot be computed.
 bool usual_values(const Program& program, const Given& given, const Limits& limits, const Derived& derived,
                   std::vector<VolumeValues>& values) {
   Given usual;
@@ -53,15 +55,11 @@ bool usual_values(const Program& program, const Given& given, const Limits& limi
   return true;
 }
 
-float area_of(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-  return 0.5f * glm::length(glm::cross(b - a, c - a));
-}
-
-// Positions in their organs of a boundary's vertices: the mean over the corners of a material at a vertex, as in a
-// skin.
+// Texture coordinates of a boundary's vertices: the mean position in the organ over all corners of one material at a
+// vertex. The entries of a vertex, one for each material, form a linked list.
 class OrganCoordinates {
  public:
-  // `numbers`: of materials, by volume; `corners`: by half-edge.
+  // `numbers` are materials by volume; `corners` are the positions in organs by half-edge.
   OrganCoordinates(const generalized_map::Boundary& boundary, const std::vector<std::uint8_t>& numbers,
                    const std::vector<glm::vec2>& corners)
       : first_(boundary.surface.positions.size(), invalid) {
@@ -79,7 +77,8 @@ class OrganCoordinates {
     }
   }
 
-  // The mean over all corners where only thinning has brought the material to the vertex.
+  // The coordinates of a vertex for a material; the mean over all its materials if simplification brought the material
+  // there.
   glm::vec2 at(std::uint32_t vertex, std::uint8_t number) const {
     glm::vec3 all(0);
     for (std::uint32_t i = first_[vertex]; i != invalid; i = of_[i].next) {
@@ -90,26 +89,30 @@ class OrganCoordinates {
   }
 
  private:
-  struct Of {
+  struct Entry {
     std::uint32_t next;
     std::uint8_t number;
     glm::vec3 sum;
   };
   std::vector<std::uint32_t> first_;  // by vertex
-  std::vector<Of> of_;
+  std::vector<Entry> of_;
 };
 
+// Whether a triangle has two equal corners, and so no area.
 bool is_flat(const std::array<std::uint32_t, 3>& triangle) {
   return triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0];
 }
 
 }  // namespace
 
+// Builds all levels of detail of a flower: finds the forms of its organs and simplifies these.
 FlowerLevels::FlowerLevels(const Program& program, const Given& given, const Limits& limits, Derived& derived,
                            generalized_map::Embedding& embedding)
     : boundary_(generalized_map::boundary_of(derived.map, embedding)),
       is_tube_(tubes_of(derived, boundary_)),
       corners_(derived, boundary_.surface, boundary_.volume) {
+  // The vertices are placed by the values of an open flower of seed 1, so that all flowers of this map can share the
+  // levels. `derived` has these values only for the call. Where they cannot be computed, this flower's own are used.
   std::vector<VolumeValues> usual;
   lasting_ = usual_values(program, given, limits, derived, usual);
   if (lasting_) std::swap(derived.values, usual);
@@ -118,9 +121,10 @@ FlowerLevels::FlowerLevels(const Program& program, const Given& given, const Lim
 
   organs_.emplace(derived, boundary_, places);
   if (limits.budget != nullptr) limits.budget->spend(organs_->work());
-  for (const std::size_t most : most_triangles) levels_.emplace_back(remains(choose(most), places), places);
+  for (const std::size_t most : max_triangles) levels_.emplace_back(remains(choose(most), places), places);
 }
 
+// Of the organs of a form, one in this number remains.
 std::uint32_t FlowerLevels::stride(const OrganForm& form, const Sparse& sparse) {
   const std::uint32_t thin = sparse.of_form;
   if (!form.rooted || form.organs < crowd) return 1;
@@ -128,10 +132,13 @@ std::uint32_t FlowerLevels::stride(const OrganForm& form, const Sparse& sparse) 
   return std::min(thin, form.organs / few);
 }
 
+// Of all organs that remain by their forms, one in this number remains.
 std::uint32_t FlowerLevels::stride_of_all(const OrganForm& form, const Sparse& sparse) {
   return !form.rooted ? 1 : form.has_attached ? std::max(1u, sparse.of_all / parent_stride_factor) : sparse.of_all;
 }
 
+// Chooses the organs that remain: one in `stride` of each crowded form, of these one in `stride_of_all`. By organ, 1
+// for those that remain; organs attached to one that does not are left out with it.
 std::vector<std::uint8_t> FlowerLevels::retained_organs(const Sparse& sparse) const {
   const std::vector<FormedOrgan>& organs = organs_->organs();
   std::vector<std::uint8_t> retained(organs.size(), 1);
@@ -147,28 +154,30 @@ std::vector<std::uint8_t> FlowerLevels::retained_organs(const Sparse& sparse) co
   return retained;
 }
 
+// The number of triangles of the retained organs, simplified up to an error.
 std::size_t FlowerLevels::triangles(const std::vector<std::uint8_t>& retained, float error) const {
   std::vector<std::size_t> of_form;
   for (const OrganForm& form : organs_->forms()) of_form.push_back(form.remaining(error));
-  std::size_t all = 0;
-  for (std::size_t i = 0; i < retained.size(); ++i) all += retained[i] != 0 ? of_form[organs_->organs()[i].form] : 0;
-  return all;
+  std::size_t sum = 0;
+  for (std::size_t i = 0; i < retained.size(); ++i) sum += retained[i] != 0 ? of_form[organs_->organs()[i].form] : 0;
+  return sum;
 }
 
-// Thins all organs to one error, and crowds only where that is not enough.
+// Chooses organs and the error of simplification for at most `most` triangles. All organs are simplified to one error;
+// crowds are thinned out only if that is not enough.
 FlowerLevels::Choice FlowerLevels::choose(std::size_t most) const {
-  constexpr float all = std::numeric_limits<float>::max();
+  constexpr float no_limit = std::numeric_limits<float>::max();
   Choice choice;
-  std::vector<std::uint8_t>& there = choice.organs;
+  std::vector<std::uint8_t>& retained = choice.organs;
   for (const std::uint32_t each : strides) {
     choice.sparse.of_form = each;
-    there = retained_organs(choice.sparse);
-    if (static_cast<float>(triangles(there, all)) <= least_share * static_cast<float>(most)) break;
+    retained = retained_organs(choice.sparse);
+    if (static_cast<float>(triangles(retained, no_limit)) <= least_share * static_cast<float>(most)) break;
   }
   // Organs that are all different are no crowds, and may still be too many.
-  for (std::size_t i = 1; i < strides.size() && triangles(there, all) > most; ++i) {
+  for (std::size_t i = 1; i < strides.size() && triangles(retained, no_limit) > most; ++i) {
     choice.sparse.of_all = strides[i];
-    there = retained_organs(choice.sparse);
+    retained = retained_organs(choice.sparse);
   }
   std::vector<float> errors{0};
   for (const OrganForm& form : organs_->forms()) {
@@ -177,54 +186,57 @@ FlowerLevels::Choice FlowerLevels::choose(std::size_t most) const {
   }
   std::sort(errors.begin(), errors.end());
   const auto enough =
-      std::partition_point(errors.begin(), errors.end(), [&](float each) { return triangles(there, each) > most; });
-  choice.error = enough == errors.end() ? all : *enough;
+      std::partition_point(errors.begin(), errors.end(), [&](float each) { return triangles(retained, each) > most; });
+  choice.error = enough == errors.end() ? no_limit : *enough;
   return choice;
 }
 
+// By form, the factor of width that gives a simplified organ the area that it had before.
 std::vector<float> FlowerLevels::width_factors(float error, const std::vector<glm::vec3>& places) const {
   std::vector<float> width_factors(organs_->forms().size(), 1);
   for (const FormedOrgan& organ : organs_->organs()) {
     const OrganForm& form = organs_->form(organ);
     if (organ.number != 0 || !form.rooted) continue;
-    const std::uint32_t* const own = organs_->vertices(organ);
-    const auto at = [&](std::uint32_t v) { return places[own[v]]; };
-    const std::vector<std::uint32_t> to = form.targets(error);
-    float before = 0, behind = 0;
+    const std::uint32_t* const own_vertices = organs_->vertices(organ);
+    const auto at = [&](std::uint32_t v) { return places[own_vertices[v]]; };
+    const std::vector<std::uint32_t> merged_into = form.targets(error);
+    float area_before = 0, area_after = 0;
     const bool is_kite = form.is_kite(error);
     for (const auto& [a, b, c] : form.triangles) {
-      before += area_of(at(a), at(b), at(c));
-      if (!is_kite) behind += area_of(at(to[a]), at(to[b]), at(to[c]));
+      area_before += triangle_area(at(a), at(b), at(c));
+      if (!is_kite) area_after += triangle_area(at(merged_into[a]), at(merged_into[b]), at(merged_into[c]));
     }
     if (is_kite) {
       const auto& [foot, left, tip, right] = form.kite;
-      behind = 2 * (area_of(at(foot), at(left), at(tip)) + area_of(at(foot), at(tip), at(right)));
+      area_after = 2 * (triangle_area(at(foot), at(left), at(tip)) + triangle_area(at(foot), at(tip), at(right)));
     }
-    if (behind > 0)
+    if (area_after > 0)
       width_factors[organ.form] =
-          std::clamp(before / behind, is_kite ? narrowest : 1.0f, is_kite ? widest_kite : fullest);
+          std::clamp(area_before / area_after, is_kite ? narrowest : 1.0f, is_kite ? widest_kite : fullest);
   }
   return width_factors;
 }
 
+// The triangles that remain in a level of detail: of each organ that remains, its simplified form or a kite of two
+// triangles, connected to the organ that it is attached to.
 Level::RemainingTriangles FlowerLevels::remains(const Choice& choice, const std::vector<glm::vec3>& places) const {
-  const auto& [sparse, there, error] = choice;
+  const auto& [sparse, retained, error] = choice;
   const std::vector<FormedOrgan>& organs = organs_->organs();
-  std::vector<std::vector<std::uint32_t>> to;
-  for (const OrganForm& form : organs_->forms()) to.push_back(form.targets(error));
+  std::vector<std::vector<std::uint32_t>> merged_into;
+  for (const OrganForm& form : organs_->forms()) merged_into.push_back(form.targets(error));
   const std::vector<float> width_factors = this->width_factors(error, places);
 
   // A vertex of a foot moves as in the organ that its organ is attached to.
-  std::vector<std::uint32_t> gone(places.size());
-  std::iota(gone.begin(), gone.end(), 0u);
+  std::vector<std::uint32_t> moved_to(places.size());
+  std::iota(moved_to.begin(), moved_to.end(), 0u);
   for (const FormedOrgan& organ : organs) {
     const OrganForm& form = organs_->form(organ);
-    const std::uint32_t* const own = organs_->vertices(organ);
+    const std::uint32_t* const own_vertices = organs_->vertices(organ);
     for (std::uint32_t v = 0; v < form.is_foot.size(); ++v)
-      if (form.is_foot[v] != 1) gone[own[v]] = own[to[organ.form][v]];
+      if (form.is_foot[v] != 1) moved_to[own_vertices[v]] = own_vertices[merged_into[organ.form][v]];
   }
-  const auto last = [&](std::uint32_t vertex) {
-    while (gone[vertex] != vertex) vertex = gone[vertex];
+  const auto final_vertex = [&](std::uint32_t vertex) {
+    while (moved_to[vertex] != vertex) vertex = moved_to[vertex];
     return vertex;
   };
 
@@ -235,28 +247,30 @@ Level::RemainingTriangles FlowerLevels::remains(const Choice& choice, const std:
     remains.volumes.push_back(boundary_.volume[face]);
   };
   for (std::uint32_t i = 0; i < organs.size(); ++i) {
-    if (there[i] == 0) continue;
+    if (retained[i] == 0) continue;
     const FormedOrgan& organ = organs[i];
     const OrganForm& form = organs_->form(organ);
-    const std::uint32_t *const own = organs_->vertices(organ), *const faces = organs_->faces(organ);
+    const std::uint32_t *const own_vertices = organs_->vertices(organ), *const faces = organs_->faces(organ);
+    // A kite is a sheet of two triangles, each with both sides.
     if (form.is_kite(error)) {
-      const std::uint32_t foot = last(own[form.kite[0]]), one = own[form.kite[1]], tip = own[form.tip()],
-                          other = own[form.kite[3]];
+      const std::uint32_t foot = final_vertex(own_vertices[form.kite[0]]), left = own_vertices[form.kite[1]],
+                          tip = own_vertices[form.tip()], right = own_vertices[form.kite[3]];
       const auto [upper, lower] = form.kite_faces;
-      add({foot, one, tip}, faces[upper]);
-      add({foot, tip, other}, faces[upper]);
-      add({foot, tip, one}, faces[lower]);
-      add({foot, other, tip}, faces[lower]);
+      add({foot, left, tip}, faces[upper]);
+      add({foot, tip, right}, faces[upper]);
+      add({foot, tip, left}, faces[lower]);
+      add({foot, right, tip}, faces[lower]);
     } else {
       for (std::size_t t = 0; t < form.triangles.size(); ++t) {
         std::array<std::uint32_t, 3> corners = form.triangles[t];
-        for (std::uint32_t& each : corners) each = to[organ.form][each];
+        for (std::uint32_t& each : corners) each = merged_into[organ.form][each];
         if (is_flat(corners)) continue;
-        for (std::uint32_t& each : corners) each = last(own[each]);
+        for (std::uint32_t& each : corners) each = final_vertex(own_vertices[each]);
         add(corners, faces[form.faces[t]]);
       }
     }
     if (!form.rooted) continue;
+    // Organs that remain of a crowd are wider by the number that each replaces, up to `widest`.
     const float crowded =
         form.has_attached ? 1
                           : std::min(widest, static_cast<float>(stride(form, sparse) * stride_of_all(form, sparse)));
@@ -266,20 +280,20 @@ Level::RemainingTriangles FlowerLevels::remains(const Choice& choice, const std:
   return remains;
 }
 
+// Places the boundary by the flower's values and returns its vertices after one round of smoothing.
 std::vector<glm::vec3> FlowerLevels::rounded(const Derived& derived, generalized_map::Embedding& embedding) {
   embedding.place(shapes_to_round(derived, is_tube_, 1));
   std::copy(embedding.positions().begin(), embedding.positions().end(), boundary_.surface.positions.begin());
   return rounded_vertices(boundary_.surface);
 }
 
+// Adds the meshes of all levels to a plant, with texture coordinates, materials and the visible share of the sky.
+// `numbers` are the materials used so far; new ones are added.
 void FlowerLevels::add_to(Plant& plant, const Program& program, const Derived& derived,
                           generalized_map::Embedding& embedding, std::vector<std::uint32_t>& numbers) {
-  if (organs_->is_coarse())
-    plant.notes.push_back(expression::sentence(
-        "The flower's unlike organs have more than % triangles, so its levels are simplified more coarsely; let it "
-        "grow fewer volumes.",
-        {std::to_string(most_compared)}));
+  if (organs_->is_coarse()) plant.notes.push_back(message(messages::flower::levels_coarse, max_compared));
   const std::vector<glm::vec3> places = rounded(derived, embedding);
+  // Numbers of materials by volume; an invalid one counts as 0. The levels are dressed anew only if any differs.
   std::vector<std::uint8_t> own(derived.map.volumes());
   for (std::uint32_t v = 0; v < own.size(); ++v) {
     const float m = derived.values[derived.record_of[v]][static_cast<std::size_t>(Field::material)];
@@ -291,6 +305,7 @@ void FlowerLevels::add_to(Plant& plant, const Program& program, const Derived& d
   }
   const OrganCoordinates coordinates(boundary_, numbers_, corners_.places(derived));
 
+  // The index of each material among the plant's, for the column `paint`.
   std::array<std::uint8_t, 256> index{};
   std::array<bool, 256> is_known{};
   for (std::size_t i = 0; i < numbers.size(); ++i)
@@ -301,11 +316,12 @@ void FlowerLevels::add_to(Plant& plant, const Program& program, const Derived& d
     const Level& level = levels_[k];
     std::vector<glm::vec3> wider = places;
     level.widen(*organs_, wider);
+    // The nearest level's triangles occlude the sky of all levels.
     if (k == 0)
       for (std::size_t t = 0; t < level.triangles(); ++t) {
         const auto [a, b, c] = level.triangle(t);
         occluders.push_back({metres * y_up((wider[a] + wider[b] + wider[c]) / 3.0f),
-                             metres * metres / 2 * area_of(wider[a], wider[b], wider[c])});
+                             metres * metres / 2 * triangle_area(wider[a], wider[b], wider[c])});
       }
     PlantMesh& out = plant.meshes.emplace_back(level.mesh(wider));
     out.name = names[k];
@@ -328,6 +344,7 @@ void FlowerLevels::add_to(Plant& plant, const Program& program, const Derived& d
     plant.meshes[i].columns.add("sky", open.of(plant.meshes[i].mesh));
 }
 
+// The memory that it holds, roughly.
 std::uint64_t FlowerLevels::bytes() const {
   std::uint64_t bytes = 16ull * boundary_.surface.half_edges() + bytes_of(boundary_.surface.positions) +
                         bytes_of(boundary_.volume) + bytes_of(boundary_.face) + bytes_of(is_tube_) + corners_.bytes() +

@@ -11,24 +11,33 @@
 #include <vector>
 
 #include "expression/diagnostics.hpp"
+#include "foundation/vectors.hpp"
 #include "generalized_map/embedding.hpp"
+#include "mesh/normals.hpp"
 #include "models/flower/derivation.hpp"
 #include "models/flower/fingerprint.hpp"
 #include "models/flower/levels.hpp"
 #include "models/flower/measures/measures.generated.hpp"
+#include "models/flower/messages.generated.hpp"
 #include "models/flower/parameters.generated.hpp"
 #include "models/flower/skin.hpp"
 #include "models/flower/units.hpp"
 #include "plant/fingerprint.hpp"
+#include "plant/measures.hpp"
 #include "protocol/cache.hpp"
+#include "protocol/common_request.hpp"
 #include "protocol/parameter_values.hpp"
 
 namespace panicle::flower {
+
+// A dart is one of the two half-edges of an edge of a face.
+
 namespace {
 
 using FlowerValues = Values<Parameter, parameter_table>;
 using enum Parameter;
 
+// The words of a text, separated by spaces.
 std::vector<std::string> words_of(std::string_view text) {
   std::vector<std::string> all;
   while (!text.empty()) {
@@ -39,7 +48,7 @@ std::vector<std::string> words_of(std::string_view text) {
   return all;
 }
 
-// The middle of a face's corners.
+// The middle of the corners of a volume's end face (`end`) or base face, in metres.
 glm::vec3 middle_of(const generalized_map::Map& map, const generalized_map::Embedding& embedding, std::uint32_t volume,
                     bool end) {
   const std::uint32_t order = map.volume(volume).order;
@@ -65,6 +74,8 @@ std::vector<std::uint32_t> parents_first(const generalized_map::Map& map) {
   return order;
 }
 
+// Adds a segment through the middle of each volume, parents first; volumes beside another of their production have
+// none.
 void add_segments(Plant& plant, const Program& program, const Derived& derived,
                   const generalized_map::Embedding& embedding) {
   std::vector<std::int32_t> tags(program.labels.size(), -1), of_volume(derived.map.volumes(), -1);
@@ -117,6 +128,7 @@ void add_lines(Plant& plant, const Program& program, const Derived& derived) {
   plant.columns.add("volumes.call", std::move(calls));
 }
 
+// Adds the columns of labels and volumes, and with `whole` those of darts and vertices.
 void add_columns(Plant& plant, const Program& program, const Derived& derived, bool whole,
                  const generalized_map::Embedding& embedding) {
   std::string labels;
@@ -159,6 +171,7 @@ void add_columns(Plant& plant, const Program& program, const Derived& derived, b
                     3);
 }
 
+// Adds the columns of the materials with these numbers, one for each mesh, in their colours at that age.
 void add_materials(Plant& plant, const Program& program, float age, std::vector<std::uint32_t> numbers) {
   std::vector<std::uint32_t> colours;
   std::vector<float> paint;
@@ -177,48 +190,47 @@ void add_materials(Plant& plant, const Program& program, float age, std::vector<
   plant.columns.add("materials.paint", std::move(paint), 6);
 }
 
+// Measures the flower by its vertices: height and mean width, in centimetres, and its number of organs.
 void measure(Plant& plant, const generalized_map::Embedding& embedding, std::size_t organs) {
-  plant.measures.assign(measure_count, 0);
-  const auto set = [&](Measure which, float value) { plant.measures[static_cast<std::size_t>(which)] = value; };
+  Measures<Measure> measures(measure_count);
   glm::vec3 low(1e9f), high(-1e9f);
   for (const glm::vec3& each : embedding.positions()) {
     low = glm::min(low, metres * y_up(each));
     high = glm::max(high, metres * y_up(each));
   }
-  set(Measure::height, 100 * (high.y - low.y));
-  set(Measure::spread, 50 * (high.x - low.x + high.z - low.z));
-  set(Measure::surface, std::nanf(""));
-  set(Measure::organs, static_cast<float>(organs));
+  measures[Measure::height] = 100 * (high.y - low.y);
+  measures[Measure::spread] = 50 * (high.x - low.x + high.z - low.z);
+  measures[Measure::organs] = static_cast<float>(organs);
+  plant.measures = measures.take();
 }
 
+// Sets the measure of the surface, in cm²: the area of all triangles of the meshes so far.
 void measure_surface(Plant& plant) {
   if (plant.meshes.empty()) return;
   double area = 0;
   for (const PlantMesh& each : plant.meshes) {
-    const auto corner = [&](std::uint32_t i) {
-      const float* const at = &each.mesh.positions[3 * each.mesh.indices[i]];
-      return glm::vec3(at[0], at[1], at[2]);
-    };
+    const auto corner = [&](std::uint32_t i) { return vector_at(each.mesh.positions, each.mesh.indices[i]); };
     for (std::uint32_t i = 0; i + 2 < each.mesh.indices.size(); i += 3)
-      area += 0.5 * static_cast<double>(glm::length(glm::cross(corner(i + 1) - corner(i), corner(i + 2) - corner(i))));
+      area += static_cast<double>(triangle_area(corner(i), corner(i + 1), corner(i + 2)));
   }
   plant.measures[static_cast<std::size_t>(Measure::surface)] = static_cast<float>(1e4 * area);
 }
 
-// `a, b and 7 more`; long names are shortened.
-std::string listed(const std::vector<std::string_view>& names) {
-  constexpr std::size_t most_listed = 12, longest_listed = 64;
+// Lists names: `a, b and 7 more`; long names are shortened.
+Message listed(const std::vector<std::string_view>& names) {
+  constexpr std::size_t max_listed = 12, longest_listed = 64;
   std::string all;
-  for (std::size_t i = 0; i < std::min(names.size(), most_listed); ++i) {
+  for (std::size_t i = 0; i < std::min(names.size(), max_listed); ++i) {
     all.append(i == 0 ? "" : ", ").append(names[i].substr(0, longest_listed));
     if (names[i].size() > longest_listed) all.append("…");
   }
-  if (names.size() > most_listed)
-    all.append(expression::sentence(" and % more", {std::to_string(names.size() - most_listed)}));
-  return names.empty() ? "none" : all;
+  if (names.empty()) return message(messages::flower::term_no_names);
+  if (names.size() > max_listed) return message(messages::flower::term_and_more, all, names.size() - max_listed);
+  return message(messages::flower::term_names, all);
 }
 
-// A note on given values of variables that the text does not have, as after an edit: the flower grows without them.
+// Adds a note on given values of variables that the text does not have, as after an edit: the flower grows without
+// them.
 void note_unknown_values(Plant& plant, const Program& program, const Given& given) {
   std::vector<std::string_view> own, strange;
   for (const Variable& variable : program.variables)
@@ -226,17 +238,31 @@ void note_unknown_values(Plant& plant, const Program& program, const Given& give
   const std::set<std::string_view> known(own.begin(), own.end());
   for (const Given::Value& value : given.values)
     if (!known.contains(value.name)) strange.push_back(value.name);
-  if (!strange.empty())
-    plant.notes.push_back(expression::sentence(
-        "The text has no #define of %, so a value of it changes nothing; it has %.", {listed(strange), listed(own)}));
+  if (!strange.empty()) plant.notes.push_back(message(messages::flower::unknown_values, listed(strange), listed(own)));
 }
 
-bool read_values(Request& request, Given& given) {
-  const std::vector<std::string> names = words_of(request.text("values.names"));
-  const std::span<const float> values = request.floats("values");
-  if (names.size() != values.size()) return false;
-  for (std::size_t i = 0; i < names.size(); ++i) given.values.push_back({names[i], values[i]});
-  return true;
+struct FlowerRequest : CommonRequest {
+  std::string_view text;
+  Given given;
+  std::uint32_t smooth = 0;          // rounds of refinement of the skin
+  bool map = false, levels = false;  // outputs besides the common ones
+};
+
+// Reads the blocks of a request. Errors: bad_request.
+Result<FlowerRequest> read_request(Request& blocks, std::vector<std::string>& notes) {
+  FlowerRequest request{read_common(blocks), blocks.required_text("text"), {}, 0,
+                        blocks.wants("map"), blocks.wants("levels")};
+  const std::vector<std::string> names = words_of(blocks.text("values.names"));
+  const std::span<const float> given = blocks.floats("values");
+  if (Diagnostic error = blocks.trouble(); error.reason != Reason::none) return error;
+  if (names.size() != given.size()) return bad_request(message(messages::flower::values_unpaired));
+  for (std::size_t i = 0; i < names.size(); ++i) request.given.values.push_back({names[i], given[i]});
+  const FlowerValues values(request.parameters, notes);
+  request.given.seed = request.seed;
+  request.given.steps = values.whole(steps);
+  request.given.age = values[age];
+  request.smooth = values.whole(smooth);
+  return request;
 }
 
 // A grown flower with all parts that another flower of the same map can reuse.
@@ -251,6 +277,7 @@ struct CachedFlower {
   std::optional<Skin> skin;
   std::optional<FlowerLevels> levels;
 
+  // The memory that it holds, roughly.
   std::uint64_t bytes() const {
     return text.capacity() + program->bytes() + derived.bytes() + embedding.bytes() + (skin ? skin->bytes() : 0) +
            (levels ? levels->bytes() : 0);
@@ -262,10 +289,10 @@ struct FlowerCache : Cache {
   std::vector<std::unique_ptr<CachedFlower>> all;
 };
 
-constexpr std::size_t most_cached = 12;
+constexpr std::size_t max_cached = 12;
 
-// Reworks a cached flower's values for a text that grows the same map. False, and the flower is unchanged, where only
-// growing gives the right result.
+// Reworks a cached flower's values for a text that grows the same map. Returns false, and leaves the flower unchanged,
+// if only growing gives the right result.
 bool rework_cached(CachedFlower& last, const Program& program, const Given& given, const Limits& limits) {
   if (rebuilds(program, last.given, given, limits)) return false;
   auto values = reworked(program, given, last.derived, limits);
@@ -275,12 +302,13 @@ bool rework_cached(CachedFlower& last, const Program& program, const Given& give
   return true;
 }
 
-// The flower, which is now the first in the cache. Errors: those of reading and of growing.
+// Returns the flower of a text and values, and moves it to the front of the cache: a cached one with the same map,
+// given the new values, or one that is grown. Errors: those of reading and of growing.
 Result<CachedFlower*> find_or_grow(std::string_view text, const Given& given, const Limits& limits, bool skinless,
-                                   FlowerCache& last) {
-  auto& all = last.all;
+                                   FlowerCache& cache) {
+  auto& flowers = cache.all;
   std::shared_ptr<const Program> program;
-  for (const auto& each : all)
+  for (const auto& each : flowers)
     if (each->text == text) program = each->program;
   const bool same_text = program != nullptr;
   if (!same_text) {
@@ -288,22 +316,22 @@ Result<CachedFlower*> find_or_grow(std::string_view text, const Given& given, co
     if (!read) return read.error();
     program = std::make_shared<const Program>(std::move(read.value()));
   }
-  bool again = false;
-  for (std::size_t i = 0; i < all.size() && !again; ++i) {
-    if (same_text ? all[i]->text != text : i > 0 || !same_map(*program, *all[i]->program)) continue;
-    again = rework_cached(*all[i], *program, given, limits);
-    if (again)
-      std::rotate(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(i),
-                  all.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+  bool reused = false;
+  for (std::size_t i = 0; i < flowers.size() && !reused; ++i) {
+    if (same_text ? flowers[i]->text != text : i > 0 || !same_map(*program, *flowers[i]->program)) continue;
+    reused = rework_cached(*flowers[i], *program, given, limits);
+    if (reused)
+      std::rotate(flowers.begin(), flowers.begin() + static_cast<std::ptrdiff_t>(i),
+                  flowers.begin() + static_cast<std::ptrdiff_t>(i) + 1);
   }
-  if (!again) {
+  if (!reused) {
     // Before growing, so that two skins never need memory at once.
-    if (!skinless) all.clear();
+    if (!skinless) flowers.clear();
     auto derived = derive(*program, given, limits);
     if (!derived) return derived.error();
-    all.insert(all.begin(), std::make_unique<CachedFlower>(std::move(derived.value())));
+    flowers.insert(flowers.begin(), std::make_unique<CachedFlower>(std::move(derived.value())));
   }
-  CachedFlower& flower = *all.front();
+  CachedFlower& flower = *flowers.front();
   // Levels are thinned by the text's own sizes.
   if (!same_text) flower.levels.reset();
   flower.program = std::move(program);
@@ -313,84 +341,85 @@ Result<CachedFlower*> find_or_grow(std::string_view text, const Given& given, co
 }
 
 // Removes flowers that cannot be reused, and the oldest ones beyond the limits of the cache.
-void evict(FlowerCache& last) {
-  auto& all = last.all;
-  if (all.front()->levels && !all.front()->levels->lasting()) all.front()->levels.reset();
-  if (!all.front()->derived.whole) all.erase(all.begin());
+void evict(FlowerCache& cache) {
+  auto& flowers = cache.all;
+  if (flowers.front()->levels && !flowers.front()->levels->lasting()) flowers.front()->levels.reset();
+  if (!flowers.front()->derived.whole) flowers.erase(flowers.begin());
   std::uint64_t bytes = 0;
   std::size_t count = 0;
-  while (count < all.size() && count < most_cached && (bytes += all[count]->bytes()) <= Cache::most_bytes) ++count;
-  all.resize(count);
+  while (count < flowers.size() && count < max_cached && (bytes += flowers[count]->bytes()) <= Cache::most_bytes)
+    ++count;
+  flowers.resize(count);
 }
 
-Result<Plant> grow(Request& request, const Limits& limits) {
-  request.text("model");
-  Given given;
-  given.seed = request.word("seed", 1);
-  const bool meshes = request.wants("meshes"), measures = request.wants("measures"), sky = request.wants("sky"),
-             whole = request.wants("map"), mesh_fingerprint = request.wants("mesh_fingerprint"),
-             levels = request.wants("levels");
-  const std::span<const float> parameters = request.floats("parameters");
-  const bool has_text = request.has("text");
-  const std::string_view text = request.text("text");
-  const bool paired = read_values(request, given);
-  if (Diagnostic trouble = request.trouble(); trouble.reason != Reason::none) return trouble;
-  if (!has_text) return Diagnostic{Reason::bad_request, "The request has no text.", 0, 0};
-  if (!paired) return Diagnostic{Reason::bad_request, "There are not as many values as names of values.", 0, 0};
-  Plant plant;
-  const FlowerValues values(parameters, plant.notes);
-  given.steps = values.whole(steps);
-  given.age = values[age];
-  CacheSlot* const cache_slot = request.cache();
-  std::unique_ptr<FlowerCache> last(cache_slot ? static_cast<FlowerCache*>(cache_slot->release()) : nullptr);
-  if (!last) last = std::make_unique<FlowerCache>();
-  const auto flower = find_or_grow(text, given, limits, !meshes, *last);
-  if (!flower) {
-    if (cache_slot) *cache_slot = std::move(last);
-    return flower.error();
-  }
-  auto& [own_text, own_program, own_given, derived, embedding, skin, own_levels] = *flower.value();
-  const Program& program = *own_program;
-  plant.notes.insert(plant.notes.end(), derived.notes.begin(), derived.notes.end());
-  if (!derived.whole) plant.cut_short = limits.budget != nullptr ? cut_short_by(*limits.budget) : CutShort::limit;
-  note_unknown_values(plant, program, given);
+// The cache of the request; `own` where nothing is cached between growths.
+FlowerCache& cache_of(Request& request, FlowerCache& own) {
+  CacheSlot* const slot = request.cache();
+  if (slot == nullptr) return own;
+  if (!*slot) *slot = std::make_unique<FlowerCache>();
+  return static_cast<FlowerCache&>(**slot);
+}
 
-  embedding.place(derived.shapes());
-  plant.fingerprint = fingerprint_of(derived, embedding);
-  add_segments(plant, program, derived, embedding);
-  // Plants of a bed need levels only, not columns of volumes.
-  if (meshes || !levels) add_columns(plant, program, derived, whole, embedding);
-  if (measures) measure(plant, embedding, derived.instances.size() - 1);
-  std::vector<std::uint32_t> numbers;
-  if (meshes) {
-    const std::uint32_t rounds = Skin::rounds_for(derived, values.whole(smooth));
-    if (rounds < values.whole(smooth))
-      plant.notes.push_back(expression::sentence(
-          "Its skin is rounded %×, as far as the limit of % triangles lets it be, and not %×.",
-          {std::to_string(rounds), std::to_string(Skin::most_triangles), std::to_string(values.whole(smooth))}));
-    if (!skin || skin->rounds() != rounds) skin.emplace(derived, embedding, rounds);
-    embedding.place(skin->shapes(derived));
-    skin->add_to(plant, program, derived, embedding, sky);
-    for (const PlantMesh& mesh : plant.meshes)
-      numbers.push_back(static_cast<std::uint32_t>(std::stoul(mesh.name.substr(1))));
-    if (measures) measure_surface(plant);
-  }
+// Adds the meshes of the skin, the smoothed surface of the volumes, in as many rounds of smoothing as the limit of
+// triangles allows. Places the cached embedding anew. Returns the numbers of the materials.
+std::vector<std::uint32_t> add_skin(Plant& plant, CachedFlower& flower, const FlowerRequest& request) {
+  const std::uint32_t rounds = Skin::rounds_for(flower.derived, request.smooth);
+  if (rounds < request.smooth)
+    plant.notes.push_back(message(messages::flower::rounding_reduced, rounds, request.smooth, Skin::max_triangles));
+  std::optional<Skin>& skin = flower.skin;
+  if (!skin || skin->rounds() != rounds) skin.emplace(flower.derived, flower.embedding, rounds);
+  flower.embedding.place(skin->shapes(flower.derived));
+  return skin->add_to(plant, *flower.program, flower.derived, flower.embedding, request.sky);
+}
+
+// Adds the plant's counts.
+void add_counts(Plant& plant, const Derived& derived) {
   std::uint32_t triangles = 0;
-  for (const PlantMesh& mesh : plant.meshes) triangles += static_cast<std::uint32_t>(mesh.mesh.indices.size() / 3);
+  for (const PlantMesh& each : plant.meshes) triangles += static_cast<std::uint32_t>(each.mesh.indices.size() / 3);
   plant.counts = {{"volumes", derived.map.volumes()},
                   {"darts", derived.map.darts()},
                   {"organs", static_cast<std::uint32_t>(derived.instances.size() - 1)},
                   {"triangles", triangles}};
-  if (levels) {
-    if (!own_levels) own_levels.emplace(program, given, limits, derived, embedding);
-    own_levels->add_to(plant, program, derived, embedding, numbers);
+}
+
+// Adds the skin, its measure and the levels, which place the embedding anew, and the materials of them all.
+void add_meshes(Plant& plant, CachedFlower& flower, const FlowerRequest& request, const Limits& limits) {
+  std::vector<std::uint32_t> numbers;
+  if (request.meshes) numbers = add_skin(plant, flower, request);
+  if (request.meshes && request.measures) measure_surface(plant);
+  add_counts(plant, flower.derived);
+  if (request.levels) {
+    if (!flower.levels) flower.levels.emplace(*flower.program, request.given, limits, flower.derived, flower.embedding);
+    flower.levels->add_to(plant, *flower.program, flower.derived, flower.embedding, numbers);
   }
-  if (meshes || levels) add_materials(plant, program, given.age, std::move(numbers));
-  if (meshes && mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
-  if (cache_slot) {
-    evict(*last);
-    *cache_slot = std::move(last);
-  }
+  if (request.meshes || request.levels) add_materials(plant, *flower.program, request.given.age, std::move(numbers));
+}
+
+// Grows a flower, or takes it from the cache and only places it again; adds columns, meshes and measures as requested.
+Result<Plant> grow(Request& blocks, const Limits& limits) {
+  Plant plant;
+  const auto request = read_request(blocks, plant.notes);
+  if (!request) return request.error();
+  FlowerCache own;
+  FlowerCache& cache = cache_of(blocks, own);
+  const auto found = find_or_grow(request->text, request->given, limits, !request->meshes, cache);
+  if (!found) return found.error();
+  CachedFlower& flower = *found.value();
+  const Program& program = *flower.program;
+  const Derived& derived = flower.derived;
+  plant.notes.insert(plant.notes.end(), derived.notes.begin(), derived.notes.end());
+  if (!derived.whole) plant.cut_short = limits.budget != nullptr ? cut_short_by(*limits.budget) : CutShort::limit;
+  note_unknown_values(plant, program, request->given);
+
+  flower.embedding.place(derived.shapes());
+  plant.fingerprint = fingerprint_of(derived, flower.embedding);
+  add_segments(plant, program, derived, flower.embedding);
+  // Plants of a bed need levels only, not columns of volumes.
+  if (request->meshes || !request->levels) add_columns(plant, program, derived, request->map, flower.embedding);
+  if (request->measures) measure(plant, flower.embedding, derived.instances.size() - 1);
+  add_meshes(plant, flower, request.value(), limits);
+  if (request->mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
+  evict(cache);
   return plant;
 }
 

@@ -7,10 +7,12 @@ namespace {
 
 constexpr VolumeValues default_values = {4, 1, 0, 0, 0, 1, 1, 1, 1};
 
-constexpr std::size_t at(Field field) { return static_cast<std::size_t>(field); }
+// The index of a field in a volume's values.
+constexpr std::size_t index_of(Field field) { return static_cast<std::size_t>(field); }
 
 }  // namespace
 
+// Lists the growths and productions by their numbers.
 Numbers::Numbers(const Program& program, FlowerEvaluation& evaluation)
     : program_(program), evaluation_(evaluation), growths_(program.growths), productions_(program.productions.size()) {
   for (const Production& production : program.productions) {
@@ -19,6 +21,7 @@ Numbers::Numbers(const Program& program, FlowerEvaluation& evaluation)
   }
 }
 
+// Makes an instance the evaluation's current one, if it is not so already.
 bool Numbers::enter(const std::vector<Instance>& instances, std::uint32_t instance) {
   if (entered_ == instance) return true;
   entered_ = instance;
@@ -26,14 +29,18 @@ bool Numbers::enter(const std::vector<Instance>& instances, std::uint32_t instan
   return evaluation_.enter(of.grammar, of.address, given_[instance]);
 }
 
+// Overwrites the values that a label's definition gives.
 bool Numbers::of_label(const Record& record, VolumeValues& values) {
   return evaluation_.describe(program_.labels[record.label].description, record.address, values);
 }
 
+// Computes the values (order, angles, sizes, material) of a record's volume: by its label or the volume before, by the
+// module's axiom, and by the arguments of its growth or split. `known` are the values of earlier records. Returns false
+// with the error in the evaluation.
 bool Numbers::work_out(const Record& record, const std::vector<Record>& records, const std::vector<Instance>& instances,
                        const std::vector<VolumeValues>& known, float order, VolumeValues& values) {
   values = default_values;
-  values[at(Field::order)] = order;
+  values[index_of(Field::order)] = order;
   const VolumeValues& before = record.before == invalid ? values : known[record.before];
   const Rank rank = record.before == invalid ? Rank{} : records[record.before].rank;
   if (record.kind == Record::Kind::rest || record.kind == Record::Kind::part) {
@@ -41,16 +48,16 @@ bool Numbers::work_out(const Record& record, const std::vector<Record>& records,
     const bool rest = record.kind == Record::Kind::rest;
     const bool across = !generalized_map::is_side(split.face);
     values = before;
-    if (across) values[at(Field::height)] *= 0.5f;
+    if (across) values[index_of(Field::height)] *= 0.5f;
     // The new volume of a split is not turned; of a split at the base, the remaining one.
     const bool straight = across ? rest == (split.face == generalized_map::base_face) : !rest;
     if (straight)
-      for (const Field turn : {Field::turn_x, Field::turn_y, Field::turn_z}) values[at(turn)] = 0;
+      for (const Field turn : {Field::turn_x, Field::turn_y, Field::turn_z}) values[index_of(turn)] = 0;
     if (!across && !rest) {
-      values[at(Field::order)] = order;
-      values[at(Field::height)] = 0.5f * before[at(Field::width)];
-      values[at(Field::length)] = before[at(Field::length)];
-      values[at(Field::width)] = before[at(Field::height)];
+      values[index_of(Field::order)] = order;
+      values[index_of(Field::height)] = 0.5f * before[index_of(Field::width)];
+      values[index_of(Field::length)] = before[index_of(Field::length)];
+      values[index_of(Field::width)] = before[index_of(Field::height)];
     }
     if (!enter(instances, record.instance)) return false;
     evaluation_.set_volume(before, rank, record.step);
@@ -89,6 +96,7 @@ bool Numbers::work_out(const Record& record, const std::vector<Record>& records,
          evaluation_.describe(growth.arguments, record.address, values);
 }
 
+// Enters the instance that makes a volume, and runs the blocks of the production that grows it.
 bool Numbers::enter_call(const Record& record, const std::vector<Record>& records,
                          const std::vector<Instance>& instances, const VolumeValues& before) {
   if (!enter(instances, record.maker)) return false;

@@ -14,9 +14,10 @@ class Numbers {
 
   // Computes a record's values from those of earlier records. `order`: of the face that it grows on, for volumes
   // without a number of sides. First volumes of modules must come in the order of instances; their record gives the
-  // call's settings. False: the evaluation's trouble.
+  // call's settings. False: the evaluation's error.
   bool work_out(const Record& record, const std::vector<Record>& records, const std::vector<Instance>& instances,
                 const std::vector<VolumeValues>& known, float order, VolumeValues& values);
+  // The growth and the production that have a number.
   const GrowAction& growth(std::uint32_t number) const { return *growths_[number]; }
   const Production& production(std::uint32_t number) const { return *productions_[number]; }
   // Makes an instance's variables current.

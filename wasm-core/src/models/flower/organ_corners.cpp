@@ -7,6 +7,7 @@
 
 namespace panicle::flower {
 
+// Numbers the corners of organs: all half-edges of one organ that leave one vertex share a corner.
 OrganCorners::OrganCorners(const Derived& derived, const ClosedSurface& surface,
                            const std::vector<std::uint32_t>& volume) {
   volume_.reserve(surface.half_edges());
@@ -30,6 +31,8 @@ OrganCorners::OrganCorners(const Derived& derived, const ClosedSurface& surface,
   }
 }
 
+// The position in its organ of each half-edge's corner: the mean along the organ and the least distance from its middle
+// line.
 std::vector<glm::vec2> OrganCorners::places(const Derived& derived) const {
   struct Corner {
     float along = 0, beside = 1, count = 0;
@@ -52,8 +55,11 @@ std::vector<glm::vec2> OrganCorners::places(const Derived& derived) const {
   return places;
 }
 
+// The memory that it holds, roughly.
 std::uint64_t OrganCorners::bytes() const { return bytes_of(volume_) + bytes_of(corner_); }
 
+// Computes the four places that each half-edge has on the refined surface: its own, the middles of its edge and of its
+// face, and the middle of the edge before.
 std::vector<glm::vec2> refined_places(const ClosedSurface& surface, const std::vector<glm::vec2>& places) {
   std::vector<glm::vec3> sums(surface.faces, glm::vec3(0));
   std::vector<glm::vec2> fine(4 * places.size());

@@ -29,6 +29,7 @@ struct OrganForm {
   bool has_attached = false, rooted = false;
 
   std::uint32_t tip() const { return kite[2]; }
+  // Whether an organ is drawn as a kite, of two triangles, at that tolerated error.
   bool is_kite(float error) const { return rooted && !has_attached && error >= kite_error; }
   std::size_t remaining(float error) const;               // number of triangles
   std::vector<std::uint32_t> targets(float error) const;  // by vertex, the vertex that it is merged into
@@ -51,6 +52,7 @@ class OrganForms {
   const OrganForm& form(const FormedOrgan& of) const { return forms_[of.form]; }
   // Its own vertices and faces, by numbers of the boundary; as many as its form has.
   const std::uint32_t* vertices(const FormedOrgan& of) const { return own_vertices_.data() + of.vertices; }
+  // The first of an organ's own faces.
   const std::uint32_t* faces(const FormedOrgan& of) const { return own_faces_.data() + of.faces; }
   // Collapses that were compared to find all thinnings (thinning_of), a unit of work each.
   std::uint64_t work() const { return work_; }

@@ -5,6 +5,8 @@
 
 namespace panicle::flower {
 
+// By volume, its position in its organ: along it from 0 at the base to 1 at the end, and beside its middle line from 0
+// to 1.
 std::vector<glm::vec2> organ_coordinates(const Derived& derived) {
   std::vector<glm::vec2> places(derived.map.volumes(), glm::vec2(0));
   std::vector<float> longest(derived.instances.size(), 0);

@@ -6,21 +6,26 @@
 #include <glm/geometric.hpp>
 
 #include "expression/diagnostics.hpp"
+#include "expression/messages.generated.hpp"
 #include "expression/number_text.hpp"
 #include "foundation/bytes.hpp"
 #include "light/sky_visibility.hpp"
+#include "models/flower/messages.generated.hpp"
 #include "models/flower/thickness.hpp"
 #include "models/flower/units.hpp"
 
 namespace panicle::flower {
+
+// A dart is one of the two half-edges of an edge of a face.
+
 namespace {
 
+// The material of a number that the text does not define: kind, and colours 0xrrggbb at base and tip.
 struct Standard {
   const char* kind;
   std::uint32_t base, tip;
 };
 
-// Materials of numbers that the text does not define.
 constexpr std::array<Standard, 10> standards = {{{"stem", 0x6f8f4a, 0x6f8f4a},
                                                  {"stem", 0x5f8a3c, 0x76a04c},
                                                  {"leaf", 0x4f7f3a, 0x6a9a48},
@@ -42,7 +47,8 @@ std::uint32_t mixed(std::uint32_t from, std::uint32_t to, float share) {
   return colour;
 }
 
-// A material's number; 0 for values that are not one.
+// Converts the value m of a volume to a material's number. Returns false, and number 0, if it is not a whole number
+// from 0 to 255.
 bool number_of(float m, std::uint8_t& number) {
   const bool is_number = m >= 0 && m < 256 && std::floor(m) == m;
   number = is_number ? static_cast<std::uint8_t>(m) : 0;
@@ -77,13 +83,14 @@ std::string note_on_material(const Program& program, const Derived& derived, std
   }
   if (place.line == 0) place = program.labels[derived.map.volume(volume).label].description.place;
   const float m = derived.values[derived.record_of[volume]][static_cast<std::size_t>(Field::material)];
-  return expression::sentence(
-      "Line %: % has m %; a material's number is a whole one from 0 to 255, and 0 is taken.",
-      {std::to_string(place.line), program.labels[derived.map.volume(volume).label].name, expression::number_text(m)});
+  return message(messages::expression::at_line, place.line,
+                 message(messages::flower::material_number, program.labels[derived.map.volume(volume).label].name,
+                         expression::number_text(m)));
 }
 
 }  // namespace
 
+// The material of a number: the text's own or a standard one.
 Material material_of(const Program& program, std::uint32_t number) {
   for (const Material& material : program.materials)
     if (material.number == number) return material;
@@ -96,6 +103,7 @@ Material material_of(const Program& program, std::uint32_t number) {
   return material;
 }
 
+// The colours of a material at an age: 0 bud, 1 open, 2 wilted.
 Colours colours_at(const Material& material, float age) {
   const Colours &from = age < 1 ? material.bud : material.wilted, &to = material.open;
   // Buds colour before they open: half-way they would be brown, as red and green are together.
@@ -103,16 +111,18 @@ Colours colours_at(const Material& material, float age) {
   return {mixed(from.base, to.base, share), mixed(from.tip, to.tip, share)};
 }
 
+// The rounds of subdivision, at most the requested ones, that keep the skin within the limit of triangles.
 std::uint32_t Skin::rounds_for(const Derived& derived, std::uint32_t requested) {
   std::uint64_t free = 0;
   for (std::uint32_t dart = 0; dart < derived.map.darts(); ++dart) free += derived.map.alpha(3, dart) == dart;
   // There are two darts for each edge of a face, and so two triangles after the first round; each round makes four of
   // each.
   std::uint32_t rounds = requested;
-  while (rounds > 1 && free << 2 * (rounds - 1) > most_triangles) --rounds;
+  while (rounds > 1 && free << 2 * (rounds - 1) > max_triangles) --rounds;
   return rounds;
 }
 
+// Builds the topology of a flower's skin: its boundary and the surfaces refined from it.
 Skin::Skin(const Derived& derived, const generalized_map::Embedding& embedding, std::uint32_t rounds) {
   const generalized_map::Map& map = derived.map;
   generalized_map::Boundary boundary = generalized_map::boundary_of(map, embedding);
@@ -145,41 +155,44 @@ Skin::Skin(const Derived& derived, const generalized_map::Embedding& embedding, 
   begin_.push_back(last.half_edges());
 }
 
+// The shapes of all volumes, widened so that the refined skin has the widths of the text.
 std::vector<generalized_map::Shape> Skin::shapes(const Derived& derived) const {
   return shapes_to_round(derived, is_tube_, rounds());
 }
 
+// Divides the faces of the refined surface into parts, one for each number of a material, with vertices of its own;
+// faces become fans of triangles.
 void Skin::build_parts(const std::vector<std::uint8_t>& numbers) {
   const ClosedSurface& surface = levels_.back();
   std::array<std::vector<std::uint32_t>, 256> faces;
   for (std::uint32_t f = 0; f < surface.faces; ++f) faces[numbers[volume_[f]]].push_back(f);
   parts_.clear();
-  std::vector<std::uint32_t> of_vertex(surface.positions.size(), invalid);
+  std::vector<std::uint32_t> part_vertex_of(surface.positions.size(), invalid);
   for (std::uint32_t number = 0; number < faces.size(); ++number) {
-    const std::vector<std::uint32_t>& own = faces[number];
-    if (own.empty()) continue;
+    const std::vector<std::uint32_t>& faces_of_part = faces[number];
+    if (faces_of_part.empty()) continue;
     Part& part = parts_.emplace_back();
     part.number = number;
     std::size_t corners = 0;
-    for (const std::uint32_t f : own) corners += begin_[f + 1] - begin_[f];
-    const std::size_t triangles = corners - 2 * own.size();
+    for (const std::uint32_t f : faces_of_part) corners += begin_[f + 1] - begin_[f];
+    const std::size_t triangles = corners - 2 * faces_of_part.size();
     std::vector<std::uint32_t> volumes, own_faces;
     part.corners.reserve(corners);
     part.halves.reserve(corners);
-    part.begins.reserve(own.size() + 1);
+    part.begins.reserve(faces_of_part.size() + 1);
     part.indices.reserve(3 * triangles);
     volumes.reserve(triangles);
     own_faces.reserve(triangles);
-    for (const std::uint32_t f : own) {
+    for (const std::uint32_t f : faces_of_part) {
       const auto begin = static_cast<std::uint32_t>(part.corners.size());
       part.begins.push_back(begin);
       for (std::uint32_t edge = begin_[f]; edge < begin_[f + 1]; ++edge) {
-        std::uint32_t& here = of_vertex[surface.origin[edge]];
-        if (here == invalid) {
-          here = static_cast<std::uint32_t>(part.vertices.size());
+        std::uint32_t& part_vertex = part_vertex_of[surface.origin[edge]];
+        if (part_vertex == invalid) {
+          part_vertex = static_cast<std::uint32_t>(part.vertices.size());
           part.vertices.push_back(surface.origin[edge]);
         }
-        part.corners.push_back(here);
+        part.corners.push_back(part_vertex);
         part.halves.push_back(edge);
       }
       for (std::size_t i = begin + 2; i < part.corners.size(); ++i) {
@@ -189,14 +202,17 @@ void Skin::build_parts(const std::vector<std::uint8_t>& numbers) {
       }
     }
     part.begins.push_back(static_cast<std::uint32_t>(part.corners.size()));
-    for (const std::uint32_t vertex : part.vertices) of_vertex[vertex] = invalid;
+    for (const std::uint32_t vertex : part.vertices) part_vertex_of[vertex] = invalid;
     part.volumes = std::make_shared<const std::vector<std::uint32_t>>(std::move(volumes));
     part.faces = std::make_shared<const std::vector<std::uint32_t>>(std::move(own_faces));
   }
 }
 
-void Skin::add_to(Plant& plant, const Program& program, const Derived& derived,
-                  const generalized_map::Embedding& embedding, bool sky) {
+// Places the refined surface by the flower's values and adds one mesh for each material. Returns the numbers of the
+// materials.
+std::vector<std::uint32_t> Skin::add_to(Plant& plant, const Program& program, const Derived& derived,
+                                        const generalized_map::Embedding& embedding, bool sky) {
+  // Places the refined surface, its normals and its positions in organs.
   std::copy(embedding.positions().begin(), embedding.positions().end(), levels_.front().positions.begin());
   for (std::size_t i = 1; i < levels_.size(); ++i) place_refined(levels_[i - 1], levels_[i]);
   const ClosedSurface& surface = levels_.back();
@@ -204,6 +220,7 @@ void Skin::add_to(Plant& plant, const Program& program, const Derived& derived,
   std::vector<glm::vec2> places = corners_->places(derived);
   for (std::size_t i = 1; i < levels_.size(); ++i) places = refined_places(levels_[i - 1], places);
 
+  // Materials by volume; a visible volume without a valid one is noted, and parts are built anew only if any differs.
   std::vector<std::uint8_t> numbers(derived.map.volumes());
   std::uint32_t invalid_volume = invalid;
   std::vector<std::uint8_t> is_seen(derived.map.volumes(), 0);
@@ -216,8 +233,10 @@ void Skin::add_to(Plant& plant, const Program& program, const Derived& derived,
   if (numbers != numbers_ || parts_.empty()) build_parts(numbers);
   numbers_ = std::move(numbers);
 
+  std::vector<std::uint32_t> materials;
   std::vector<Occluder> occluders;
   for (const Part& part : parts_) {
+    materials.push_back(part.number);
     PlantMesh& mesh = plant.meshes.emplace_back();
     mesh.name = std::string("m").append(std::to_string(part.number));
     mesh.material = material_of(program, part.number).kind;
@@ -252,11 +271,13 @@ void Skin::add_to(Plant& plant, const Program& program, const Derived& derived,
       occluders.push_back({metres * y_up(a), 0.25f * metres * metres * glm::length(glm::cross(b, c))});
     }
   }
-  if (!sky) return;
+  if (!sky) return materials;
   const SkyVisibility open(plant.segments, occluders);
   for (PlantMesh& mesh : plant.meshes) mesh.columns.add("sky", open.of(mesh.mesh));
+  return materials;
 }
 
+// The memory that it holds, roughly.
 std::uint64_t Skin::bytes() const {
   std::uint64_t bytes =
       bytes_of(volume_) + corners_->bytes() + bytes_of(face_) + bytes_of(begin_) + 2 * bytes_of(numbers_);

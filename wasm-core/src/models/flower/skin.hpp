@@ -34,15 +34,15 @@ class Skin {
 
   // The number of rounds up to `requested` that keeps the triangles within their limit.
   static std::uint32_t rounds_for(const Derived& derived, std::uint32_t requested);
-  static constexpr std::uint32_t most_triangles = 4'000'000;
+  static constexpr std::uint32_t max_triangles = 4'000'000;
 
   // Shapes for the embedding with which the skin is as thick as the text sets: rounding shrinks tubes, by a third where
   // they have four sides, so they are widened before.
   std::vector<generalized_map::Shape> shapes(const Derived& derived) const;
 
-  // Places the skin by an embedding of `shapes`, and adds its meshes.
-  void add_to(Plant& plant, const Program& program, const Derived& derived, const generalized_map::Embedding& embedding,
-              bool sky);
+  // Places the skin by an embedding of `shapes`, and adds its meshes. Returns the material's number of each.
+  std::vector<std::uint32_t> add_to(Plant& plant, const Program& program, const Derived& derived,
+                                    const generalized_map::Embedding& embedding, bool sky);
 
   std::uint32_t rounds() const { return static_cast<std::uint32_t>(levels_.size() - 1); }
   std::uint64_t bytes() const;  // memory that it holds, roughly

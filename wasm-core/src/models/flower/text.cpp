@@ -1,14 +1,18 @@
 #include "models/flower/text.hpp"
 
 #include "expression/diagnostics.hpp"
+#include "models/flower/messages.generated.hpp"
 
 namespace panicle::flower {
 namespace {
 
+// Whether a byte of UTF-8 begins a character.
 bool begins_character(char byte) { return (static_cast<unsigned char>(byte) & 0xc0) != 0x80; }
 
 }  // namespace
 
+// Replaces comments between two @ by spaces, so that lines and columns stay the same, and the _ between ] and the faces
+// of a growth. An error if a comment is never closed.
 Result<std::string> without_comments(std::string_view text) {
   std::string cleaned;
   cleaned.reserve(text.size());
@@ -37,7 +41,7 @@ Result<std::string> without_comments(std::string_view text) {
       ++place.column;
     }
   }
-  if (comment) return expression::error_at(Reason::syntax, opened, "This comment is never closed; end it with @.");
+  if (comment) return expression::error_at(Reason::syntax, opened, message(messages::flower::comment_never_closed));
   return cleaned;
 }
 

@@ -7,8 +7,9 @@
 namespace panicle::flower {
 namespace {
 
-// The mean radius of a tube of radius 1 after rounding: across it Catmull and Clark's rule is that of the cubic spline.
-float drawn_in(std::uint32_t order, std::uint32_t rounds) {
+// The mean radius of a tube of radius 1 with `order` sides after rounds of subdivision: across it, Catmull and Clark's
+// rule is that of the cubic spline.
+float radius_after_rounding(std::uint32_t order, std::uint32_t rounds) {
   std::vector<glm::vec2> ring = generalized_map::polygon(order), finer;
   for (std::uint32_t round = 0; round < rounds; ++round) {
     finer.clear();
@@ -26,6 +27,7 @@ float drawn_in(std::uint32_t order, std::uint32_t rounds) {
 
 }  // namespace
 
+// By volume, whether it is part of a tube: more than half of its sides are on the boundary.
 std::vector<std::uint8_t> tubes_of(const Derived& derived, const generalized_map::Boundary& boundary) {
   const generalized_map::Map& map = derived.map;
   std::vector<std::uint32_t> free_sides(map.volumes(), 0);
@@ -36,6 +38,7 @@ std::vector<std::uint8_t> tubes_of(const Derived& derived, const generalized_map
   return is_tube;
 }
 
+// The shapes of all volumes, with tubes widened by as much as rounds of subdivision make them thinner.
 std::vector<generalized_map::Shape> shapes_to_round(const Derived& derived, const std::vector<std::uint8_t>& is_tube,
                                                     std::uint32_t rounds) {
   std::vector<generalized_map::Shape> shapes = derived.shapes();
@@ -45,7 +48,7 @@ std::vector<generalized_map::Shape> shapes_to_round(const Derived& derived, cons
     if (!is_tube[v]) continue;
     const std::uint32_t order = derived.map.volume(v).order;
     const auto [known, anew] = wider.try_emplace(order, 1.0f);
-    if (anew) known->second = 1 / drawn_in(order, rounds);
+    if (anew) known->second = 1 / radius_after_rounding(order, rounds);
     shapes[v].length *= known->second;
     shapes[v].width *= known->second;
   }

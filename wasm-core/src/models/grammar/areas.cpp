@@ -8,26 +8,13 @@
 #include <utility>
 
 #include "foundation/mathematics.hpp"
+#include "foundation/vectors.hpp"
+#include "models/grammar/messages.generated.hpp"
 
 namespace panicle::grammar {
 namespace {
 
-constexpr float farthest = 1e4f;
 constexpr std::size_t place_width = 10;
-
-Diagnostic bad_input(std::string why) { return {Reason::bad_input, std::move(why), 0, 0}; }
-
-bool are_finite(std::span<const float> values) {
-  for (const float value : values)
-    if (!(std::fabs(value) <= farthest)) return false;
-  return true;
-}
-
-std::vector<glm::vec3> triples(std::span<const float> values) {
-  std::vector<glm::vec3> made;
-  for (std::size_t i = 0; i + 2 < values.size(); i += 3) made.emplace_back(values[i], values[i + 1], values[i + 2]);
-  return made;
-}
 
 // Points and triangles of the request that no mesh has taken yet.
 struct MeshData {
@@ -36,27 +23,24 @@ struct MeshData {
 };
 
 // Takes the points and triangles of one area from the remaining data. Errors: bad_input.
-Result<Surface> take(MeshData& data, std::uint32_t points, std::uint32_t triangles) {
+Result<Surface> take_surface(MeshData& data, std::uint32_t points, std::uint32_t triangles) {
   if (data.points.size() / 3 < points || data.triangles.size() / 3 < triangles)
-    return bad_input("An area has more points or triangles than there are.");
-  Surface surface{triples(data.points.first(3 * std::size_t{points})), {}};
+    return bad_input(message(messages::grammar::area_too_long));
+  Surface surface{vectors_of(data.points.first(3 * std::size_t{points})), {}};
   const auto corners = data.triangles.first(3 * std::size_t{triangles});
   for (const std::uint32_t corner : corners)
-    if (corner >= points) return bad_input("A triangle of an area has a corner that is none of its points.");
+    if (corner >= points) return bad_input(message(messages::grammar::area_corner));
   surface.triangles.assign(corners.begin(), corners.end());
   data = {data.points.subspan(3 * std::size_t{points}), data.triangles.subspan(3 * std::size_t{triangles})};
   return surface;
 }
 
-std::string note_on(const Surface& surface, std::size_t number) {
-  if (surface.triangles.empty()) return "Area " + std::to_string(number) + " is a mesh without triangles.";
+// The note about a mesh that is no closed surface of even orientation, for area `number`; empty if all is well.
+std::string note_about(const Surface& surface, std::size_t number) {
+  if (surface.triangles.empty()) return message(messages::grammar::area_empty, number);
   const Seams seams = seams_of(surface);
-  if (seams.open > 0)
-    return "The mesh of area " + std::to_string(number) + " is open at " + std::to_string(seams.open) +
-           " edges; what lies behind a gap may be taken for inside or outside.";
-  if (seams.turned > 0)
-    return "Triangles of the mesh of area " + std::to_string(number) + " are turned against each other at " +
-           std::to_string(seams.turned) + " edges; parts of it may count as holes.";
+  if (seams.open > 0) return message(messages::grammar::area_open, number, seams.open);
+  if (seams.turned > 0) return message(messages::grammar::area_turned, number, seams.turned);
   return {};
 }
 
@@ -80,33 +64,37 @@ Surface surface_in_box(Volume::Kind kind, const Surface& mesh) {
 
 }  // namespace
 
+// Reads the volumes and the path through them from a request; an error for the first wrong block.
 Result<Areas> Areas::read(Request& request, const Limits& limits) {
   const auto kinds = request.words("areas.kinds"), meshes = request.words("areas.meshes");
   const auto places = request.floats("areas.places"), path = request.floats("path");
   const auto from = request.words("path.from");
   MeshData data{request.floats("areas.points"), request.words("areas.triangles")};
   Areas areas;
-  if (kinds.size() > most_areas || path.size() > 3 * most_places)
-    return bad_input("There are too many areas or places.");
+  // Checks sizes, limits and coordinates before anything is built.
+  if (kinds.size() > max_areas || path.size() > 3 * max_places)
+    return bad_input(message(messages::grammar::too_many_areas));
   if (places.size() != place_width * kinds.size() || (!meshes.empty() && meshes.size() != 2 * kinds.size()) ||
       path.size() % 3 != 0)
-    return Diagnostic{Reason::bad_request, "Areas and their places are not as many.", 0, 0};
+    return bad_request(message(messages::grammar::areas_unpaired));
   if (const auto refusal = too_many_triangles(data.triangles.size() / 3, limits)) return *refusal;
-  if (!are_finite(places) || !are_finite(path) || !are_finite(data.points))
-    return bad_input("A number of an area is not finite or beyond 10 km.");
+  if (!are_coordinates(places) || !are_coordinates(path) || !are_coordinates(data.points))
+    return bad_input(message(messages::grammar::area_not_finite));
   areas.budget_ = std::make_shared<QueryBudget>(limits.looks, kinds.size());
   for (std::size_t i = 0; i < kinds.size(); ++i) {
-    if (kinds[i] > static_cast<std::uint32_t>(Volume::Kind::mesh)) return bad_input("An area is of an unknown kind.");
+    if (kinds[i] > static_cast<std::uint32_t>(Volume::Kind::mesh))
+      return bad_input(message(messages::grammar::area_kind));
     const auto kind = static_cast<Volume::Kind>(kinds[i]);
+    // A place is 10 numbers: centre, size, and the rotation as x y z w.
     const float* at = &places[place_width * i];
     Surface mesh;
     if (!meshes.empty()) {
-      auto taken = take(data, meshes[2 * i], meshes[2 * i + 1]);
+      auto taken = take_surface(data, meshes[2 * i], meshes[2 * i + 1]);
       if (!taken) return taken.error();
       mesh = std::move(taken.value());
     }
     if (kind == Volume::Kind::mesh)
-      if (std::string note = note_on(mesh, i + 1); !note.empty()) areas.notes_.push_back(std::move(note));
+      if (std::string note = note_about(mesh, i + 1); !note.empty()) areas.notes_.push_back(std::move(note));
     const glm::vec3 centre(at[0], at[1], at[2]);
     const glm::vec3 size(at[3], at[4], at[5]);
     const glm::quat rotation(at[9], at[6], at[7], at[8]);
@@ -114,17 +102,19 @@ Result<Areas> Areas::read(Request& request, const Limits& limits) {
     areas.forms_.push_back({kind, centre, size, rotation, std::move(mesh)});
     if (path.empty()) areas.path_.push_back(centre);
   }
-  if (!path.empty()) areas.path_ = triples(path);
-  if (!from.empty() && from.size() != path.size() / 3)
-    return Diagnostic{Reason::bad_request, "Places and where the main branch comes from are not as many.", 0, 0};
+  // The path, and for each of its places the one before it, counted from 1; 0 at the start. Without a path it leads
+  // through the areas' centres, without `from` from each place to the next.
+  if (!path.empty()) areas.path_ = vectors_of(path);
+  if (!from.empty() && from.size() != path.size() / 3) return bad_request(message(messages::grammar::path_unpaired));
   for (std::size_t i = 0; i < from.size(); ++i)
-    if (from[i] > i || (from[i] == 0 && i > 0))
-      return bad_input("Place " + std::to_string(i + 1) + " of the main branch must come from an earlier place.");
+    if (from[i] > i || (from[i] == 0 && i > 0)) return bad_input(message(messages::grammar::path_order, i + 1));
   for (std::size_t i = 0; i < areas.path_.size(); ++i)
     areas.from_.push_back(from.empty() ? static_cast<std::uint32_t>(i) : from[i]);
   return areas;
 }
 
+// Adds the constants by which a text knows the areas: their number and sizes, and the path. Lengths are divided by
+// `metres`, the text's unit.
 void Areas::add_inputs(lsystem::Inputs& inputs, float metres) {
   metres_ = metres;
   // Without areas a grammar still has one place to grow towards.
@@ -148,6 +138,8 @@ void Areas::add_inputs(lsystem::Inputs& inputs, float metres) {
   inputs.arrays.push_back(std::move(size));
 }
 
+// Adds the inputs that describe the branched path through the areas: for each place, numbered from 1, the next one, the
+// one that forks off beside it (0: none) and its area.
 void Areas::add_fork_inputs(lsystem::Inputs& inputs) const {
   const std::size_t count = path_.size();
   std::vector<std::uint32_t> next(count, static_cast<std::uint32_t>(count + 1)), fork(count, 0), last(count, 0);
@@ -181,23 +173,28 @@ void Areas::add_fork_inputs(lsystem::Inputs& inputs) const {
   add_array("own", own, 1);
 }
 
+// The volume of an area by its number, from 1; null if there is none.
 const Volume* Areas::find(float area) const {
   if (!(area >= 1 && area <= static_cast<float>(volumes_.size()))) return nullptr;
   const auto number = static_cast<std::size_t>(area);
   return static_cast<float>(number) == area ? &volumes_[number - 1] : nullptr;
 }
 
+// Whether a place, in the text's unit, is inside an area.
 bool Areas::bound(const glm::vec3& place, float area) const {
   const Volume* volume = find(area);
   return volume != nullptr && volume->contains(metres_ * place);
 }
 
+// The number of the first earlier area that contains the centre of this one; 0 if none does.
 std::size_t Areas::around(std::size_t area) const {
   for (std::size_t before = 1; before < area; ++before)
     if (volumes_[before - 1].contains(volumes_[area - 1].centre())) return before;
   return 0;
 }
 
+// How far one can go from a place in the direction `way` inside an area, `most` at most; in the text's unit. 0 without
+// such an area.
 float Areas::reach(const glm::vec3& from, const glm::vec3& way, float area, float most) const {
   const Volume* volume = find(area);
   const float length = glm::length(way);
@@ -207,6 +204,7 @@ float Areas::reach(const glm::vec3& from, const glm::vec3& way, float area, floa
   return reached == wanted ? most : reached / metres_;
 }
 
+// The volume of area `i`, from 0, in m³: by formula, for a mesh by its signed tetrahedra.
 double Areas::volume(std::size_t i) const {
   const Form& form = forms_[i];
   const double x = form.size.x, box = x * form.size.y * form.size.z, turn = static_cast<double>(pi);
@@ -235,6 +233,7 @@ double Areas::volume(std::size_t i) const {
   return std::fabs(sum) / 6;
 }
 
+// The surface of area `i`, from 0, as triangles, at its place.
 Surface Areas::surface(std::size_t i) const {
   const Form& form = forms_[i];
   Surface made = surface_in_box(form.kind, form.mesh);

@@ -30,7 +30,7 @@ namespace panicle::grammar {
 // The areas of a request, counted from 1.
 class Areas final : public expression::Space {
  public:
-  static constexpr std::size_t most_areas = 64, most_places = 1000;
+  static constexpr std::size_t max_areas = 64, max_places = 1000;
 
   // Reads the areas of a request. Errors: bad_request, where blocks have wrong lengths; bad_input, for numbers that are
   // not finite or beyond 10 km, or a corner that is none of the mesh's points; limit, for too many triangles. `notes`

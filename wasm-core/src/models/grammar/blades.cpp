@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "mesh/normals.hpp"
 #include "mesh/polygon.hpp"
 #include "models/grammar/plate.hpp"
 
@@ -13,20 +14,13 @@ namespace {
 
 // Normals of corners: the mean of the adjacent triangles' normals, weighted by area, so that a bent blade is smooth.
 std::vector<glm::vec3> normals_of(std::span<const glm::vec3> corners, const std::vector<std::uint32_t>& triangles) {
-  std::vector<glm::vec3> sums(corners.size(), glm::vec3(0));
+  std::vector<glm::vec3> sums =
+      sum_normals(corners.size(), triangles, [&](std::uint32_t corner) { return corners[corner]; });
   glm::vec3 whole(0);
-  for (std::size_t k = 0; k < triangles.size(); k += 3) {
-    const glm::vec3 &a = corners[triangles[k]], &b = corners[triangles[k + 1]], &c = corners[triangles[k + 2]];
-    const glm::vec3 twice = glm::cross(b - a, c - a);
-    for (std::size_t m = 0; m < 3; ++m) sums[triangles[k + m]] += twice;
-    whole += twice;
-  }
-  const auto unit = [](const glm::vec3& v, const glm::vec3& otherwise) {
-    const float size = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
-    return size > 0 ? glm::normalize(v / size) : otherwise;
-  };
-  const glm::vec3 mean = unit(whole, {0, 0, 1});
-  for (glm::vec3& sum : sums) sum = unit(sum, mean);
+  for (std::size_t k = 0; k < triangles.size(); k += 3)
+    whole += triangle_normal(corners[triangles[k]], corners[triangles[k + 1]], corners[triangles[k + 2]]);
+  const glm::vec3 mean = unit_or(whole, {0, 0, 1});
+  for (glm::vec3& sum : sums) sum = unit_or(sum, mean);
   return sums;
 }
 
@@ -67,6 +61,8 @@ void add_sheet(Mesh& mesh, std::span<const glm::vec3> corners, const std::vector
 
 }  // namespace
 
+// The mesh of all filled polygons, with a run for each; `scale`: metres of the text's unit. `empty` becomes the number
+// of polygons without area.
 PlantMesh blades_of(const Polygons& polygons, float scale, std::uint32_t& empty, WorkBudget* budget) {
   PlantMesh blades{"blades", "blade", {}, {}, {}};
   Mesh& mesh = blades.mesh;
@@ -89,8 +85,9 @@ PlantMesh blades_of(const Polygons& polygons, float scale, std::uint32_t& empty,
       add_sheet(mesh, corners, triangles, used);
     for (std::size_t i = 3 * std::size_t{base}; i < mesh.positions.size(); ++i) mesh.positions[i] *= scale;
     add_uvs(mesh, corners, used);
-    blades.runs.push_back({"Blade", base, static_cast<std::uint32_t>(used.size()), first,
-                           static_cast<std::uint32_t>(mesh.indices.size()) - first});
+    blades.runs.push_back({{base, static_cast<std::uint32_t>(used.size()), first,
+                            static_cast<std::uint32_t>(mesh.indices.size()) - first},
+                           "Blade"});
     colour.push_back(polygon.mark.colour);
     organ.push_back(polygon.organ);
   }

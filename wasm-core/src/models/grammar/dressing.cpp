@@ -12,10 +12,12 @@
 #include <utility>
 
 #include "foundation/mathematics.hpp"
+#include "foundation/rotation.hpp"
 #include "light/sky_visibility.hpp"
 #include "lsystem/trace/derivation_trace.hpp"
 #include "mesh/uv_sphere.hpp"
 #include "models/grammar/blades.hpp"
+#include "models/grammar/messages.generated.hpp"
 #include "models/grammar/surfaces.hpp"
 #include "stems/tubes.hpp"
 
@@ -25,7 +27,7 @@ namespace {
 // Lines thinner than this share of the plant's largest extent are about a pixel wide.
 constexpr float thin = 0.002f;
 constexpr std::uint32_t thin_sides = 5, thinnest_sides = 3;
-constexpr std::uint64_t most_vertices = 4'000'000;
+constexpr std::uint64_t max_vertices = 4'000'000;
 // From this number of lines on each is a speck of the whole: thin ones have the fewest sides, and the sky visibility of
 // a line is sampled once and not at each of its vertices.
 constexpr std::size_t many = 30'000;
@@ -36,6 +38,7 @@ constexpr std::size_t many_surfaces = 4000;
 // From this number of lines on meshing takes longer than all else and is too slow for a step of a drag.
 constexpr std::size_t many_in_preview = 2'000;
 
+// The longest edge of the lines' bounding box.
 float extent_of(std::span<const Segment> segments) {
   if (segments.empty()) return 0;
   glm::vec3 low = segments[0].start, high = low;
@@ -45,25 +48,6 @@ float extent_of(std::span<const Segment> segments) {
   }
   const glm::vec3 size = high - low;
   return std::max({size.x, size.y, size.z});
-}
-
-// The rotation of a right-handed frame as a unit quaternion x y z w: from its largest component (Shepperd 1978).
-glm::vec4 quaternion_of(const glm::mat3& m) {
-  const float trace = m[0][0] + m[1][1] + m[2][2];
-  glm::vec4 q;
-  if (trace > 0) {
-    q = {m[1][2] - m[2][1], m[2][0] - m[0][2], m[0][1] - m[1][0], 1 + trace};
-  } else {
-    int i = 0;
-    for (int k = 1; k < 3; ++k)
-      if (m[k][k] > m[i][i]) i = k;
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    q[i] = 1 + m[i][i] - m[j][j] - m[k][k];
-    q[j] = m[j][i] + m[i][j];
-    q[k] = m[k][i] + m[i][k];
-    q.w = m[j][k] - m[k][j];
-  }
-  return q / glm::length(q);
 }
 
 // Adds the columns `.module` (or none) and `.colour` of each row.
@@ -76,12 +60,14 @@ void add_marks(Columns& columns, const std::string& of, bool marked, const Rows&
               column_of<std::uint8_t>(rows, 1, [&](const auto& row, std::uint8_t* at) { *at = mark_of(row).colour; }));
 }
 
-std::vector<std::uint8_t> sky_of(const SkyVisibility& open, const std::vector<Segment>& segments,
+// Sky visibility of the stems' vertices; where there are very many lines, of each line's middle for all of its
+// vertices.
+std::vector<std::uint8_t> sky_of(const SkyVisibility& visible_sky, const std::vector<Segment>& segments,
                                  const StemMesh& stems) {
-  if (segments.size() < many) return open.of(stems.mesh);
+  if (segments.size() < many) return visible_sky.of(stems.mesh);
   std::vector<std::uint8_t> of_segments;
   of_segments.reserve(segments.size());
-  for (const Segment& segment : segments) of_segments.push_back(open.at(0.5f * (segment.start + segment.end)));
+  for (const Segment& segment : segments) of_segments.push_back(visible_sky.at(0.5f * (segment.start + segment.end)));
   std::vector<std::uint8_t> bytes;
   bytes.reserve(stems.segment.size());
   for (const std::uint32_t segment : stems.segment) bytes.push_back(of_segments[segment]);
@@ -89,42 +75,44 @@ std::vector<std::uint8_t> sky_of(const SkyVisibility& open, const std::vector<Se
 }
 
 // The point at a distance from an organ's base, along its axis.
-glm::vec3 along(const Organ& organ, float distance) {
+glm::vec3 point_on_axis(const Organ& organ, float distance) {
   const glm::quat turned(organ.rotation.w, organ.rotation.x, organ.rotation.y, organ.rotation.z);
   return organ.position + turned * glm::vec3(0, distance, 0);
 }
 
 // Sky visibility of an organ. A cell of the visibility grid has one value, so a leaf that reaches out of its cell uses
 // the value beyond its tip.
-std::uint8_t sky_of(const SkyVisibility& open, const Organ& organ) {
-  const std::uint8_t base = open.at(organ.position);
-  return organ.tag < first_surface_tag ? base : std::max(base, open.at(along(organ, organ.scale + open.edge())));
+std::uint8_t sky_of(const SkyVisibility& visible_sky, const Organ& organ) {
+  const std::uint8_t base = visible_sky.at(organ.position);
+  return organ.tag < first_surface_tag
+             ? base
+             : std::max(base, visible_sky.at(point_on_axis(organ, organ.scale + visible_sky.edge())));
 }
 
 // Options of the tubes of lines.
 TubeOptions tubes_of(const std::vector<Segment>& segments, const DressOptions& options) {
   const bool coarse = options.coarse && segments.size() >= many_in_preview;
   return {.sides = options.sides,
-          .most_vertices = most_vertices,
+          .max_vertices = max_vertices,
           .thin = coarse ? std::numeric_limits<float>::max() : thin * extent_of(segments),
           .thin_sides = segments.size() < many ? std::min(options.sides, thin_sides) : thinnest_sides,
           .thin_plain = true};
 }
 
-// Lines as tubes, with a run for each colour.
+// Makes the mesh of lines as tubes, with a run for each colour.
 PlantMesh stems_of(const std::vector<Segment>& segments, std::span<const Mark> marks, const DressOptions& options,
-                   const SkyVisibility* open) {
+                   const SkyVisibility* visible_sky) {
   std::vector<std::int32_t> groups;
   groups.reserve(marks.size());
   for (const Mark& mark : marks) groups.push_back(mark.colour);
   StemMesh stems = sweep_stems({.segments = segments, .groups = groups, .jointed = false, .corner = cosine_of_corner},
                                tubes_of(segments, options), 1.0f);
   Columns columns;
-  if (open) columns.add("sky", sky_of(*open, segments, stems));
+  if (visible_sky) columns.add("sky", sky_of(*visible_sky, segments, stems));
   PlantMesh mesh{"stems", "stem", std::move(stems.mesh), {}, std::move(columns)};
   std::vector<std::uint8_t> colour;
   for (const StemPart& part : stems.parts) {
-    mesh.runs.push_back({"Lines", part.first_vertex, part.vertex_count, part.first_index, part.index_count});
+    mesh.runs.push_back({part, "Lines"});
     colour.push_back(static_cast<std::uint8_t>(part.group));
   }
   mesh.columns.add("segment", std::move(stems.segment));
@@ -132,7 +120,7 @@ PlantMesh stems_of(const std::vector<Segment>& segments, std::span<const Mark> m
   return mesh;
 }
 
-// Half of a sheet's area: the mean of its projections over all directions.
+// The occluder of a polygon: it hides half of its area, the mean of its projections over all directions.
 Occluder occluder_of(std::span<const glm::vec3> corners, float metres) {
   glm::vec3 sum(0), twice(0);
   for (const glm::vec3& corner : corners) sum += corner;
@@ -141,6 +129,7 @@ Occluder occluder_of(std::span<const glm::vec3> corners, float metres) {
   return {sum * (metres / static_cast<float>(std::max<std::size_t>(corners.size(), 1))), 0.25f * glm::length(twice)};
 }
 
+// The occluders of balls, surfaces and polygons, in metres. A surface counts half at its base and half at its tip.
 std::vector<Occluder> occluders_of(const Plant& plant, const Sketch& sketch, float metres) {
   std::vector<Occluder> occluders;
   for (const Organ& organ : plant.organs) {
@@ -149,7 +138,7 @@ std::vector<Occluder> occluders_of(const Plant& plant, const Sketch& sketch, flo
     if (organ.tag < first_surface_tag) continue;
     const float half = 0.5f * surfaces[organ.tag - first_surface_tag].area * square;
     occluders.push_back({organ.position, half});
-    occluders.push_back({along(organ, organ.scale), half});
+    occluders.push_back({point_on_axis(organ, organ.scale), half});
   }
   for (const Polygon& polygon : sketch.polygons.all)
     occluders.push_back(occluder_of(std::span(sketch.polygons.corners).subspan(polygon.first, polygon.count), metres));
@@ -187,26 +176,24 @@ void add_shared(Plant& plant) {
   }
 }
 
+// Adds a note if polygons have no area.
 void note_empty(Plant& plant, std::uint32_t empty) {
   if (empty == 0) return;
-  plant.notes.push_back(empty == 1
-                            ? "A polygon shows nothing: it has fewer than three different corners, or all on a line."
-                            : std::to_string(empty) +
-                                  " polygons show nothing: they have fewer than three different "
-                                  "corners, or all on a line.");
+  plant.notes.push_back(message(messages::grammar::flat_polygons, empty));
 }
 
+// Adds the meshes of lines, polygons and organs, with their sky visibility if requested.
 void add_meshes(Plant& plant, const Sketch& sketch, const DressOptions& options) {
-  std::optional<SkyVisibility> open;
-  if (options.sky) open.emplace(plant.segments, occluders_of(plant, sketch, options.metres));
-  PlantMesh stems = stems_of(plant.segments, sketch.lines, options, open ? &*open : nullptr);
+  std::optional<SkyVisibility> visible_sky;
+  if (options.sky) visible_sky.emplace(plant.segments, occluders_of(plant, sketch, options.metres));
+  PlantMesh stems = stems_of(plant.segments, sketch.lines, options, visible_sky ? &*visible_sky : nullptr);
   std::uint32_t empty = 0;
   PlantMesh blades = blades_of(sketch.polygons, options.metres, empty, options.budget);
   note_empty(plant, empty);
-  if (open) {
-    if (!blades.runs.empty()) blades.columns.add("sky", open->of(blades.mesh));
+  if (visible_sky) {
+    if (!blades.runs.empty()) blades.columns.add("sky", visible_sky->of(blades.mesh));
     std::vector<std::uint8_t> of_organs;
-    for (const Organ& organ : plant.organs) of_organs.push_back(sky_of(*open, organ));
+    for (const Organ& organ : plant.organs) of_organs.push_back(sky_of(*visible_sky, organ));
     if (!of_organs.empty()) plant.columns.add("organs.sky", std::move(of_organs));
   }
   plant.meshes.push_back(std::move(stems));
@@ -216,17 +203,13 @@ void add_meshes(Plant& plant, const Sketch& sketch, const DressOptions& options)
 
 }  // namespace
 
+// Turns the sketch, the drawn lines and organs in the text's unit, into a plant in metres, with meshes if requested.
 void dress(Plant& plant, const Sketch& sketch, const DressOptions& options) {
   plant.tags = {"stem"};
   plant.organ_tags = {"ball", "polygon"};
   for (const NamedSurface& surface : surfaces) plant.organ_tags.emplace_back(surface.name);
   plant.segments = sketch.segments;
-  for (Segment& segment : plant.segments) {
-    segment.start *= options.metres;
-    segment.end *= options.metres;
-    segment.radius *= options.metres;
-    segment.radius_end *= options.metres;
-  }
+  for (Segment& segment : plant.segments) scale(segment, options.metres);
   for (const SketchOrgan& one : sketch.organs)
     plant.organs.push_back(
         {one.tag, one.segment, -1, one.place * options.metres, quaternion_of(one.frame), one.size * options.metres});

@@ -12,7 +12,8 @@
 namespace panicle::grammar {
 namespace {
 
-bool unset(const Segment& segment) { return segment.radius > 0 && segment.radius < 1e6f * no_width; }
+// Whether the text has given the line no width: its radius is the tiny mark `no_width`.
+bool has_no_width(const Segment& segment) { return segment.radius > 0 && segment.radius < 1e6f * no_width; }
 
 // Width of a line whose width is set to 0, as a share of the thinnest line without a width.
 constexpr float hairline = 0.1f;
@@ -43,12 +44,14 @@ float measure_of(std::span<const Segment> segments, double length) {
 
 }  // namespace
 
+// Sets the radii of lines without a width: the thinnest at the tips, then growing as a power of the number of tips that
+// a line carries (Murray, da Vinci). Given widths are multiplied by a factor.
 void thicken(std::span<Segment> segments, const Girth& girth) {
   double length = 0;
   bool any = false;
   for (Segment& segment : segments) {
     length += glm::distance(segment.start, segment.end);
-    const bool open = unset(segment) || segment.radius == 0;
+    const bool open = has_no_width(segment) || segment.radius == 0;
     any = any || open;
     if (open) continue;
     segment.radius *= girth.width_factor;
@@ -60,7 +63,7 @@ void thicken(std::span<Segment> segments, const Girth& girth) {
   for (std::size_t i = 0; i < segments.size(); ++i) {
     Segment& segment = segments[i];
     if (segment.radius == 0) segment.radius = segment.radius_end = hairline * thinnest;
-    if (!unset(segment)) continue;
+    if (!has_no_width(segment)) continue;
     segment.radius = segment.radius_end =
         tips[i] == 1 ? thinnest : thinnest * power(static_cast<float>(tips[i]), girth.thickening);
   }

@@ -7,19 +7,25 @@
 
 #include "lsystem/derivation/words.hpp"
 #include "lsystem_plant/derivation_trace_columns.hpp"
+#include "lsystem_plant/messages.generated.hpp"
 #include "lsystem_plant/requested_program.hpp"
 #include "models/grammar/area_membership.hpp"
 #include "models/grammar/areas.hpp"
 #include "models/grammar/dressing.hpp"
 #include "models/grammar/girth.hpp"
 #include "models/grammar/measures/measures.hpp"
+#include "models/grammar/messages.generated.hpp"
 #include "models/grammar/neighbours.hpp"
 #include "models/grammar/parameters.generated.hpp"
 #include "models/grammar/sketch.hpp"
 #include "plant/fingerprint.hpp"
+#include "protocol/common_request.hpp"
 #include "protocol/parameter_values.hpp"
 
 namespace panicle::grammar {
+
+// The turtle is the moving pen that draws a string.
+
 namespace {
 
 using GrammarValues = Values<Parameter, parameter_table>;
@@ -27,15 +33,15 @@ using enum Parameter;
 
 constexpr float metres_a_millimetre = 0.001f;
 // Longest string that is written as text: a number takes up to half a microsecond.
-constexpr std::uint64_t most_words_as_text = 4 * 1024 * 1024;
+constexpr std::uint64_t max_words_as_text = 4 * 1024 * 1024;
 
 // Options of a request.
-struct GrowOptions {
-  std::uint64_t seed = 1;
+struct GrowOptions : CommonRequest {
+  explicit GrowOptions(const CommonRequest& common) : CommonRequest(common) {}
+
   std::optional<std::uint32_t> steps;
-  std::span<const float> parameters;
   lsystem::Inputs inputs;
-  bool meshes = true, measures = false, sky = false, coarse = false, mesh_fingerprint = false, string = false;
+  bool coarse = false, string = false;
   std::optional<lsystem::TraceRequest> chronicle;
 };
 
@@ -44,27 +50,21 @@ Diagnostic read_constants(Request& request, lsystem::Inputs& inputs) {
   std::string_view names = request.text("constants.names");
   for (const float value : request.floats("constants.values")) {
     const std::size_t end = names.find('\n');
-    if (names.empty()) return {Reason::bad_request, "The request has more constants than names.", 0, 0};
+    if (names.empty()) return bad_request(message(messages::grammar::constants_unpaired));
     inputs.scalars.push_back({std::string(names.substr(0, end)), value});
     names = end == std::string_view::npos ? std::string_view() : names.substr(end + 1);
   }
-  if (!names.empty()) return {Reason::bad_request, "The request has more names than constants.", 0, 0};
+  if (!names.empty()) return bad_request(message(messages::grammar::constants_unpaired));
   return {};
 }
 
+// Reads the options of a request besides its grammar. Errors: bad_request.
 Result<GrowOptions> read(Request& request) {
-  GrowOptions options;
-  request.text("model");
-  options.seed = request.word("seed", 1);
-  options.meshes = request.wants("meshes");
-  options.measures = request.wants("measures");
-  options.sky = request.wants("sky");
+  GrowOptions options(read_common(request));
   options.coarse = request.wants("coarse");
-  options.mesh_fingerprint = request.wants("mesh_fingerprint");
   options.string = request.wants("string");
   if (request.has("steps")) options.steps = request.word("steps");
-  options.parameters = request.floats("parameters");
-  if (Diagnostic trouble = read_constants(request, options.inputs); trouble.reason != Reason::none) return trouble;
+  if (Diagnostic error = read_constants(request, options.inputs); error.reason != Reason::none) return error;
   auto chronicle = read_trace_request(request);
   if (!chronicle) return chronicle.error();
   options.chronicle = chronicle.value();
@@ -106,14 +106,8 @@ void add_area_columns(Plant& plant, const Sketch& sketch, const std::vector<Area
   for (std::size_t area = 1; area <= areas.size(); ++area) {
     if (grown[area]) continue;
     const std::size_t around = areas.around(area);
-    const std::string nothing = "Nothing grows in area " + std::to_string(area) + ": ";
-    plant.notes.push_back(around == 0
-                              ? nothing +
-                                    "the main branch does not come there. Lead it through, or change the areas' "
-                                    "order; where it is far away, give it more steps (derivation length)."
-                              : nothing + "its middle lies within area " + std::to_string(around) +
-                                    ", and an area's turn comes when the one before it has been left. Move it out, or "
-                                    "take it away.");
+    plant.notes.push_back(around == 0 ? message(messages::grammar::area_not_reached, area)
+                                      : message(messages::grammar::area_in_area, area, around));
   }
 }
 
@@ -132,13 +126,15 @@ Result<std::optional<lsystem::DerivationTrace>> trace_derivation(const lsystem::
 
 constexpr ProgramOptions program_options{lsystem::Notation::cpfg, lsystem::Lineages::where_needed};
 
+// Grows a plant from the text of an L-system: derives its string, lets the turtle draw it within the areas, and adds
+// meshes and measures as requested.
 Result<Plant> grow(Request& request, const Limits& given) {
   WorkBudget own(given.work, given.bytes);
   const Limits limits = drawing_limits(given).counted_by(own);
   const Result<GrowOptions> options = read(request);
   Result<Areas> areas = Areas::read(request, limits);
   const auto program = requested_program(request, program_options, limits);
-  if (Diagnostic trouble = request.trouble(); trouble.reason != Reason::none) return trouble;
+  if (Diagnostic error = request.trouble(); error.reason != Reason::none) return error;
   if (!options) return options.error();
   if (!areas) return areas.error();
   if (!program) return program.error();
@@ -160,6 +156,7 @@ Result<Plant> grow(Request& request, const Limits& given) {
   }();
   if (!derived) return derived.error();
   const lsystem::String& string = *derived->string;
+  // Draws the string. A limit, unlike another error, cuts the plant short and leaves a note.
   Sketch sketch(limits);
   sketch.begin();
   const auto drawn = lsystem::interpret_without_queries(*bound.value(), string, initial_turtle(), sketch, options->seed,
@@ -169,12 +166,13 @@ Result<Plant> grow(Request& request, const Limits& given) {
   if (drawing_error.reason != Reason::none && drawing_error.reason != Reason::limit) return drawing_error;
   for (const Diagnostic& stopped : {derived->stopped, drawing_error, sketch.trouble()}) {
     if (stopped.reason == Reason::none) continue;
-    plant.notes.push_back("What grew so far is shown. " + stopped.message);
+    plant.notes.push_back(message(messages::grammar::cut_short).encoded() + " " + stopped.message);
     plant.cut_short = cut_short_by(*limits.budget);
   }
   plant.notes.insert(plant.notes.end(), sketch.notes.begin(), sketch.notes.end());
   thicken(sketch.segments, {0.01f * values[thickness], values[thickening], 0.01f * values[widths]});
 
+  // Traces by repeating the derivation, which may be cut short where the plant was not: then parts do not name modules.
   const auto traced = trace_derivation(*bound.value(), options.value(), limits, around);
   if (!traced) return traced.error();
   const std::optional<lsystem::DerivationTrace>& chronicle = traced.value();
@@ -198,17 +196,15 @@ Result<Plant> grow(Request& request, const Limits& given) {
   if (!whole) plant.notes.push_back(cut_short(*chronicle));
   if (chronicle) add_trace_columns(plant, *chronicle);
   if (options->string) {
-    const bool too_long = string.used > most_words_as_text;
+    const bool too_long = string.used > max_words_as_text;
     plant.columns.add("string", too_long ? std::string() : lsystem::to_text(*program.value(), string));
-    if (too_long)
-      plant.notes.push_back("The string has " + std::to_string(string.modules) +
-                            " modules, too many to be written as text; let the grammar take fewer steps.");
+    if (too_long) plant.notes.push_back(message(messages::grammar::string_too_long, string.modules));
   }
-  if (plant.segments.empty() && plant.organs.empty()) plant.notes.push_back("The grammar draws nothing.");
+  if (plant.segments.empty() && plant.organs.empty())
+    plant.notes.push_back(message(messages::lsystem_plant::nothing_drawn));
   for (const lsystem::Remark& remark : lsystem::remarks(*program.value(), options->inputs.scalars, options->steps))
     plant.notes.push_back(lsystem::to_text(remark));
-  plant.fingerprint = fingerprint_of(plant);
-  if (options->meshes && options->mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
+  set_fingerprints(plant, options->mesh_fingerprint);
   return plant;
 }
 

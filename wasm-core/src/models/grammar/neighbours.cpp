@@ -8,30 +8,37 @@
 #include "light/density_grid.hpp"
 
 namespace panicle::grammar {
+
+// The turtle is the moving pen that draws a string.
+
 namespace {
 
-constexpr float own = 1e-3f;           // as a share of the radius: nearer ends are the turtle's own
-constexpr std::size_t most_radii = 8;  // number of radii whose cells are cached at a time
-constexpr float most_cells = 48;       // along an edge of the box
+constexpr float own = 1e-3f;          // as a share of the radius: nearer ends are the turtle's own
+constexpr std::size_t max_radii = 8;  // number of radii whose cells are cached at a time
+constexpr float max_cells = 48;       // along an edge of the box
 constexpr std::uint32_t lamps = 24;
 constexpr float matter_of_an_end = 0.5f;  // as a share of a cell's side
 
 }  // namespace
 
+// Begins a pass in which queries are answered with the lines observed before.
 void Neighbours::responses_begin() {
   answering_ = true;
   cells_.clear();
 }
 
+// Begins a pass in which the ends of lines are recorded.
 void Neighbours::observation_begins() {
   answering_ = false;
   ends_.clear();
 }
 
+// Records the end of a line.
 void Neighbours::line(std::int32_t, const lsystem::Turtle&, const lsystem::Turtle& after, const lsystem::Lineage&) {
   if (!answering_) ends_.push_back(after.position);
 }
 
+// Answers a query with a radius: how many ends of branches are within it, and how much light there is.
 void Neighbours::query(const lsystem::Turtle& turtle, std::span<float> parameters, const lsystem::Lineage&) {
   if (!answering_ || parameters.size() < 2 || !(parameters[0] > 0) || !std::isfinite(parameters[0])) return;
   if (!budget_.spend(1)) return;
@@ -50,15 +57,17 @@ void Neighbours::query(const lsystem::Turtle& turtle, std::span<float> parameter
   parameters[2] = std::min(1.0f, near.light->at(turtle.position));
 }
 
+// The ends sorted into cells of that edge; the last few radii are cached.
 Neighbours::Cells& Neighbours::cells(float edge) {
   for (Cells& cached : cells_)
     if (cached.edge == edge) return cached;
-  if (cells_.size() == most_radii) cells_.erase(cells_.begin());
+  if (cells_.size() == max_radii) cells_.erase(cells_.begin());
   budget_.spend(4 + 2 * ends_.size());
   cells_.push_back({edge, PointGrid(ends_, edge), nullptr});
   return cells_.back();
 }
 
+// Computes the light of an overcast sky among the ends of branches, in cells of `edge` metres at least.
 std::unique_ptr<VoxelLight> Neighbours::light(float edge) const {
   glm::vec3 low(0), high(0);
   for (const glm::vec3& end : ends_) {
@@ -69,7 +78,7 @@ std::unique_ptr<VoxelLight> Neighbours::light(float edge) const {
   low -= edge;
   high += edge;
   const glm::vec3 size = high - low;
-  const float cell = std::max(edge, std::max({size.x, size.y, size.z}) / most_cells);
+  const float cell = std::max(edge, std::max({size.x, size.y, size.z}) / max_cells);
   DensityGrid matter(low, high, cell);
   budget_.spend(ends_.size() + matter.cells() * lamps / 8);
   for (const glm::vec3& end : ends_) matter.put(end, matter_of_an_end * cell * cell);

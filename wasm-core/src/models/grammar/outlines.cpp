@@ -14,7 +14,9 @@ constexpr float droop = 0.16f;  // how far the tip lies below the base's plane
 constexpr float point = 1e-3f;  // rays shorter than this have no length
 constexpr std::uint32_t whole_rings = 3;
 
-float ray_formula(const Outline& outline, float t) {
+// The length of the outline's ray at t, 0 towards the tip … 1 towards the base: the offset plus a product of four
+// factors, which are the fall to the base, exponential slimness, lobes and teeth.
+float unscaled_ray(const Outline& outline, float t) {
   const auto waves = [t](float degrees) { return sincos_degrees(degrees * t).cosine; };
   return outline.offset + power(std::max(0.0f, 1 - outline.fall * t), outline.bow) * exponential(-outline.slim * t) *
                               power(1 - outline.lobe + outline.lobe * std::fabs(waves(outline.turns)), outline.round) *
@@ -29,8 +31,11 @@ glm::vec3 normal_at(const glm::vec2& p) {
 
 }  // namespace
 
-float ray(const Outline& outline, float t) { return ray_formula(outline, t) / ray_formula(outline, 0); }
+// The length of the ray at t, from 0 towards the tip to 1 towards the base, over that towards the tip.
+float ray(const Outline& outline, float t) { return unscaled_ray(outline, t) / unscaled_ray(outline, 0); }
 
+// The mesh of a leaf blade inside an outline of rays from its base; folded along the midrib and drooping. `plain`:
+// fewer triangles.
 Mesh blade_within(const Outline& outline, bool plain) {
   const std::uint32_t rings = plain ? 1 : whole_rings;
   const auto rays = static_cast<std::int32_t>(plain ? outline.rays / 2 : outline.rays);

@@ -9,13 +9,15 @@
 #include <unordered_map>
 #include <utility>
 
+#include "mesh/normals.hpp"
+
 namespace panicle::grammar {
 namespace {
 
 // Corners nearer than this share of the sheet's size are one place.
 constexpr float same_place = 1e-6f;
 // Longest offset of a corner where the sheet bends, over half a thickness.
-constexpr float most_mitre = 4;
+constexpr float max_mitre = 4;
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
@@ -55,9 +57,11 @@ class Cells {
       cell[static_cast<std::size_t>(k)] = 1 + (share[k] > 0 ? static_cast<std::uint32_t>(share[k] / same_place) : 0);
     return cell;
   }
+  // One number for a cell's three indices, of 21 bits each.
   static std::uint64_t key_of(const Cell& cell) {
     return std::uint64_t{cell[0]} << 42 | std::uint64_t{cell[1]} << 21 | cell[2];
   }
+  // Whether two corners are at one place.
   bool is_one(const glm::vec3& a, const glm::vec3& b) const {
     const glm::vec3 apart = glm::abs(a - b);
     return std::max({apart.x, apart.y, apart.z}) <= same_place * size_;
@@ -70,7 +74,8 @@ class Cells {
   std::vector<std::uint32_t> before_;                      // by corner, of the same cell
 };
 
-// For each corner the first one at its place, so that edges in opposite directions share their ends.
+// For each corner the first one at its place (or itself), so that triangles that meet there have edges with the same
+// ends.
 std::vector<std::uint32_t> places_of(std::span<const glm::vec3> corners, std::span<const std::uint32_t> triangles) {
   std::vector<std::uint32_t> used(triangles.begin(), triangles.end());
   std::sort(used.begin(), used.end());
@@ -114,13 +119,16 @@ std::vector<Edge> rim_of(std::span<const std::uint32_t> triangles) {
   return rim;
 }
 
-glm::vec3 unit(const glm::vec3& v, const glm::vec3& otherwise) {
+}  // namespace
+
+// The unit vector in the direction of `v`, or `otherwise` for a zero vector.
+glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& otherwise) {
   const float size = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
   return size > 0 ? glm::normalize(v / size) : otherwise;
 }
 
-}  // namespace
-
+// Adds a plate of even thickness to a mesh: the sheet of triangles moved up and down by half of it, and walls along its
+// rim. `from` receives the sheet's corner of each vertex.
 void add_plate(Mesh& mesh, std::span<const glm::vec3> corners, std::span<const std::uint32_t> triangles,
                float thickness, std::vector<std::uint32_t>& from) {
   if (triangles.empty()) return;
@@ -135,33 +143,34 @@ void add_plate(Mesh& mesh, std::span<const glm::vec3> corners, std::span<const s
   std::vector<float> areas(corners.size(), 0);
   glm::vec3 whole(0);
   for (std::size_t k = 0; k < valid.size(); k += 3) {
-    const glm::vec3 &a = corners[valid[k]], &b = corners[valid[k + 1]], &c = corners[valid[k + 2]];
-    const glm::vec3 twice = glm::cross(b - a, c - a);
+    const glm::vec3 twice = triangle_normal(corners[valid[k]], corners[valid[k + 1]], corners[valid[k + 2]]);
     for (std::size_t m = 0; m < 3; ++m) {
       sums[valid[k + m]] += twice;
       areas[valid[k + m]] += glm::length(twice);
     }
     whole += twice;
   }
-  const glm::vec3 mean = unit(whole, {0, 0, 1});
+  const glm::vec3 mean = unit_or(whole, {0, 0, 1});
+  // Adds a vertex on one side of the plate. The mitre preserves the thickness where triangles meet at an angle.
   const auto add = [&](std::uint32_t corner, float side, const glm::vec3& normal) {
     const float length = glm::length(sums[corner]);
-    const float mitre = length > 0 ? std::min(areas[corner] / length, most_mitre) : 1;
-    put(mesh.positions, corners[corner] + 0.5f * side * thickness * mitre * unit(sums[corner], mean));
+    const float mitre = length > 0 ? std::min(areas[corner] / length, max_mitre) : 1;
+    put(mesh.positions, corners[corner] + 0.5f * side * thickness * mitre * unit_or(sums[corner], mean));
     put(mesh.normals, normal);
     from.push_back(corner);
     return static_cast<std::uint32_t>(mesh.positions.size() / 3 - 1);
   };
+  // The upper and the lower face, then walls along the rim.
   for (const float side : {1.0f, -1.0f}) {
     std::vector<std::uint32_t> number(corners.size(), 0);
     for (std::uint32_t corner = 0; corner < corners.size(); ++corner)
-      if (areas[corner] > 0) number[corner] = add(corner, side, side * unit(sums[corner], mean));
+      if (areas[corner] > 0) number[corner] = add(corner, side, side * unit_or(sums[corner], mean));
     for (std::size_t k = 0; k < valid.size(); k += 3)
       put(mesh.indices, number[valid[k]], number[valid[k + (side > 0 ? 1 : 2)]], number[valid[k + (side > 0 ? 2 : 1)]]);
   }
   for (const auto& [a, b] : rim_of(valid)) {
-    const glm::vec3 up = unit(sums[a], mean) + unit(sums[b], mean);
-    const glm::vec3 out = unit(glm::cross(corners[b] - corners[a], up), mean);
+    const glm::vec3 up = unit_or(sums[a], mean) + unit_or(sums[b], mean);
+    const glm::vec3 out = unit_or(glm::cross(corners[b] - corners[a], up), mean);
     const std::uint32_t top = add(a, 1, out), far_top = add(b, 1, out), low = add(a, -1, out),
                         far_low = add(b, -1, out);
     put(mesh.indices, top, low, far_low);

@@ -10,6 +10,9 @@
 
 namespace panicle::grammar {
 
+// `v` at unit length, or `otherwise` if it is zero. Scales `v` first, so that its square is not too small for a float.
+glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& otherwise);
+
 // Adds a plate to a mesh, without texture coordinates; `from` gets the corner of each added vertex. Triangles have
 // three corners each and lie in the middle of the plate, half a thickness from either face, so that its volume is their
 // area times the thickness where the thickness is small beside the bends. The plate is closed: each edge is run through

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "foundation/mathematics.hpp"
+#include "mesh/normals.hpp"
 #include "mesh/uv_sphere.hpp"
 #include "models/grammar/outlines.hpp"
 
@@ -36,23 +37,6 @@ float half_width(const BladeShape& blade, float t) {
   return 0.5f * blade.width * std::sqrt(rise * (2 - rise));
 }
 
-void add_normals(Mesh& mesh) {
-  std::vector<glm::vec3> sums(mesh.positions.size() / 3, glm::vec3(0));
-  const auto at = [&](std::uint32_t v) {
-    return glm::vec3(mesh.positions[3 * v], mesh.positions[3 * v + 1], mesh.positions[3 * v + 2]);
-  };
-  for (std::size_t k = 0; k < mesh.indices.size(); k += 3) {
-    const std::uint32_t a = mesh.indices[k], b = mesh.indices[k + 1], c = mesh.indices[k + 2];
-    const glm::vec3 twice = glm::cross(at(b) - at(a), at(c) - at(a));
-    for (const std::uint32_t v : {a, b, c}) sums[v] += twice;
-  }
-  mesh.normals.clear();
-  for (const glm::vec3& sum : sums) {
-    const float length = glm::length(sum);
-    put(mesh.normals, length > 0 ? sum / length : glm::vec3(0, 0, 1));
-  }
-}
-
 // Builds the mesh of a blade. A row has the margins, the midrib and vertices between them.
 Mesh make_blade(const BladeShape& blade) {
   const std::uint32_t across = blade.across, middle = across / 2;
@@ -74,7 +58,7 @@ Mesh make_blade(const BladeShape& blade) {
       if (row + 1 < blade.rows) put(mesh.indices, a, b + 1, b);
     }
   }
-  add_normals(mesh);
+  set_normals(mesh);
   // Where a row is one point, half of its corners have no triangle of their own.
   for (const std::uint32_t row : {0u, blade.rows}) {
     const std::uint32_t inner = row == 0 ? 1 : row - 1;
@@ -104,6 +88,7 @@ void add_turned(Mesh& all, const Mesh& one, float tilt, float about) {
   for (const std::uint32_t index : one.indices) all.indices.push_back(base + index);
 }
 
+// Five petals round the heading.
 Mesh flower(const Mesh& petal) {
   constexpr std::uint32_t petals = 5;
   Mesh all;
@@ -155,12 +140,14 @@ Mesh berry(std::uint32_t sides) {
 
 }  // namespace
 
+// The index of a built-in surface by its name; none for an unknown name.
 std::optional<std::uint32_t> surface_named(std::string_view name) {
   for (std::uint32_t i = 0; i < surfaces.size(); ++i)
     if (surfaces[i].name == name) return i;
   return {};
 }
 
+// The mesh of built-in surface `which`, of size 1, with its base at the origin; `plain`: fewer triangles.
 Mesh make_surface(std::uint32_t which, bool plain) {
   constexpr ProfilePoint disc[] = {{0.5f, 0}, {0, 0.02f}};
   constexpr ProfilePoint cone[] = {{0, 0}, {0.25f, 0}, {0.25f, 0}, {0, 1}};

@@ -13,7 +13,7 @@ namespace panicle::growth {
 
 class CrownLight {
  public:
-  CrownLight(const Population& population, const Surroundings& about);
+  CrownLight(const Population& population, const Surroundings& surroundings);
 
   // Adds matter that hides light, square metres over all directions.
   void put(const glm::vec3& place, float area);

@@ -5,9 +5,23 @@
 #include <cstdint>
 #include <vector>
 
+#include "foundation/message.hpp"
 #include "models/growth/rules.hpp"
 
 namespace panicle::growth {
+
+// A number as messages write it: a word of the grammar, or a term.
+class Quantity {
+ public:
+  // A quantity for error messages: a word of the text, or a term.
+  constexpr Quantity(const char* word) : word_(word) {}
+  constexpr Quantity(const MessageCode<0>& term) : term_(term) {}
+  Message in_words() const;
+
+ private:
+  const char* word_ = nullptr;  // null for a term
+  MessageCode<0> term_{};
+};
 
 class GrowthEvaluation {
  public:
@@ -23,23 +37,24 @@ class GrowthEvaluation {
 
   // Whether a condition holds; true without a condition. False with `failed()` where evaluation fails.
   bool holds(const Number& condition);
-  // Evaluates to a finite number. False: `trouble()`.
+  // Evaluates to a finite number. False: `error()`.
   bool work_out(const Number& number, float& value);
-  // Evaluates to a number from `least` to `most`; `name` is the number's in messages.
-  bool within(const Number& number, float least, float most, const char* name, float& value);
-  bool whole(const Number& number, float least, float most, const char* name, std::uint32_t& value);
+  // Evaluates to a number from `least` to `most`; `quantity` is the number in messages.
+  bool within(const Number& number, float least, float most, const Quantity& quantity, float& value);
+  bool whole(const Number& number, float least, float most, const Quantity& quantity, std::uint32_t& value);
   // Evaluates to a number from 0 to 1; 1 where none is given.
   bool probability(const Number& number, float& value);
 
   // Work of all evaluations so far, in units of work.
   std::uint64_t work() const { return work_; }
 
-  bool fail(Diagnostic trouble) {
-    trouble_ = std::move(trouble);
+  // Stores an error; returns false.
+  bool fail(Diagnostic error) {
+    error_ = std::move(error);
     return false;
   }
-  bool failed() const { return trouble_.reason != Reason::none; }
-  const Diagnostic& trouble() const { return trouble_; }
+  bool failed() const { return error_.reason != Reason::none; }
+  const Diagnostic& error() const { return error_; }
 
  private:
   const expression::Code& code_;
@@ -47,7 +62,7 @@ class GrowthEvaluation {
   std::array<std::vector<float>, 2> functions_;
   expression::Sources sources_;
   std::uint64_t work_ = 0;
-  Diagnostic trouble_;
+  Diagnostic error_;
 };
 
 }  // namespace panicle::growth

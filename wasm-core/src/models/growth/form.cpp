@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "foundation/golden_spiral.hpp"
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
 #include "foundation/rotation.hpp"
@@ -21,17 +22,17 @@ constexpr std::uint64_t stream_angle = 0x666f726d, stream_turn = stream_angle + 
 constexpr float reach = 1.3f;  // search radius of a bud, in internodes
 constexpr float crowded = 0.3f, short_shoot = 0.3f;
 constexpr float spread = 0.15f, stray = 17;  // spread of branching angles as a share, and of azimuths in degrees
-// A branch of the trunk reaches at least this share of the half width in at most `most_left` steps.
+// A branch of the trunk reaches at least this share of the half width in at most `max_left` steps.
 constexpr float filled = 0.8f, least_width = 0.25f, least_first = 0.35f;
-constexpr float most_left = 6;
+constexpr float max_left = 6;
 constexpr float floor_share = 0.012f;  // as a share of a volume's height: tips do not go lower
-constexpr float golden = 0.618034f, first_along = 0.2f, bole_along = 0.8f;
+constexpr float first_along = 0.2f, bole_along = 0.8f;
 constexpr float trunk_crook = 0.35f;  // of child trunks against branches
 constexpr float leaning = 18;         // slope of child trunks, degrees
 // Area that a node and a counted leaf shade, in squares of a branch's first internode.
 constexpr float node_shade = 0.06f, leaf_shade = 0.02f;
-constexpr float beyond = 0.5f;    // growth of a shoot that would end outside its volume, as a share
-constexpr int most_halvings = 6;  // of a shoot that would leave its room
+constexpr float beyond = 0.5f;   // growth of a shoot that would end outside its volume, as a share
+constexpr int max_halvings = 6;  // of a shoot that would leave its room
 // Number of samples along the way to a volume's edge, the longest way in volume heights, and the share of it that is
 // grown.
 constexpr int edge_samples = 24;
@@ -40,14 +41,17 @@ constexpr float farthest = 1.2f, to_edge = 0.9f;
 // wood; the strength that bends canes back between the wires for a metre off the row, and an arm to its own wire.
 constexpr float of_wire = 0.2f, of_row = 0.5f, held = 5, tied = 3;
 
-glm::vec3 unit(const glm::vec3& v, const glm::vec3& otherwise) {
+// The vector with length 1, or `otherwise` if it has no length.
+glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& otherwise) {
   const float length = glm::length(v);
   return length > 1e-6f ? v / length : otherwise;
 }
 
+// Builder of a tree's form: places the nodes of all shoots, step by step. Shoots are numbered as in the population
+// (`q`).
 class FormBuilder {
  public:
-  FormBuilder(const Population& population, const FormHabit& habit, const Surroundings& about)
+  FormBuilder(const Population& population, const FormHabit& habit, const Surroundings& surroundings)
       : population_(population),
         habit_(habit),
         angles_(habit.seed, stream_angle),
@@ -55,9 +59,10 @@ class FormBuilder {
         reaches_(habit.seed, stream_reach),
         crooks_(habit.seed, stream_crook),
         trunks_(habit.seed, stream_trunk),
-        about_(about),
-        light_(population, about) {}
+        surroundings_(surroundings),
+        light_(population, surroundings) {}
 
+  // Places all nodes and returns the form.
   Form run() {
     allocate_nodes();
     for (std::uint16_t step = 1; step <= population_.steps; ++step) grow(step);
@@ -65,11 +70,13 @@ class FormBuilder {
   }
 
  private:
+  // The internode on which a shoot has its branches of an age; a trunk's first internode takes two steps.
   std::uint32_t internode_at(const Shoot& shoot, std::uint16_t age) const {
     return shoot.trunk ? std::max<std::uint32_t>(age, 1) - 1u : age;
   }
 
-  // The number of internodes of each shoot is known, and so the index of each node.
+  // Computes the path of each shoot: the range of its nodes, where it leaves its parent, and when it grows. The number
+  // of internodes of each shoot is known before growth, and so the index of each node.
   void allocate_nodes() {
     std::uint32_t nodes = 0;
     std::vector<std::uint32_t> attached_count(population_.shoots.size(), 0);
@@ -83,12 +90,12 @@ class FormBuilder {
         path.internode = internode_at(population_.shoots[parent], shoot.node);
         const std::uint32_t place = attached_count[parent]++;
         ordinals_.push_back(place);
-        const float turns = golden * static_cast<float>(place + 1);
-        const bool low = population_.shoots[parent].trunk && path.internode == 0;
-        const float least = low ? bole_along : first_along;
+        const float turns = golden_ratio * static_cast<float>(place + 1);
+        const bool on_bole = population_.shoots[parent].trunk && path.internode == 0;
+        const float least_along = on_bole ? bole_along : first_along;
         path.along =
-            glm::mix(least + (1 - least) * (turns - std::floor(turns)), 1 - 0.08f * (turns - std::floor(turns)),
-                     population_.shoots[parent].trunk ? habit_.whorl : 0);
+            glm::mix(least_along + (1 - least_along) * (turns - std::floor(turns)),
+                     1 - 0.08f * (turns - std::floor(turns)), population_.shoots[parent].trunk ? habit_.whorl : 0);
       } else {
         ordinals_.push_back(0);
       }
@@ -108,6 +115,7 @@ class FormBuilder {
       by_order_.push_back(power(habit_.order_ratio, static_cast<float>(order) - 1));
   }
 
+  // Adds an internode to each shoot that grows in a step.
   void grow(std::uint16_t step) {
     room_.set_nodes(placed_nodes_, std::max(cell_, 0.05f));
     shade(step);
@@ -123,6 +131,7 @@ class FormBuilder {
   // Adds the nodes and leaves of earlier steps to the cells of light.
   void shade(std::uint16_t step) {
     if (placed_nodes_.empty()) return;
+    // The edge of the square that a shoot's nodes and leaves are measured by: a branch's first internode, metres.
     const auto side = [&](std::uint32_t shoot) {
       return habit_.shoot * population_.volumes[population_.shoots[shoot].volume].height / 10;
     };
@@ -137,6 +146,8 @@ class FormBuilder {
     light_.update();
   }
 
+  // Returns where a shoot begins, and sets `ahead_of` to its first direction: a trunk at its volume, a branch along an
+  // internode of its parent, turned from the branch before.
   glm::vec3 begin(std::uint32_t q, glm::vec3& ahead_of) {
     const Shoot& shoot = population_.shoots[q];
     const GrowthVolume& volume = population_.volumes[shoot.volume];
@@ -144,75 +155,82 @@ class FormBuilder {
     if (shoot.trunk) {
       ahead_of = shapes_[shoot.volume].axis();
       if (shoot.parent >= 0) {
-        const SinCos out = sincos_degrees(leaning);
-        const SinCos about = sincos_degrees(360 * trunks_.unit(q));
-        ahead_of = unit(out.cosine * ahead_of + out.sine * glm::vec3(about.cosine, 0, about.sine), ahead_of);
+        const SinCos slope = sincos_degrees(leaning);
+        const SinCos azimuth = sincos_degrees(360 * trunks_.unit(q));
+        ahead_of = unit_or(slope.cosine * ahead_of + slope.sine * glm::vec3(azimuth.cosine, 0, azimuth.sine), ahead_of);
       }
       return volume.at;
     }
     const ShootPath& parent = form_.paths[static_cast<std::size_t>(shoot.parent)];
-    const glm::vec3 from = form_.nodes[parent.first + path.internode],
-                    to = form_.nodes[parent.first + path.internode + 1];
-    const glm::vec3 along = unit(to - from, glm::vec3(0, 1, 0)), one = any_perpendicular(along),
-                    other = glm::cross(along, one);
+    const glm::vec3 internode_start = form_.nodes[parent.first + path.internode],
+                    internode_end = form_.nodes[parent.first + path.internode + 1];
+    const glm::vec3 along = unit_or(internode_end - internode_start, glm::vec3(0, 1, 0)),
+                    normal = any_perpendicular(along), binormal = glm::cross(along, normal);
     const float angle =
         (population_.shoots[static_cast<std::size_t>(shoot.parent)].trunk ? habit_.trunk_angle : habit_.branch_angle) *
         (1 + spread * (2 * angles_.unit(q) - 1));
-    const SinCos off = sincos_degrees(angle);
-    const SinCos about =
+    const SinCos slope = sincos_degrees(angle);
+    const SinCos azimuth =
         sincos_degrees(habit_.turn * static_cast<float>(ordinals_[q]) + stray * (2 * turns_.unit(q) - 1));
-    ahead_of = unit(off.cosine * along + off.sine * (about.cosine * one + about.sine * other), along);
-    if (shoot.order > 1) ahead_of = unit({ahead_of.x, ahead_of.y * (1 - habit_.flat), ahead_of.z}, along);
+    ahead_of = unit_or(slope.cosine * along + slope.sine * (azimuth.cosine * normal + azimuth.sine * binormal), along);
+    if (shoot.order > 1) ahead_of = unit_or({ahead_of.x, ahead_of.y * (1 - habit_.flat), ahead_of.z}, along);
     if (shoot.order == 1 && habit_.cordon > 0)
-      ahead_of = unit(glm::vec3(0, 1, 0) + (ordinals_[q] % 2 == 0 ? of_row : -of_row) * across(volume) +
-                          of_wire * trunks_.direction(q),
-                      along);
-    return glm::mix(from, to, path.along);
+      ahead_of = unit_or(glm::vec3(0, 1, 0) + (ordinals_[q] % 2 == 0 ? of_row : -of_row) * across(volume) +
+                             of_wire * trunks_.direction(q),
+                         along);
+    return glm::mix(internode_start, internode_end, path.along);
   }
 
   // The unit vector that is level and orthogonal to a trained trunk's wire.
   static glm::vec3 across(const GrowthVolume& volume) { return {-sine(volume.towards), 0, cosine(volume.towards)}; }
 
-  // The distance from a place to the edge of its volume.
+  // The distance from a tip to the edge of its volume along the unit vector `forward`, in metres; found by samples.
   float edge_distance(const Shoot& shoot, const glm::vec3& tip, const glm::vec3& forward) const {
     const GrowthVolume& volume = population_.volumes[shoot.volume];
-    const float whole = farthest * std::max({volume.height, volume.base, volume.middle, volume.top});
+    const float longest = farthest * std::max({volume.height, volume.base, volume.middle, volume.top});
     for (int i = 1; i <= edge_samples; ++i) {
-      const float out = whole * static_cast<float>(i) / static_cast<float>(edge_samples);
-      const glm::vec3 place = tip + out * forward;
-      if (!shapes_[shoot.volume].contains(place) || !about_.contains(place))
-        return out - 0.5f * whole / static_cast<float>(edge_samples);
+      const float distance = longest * static_cast<float>(i) / static_cast<float>(edge_samples);
+      const glm::vec3 place = tip + distance * forward;
+      if (!shapes_[shoot.volume].contains(place) || !surroundings_.contains(place))
+        return distance - 0.5f * longest / static_cast<float>(edge_samples);
     }
-    return whole;
+    return longest;
   }
 
+  // The length of the next internode of a shoot, before deformation: metres. Trunks share the height of the volume;
+  // branches shorten by order and age, and with `reach` end at the volume's edge.
   float length_of(std::uint32_t q, std::uint32_t internode, const glm::vec3& tip, const glm::vec3& forward) {
     const Shoot& shoot = population_.shoots[q];
     const GrowthVolume& volume = population_.volumes[shoot.volume];
-    const float high = volume.height / 10;
+    const float tenth_of_height = volume.height / 10;
     if (shoot.trunk) {
       if (habit_.cordon > 0)
         return internode == 0 ? habit_.cordon
                               : 0.5f * volume.base / std::max(1.0f, static_cast<float>(form_.paths[q].count) - 1);
-      const float whole = habit_.leader * volume.height;
-      if (internode == 0) return habit_.bole * whole + (form_.paths[q].count == 1 ? (1 - habit_.bole) * whole : 0);
-      return (1 - habit_.bole) * whole / static_cast<float>(form_.paths[q].count - 1);
+      const float trunk_length = habit_.leader * volume.height;
+      if (internode == 0)
+        return habit_.bole * trunk_length + (form_.paths[q].count == 1 ? (1 - habit_.bole) * trunk_length : 0);
+      return (1 - habit_.bole) * trunk_length / static_cast<float>(form_.paths[q].count - 1);
     }
-    const float own = habit_.shoot * high * by_order_[shoot.order] * by_age_[internode];
-    if (shoot.order > 1) return own;
-    if (internode > 0) return glm::mix(own, firsts_[q] * by_age_[internode], habit_.reach);
+    const float by_habit = habit_.shoot * tenth_of_height * by_order_[shoot.order] * by_age_[internode];
+    if (shoot.order > 1) return by_habit;
+    if (internode > 0) return glm::mix(by_habit, firsts_[q] * by_age_[internode], habit_.reach);
     const VolumeShape& shape = shapes_[shoot.volume];
-    const float wide = std::max(shape.radius(std::clamp(shape.up(tip), 0.0f, 1.0f)), least_width * volume.base);
-    const float left = static_cast<float>(population_.steps - shoot.born + 1);
+    const float half_width = std::max(shape.radius(std::clamp(shape.up(tip), 0.0f, 1.0f)), least_width * volume.base);
+    const float steps_left = static_cast<float>(population_.steps - shoot.born + 1);
     // The first of a geometric series of lengths that ends at the edge.
-    const float ratio = habit_.age_ratio, steps = std::max(left, 1.0f);
+    const float ratio = habit_.age_ratio, steps = std::max(steps_left, 1.0f);
     const float sum = ratio < 0.999f ? (1 - power(ratio, steps)) / (1 - ratio) : steps;
     if (habit_.reach > 0)
-      firsts_[q] = std::max(least_first * habit_.shoot * high, to_edge * edge_distance(shoot, tip, forward) / sum);
-    return glm::mix(std::max(least_first * habit_.shoot * high, filled * wide / std::clamp(left, 1.0f, most_left)),
+      firsts_[q] =
+          std::max(least_first * habit_.shoot * tenth_of_height, to_edge * edge_distance(shoot, tip, forward) / sum);
+    return glm::mix(std::max(least_first * habit_.shoot * tenth_of_height,
+                             filled * half_width / std::clamp(steps_left, 1.0f, max_left)),
                     firsts_[q], habit_.reach);
   }
 
+  // Adds the next internode of a shoot: its direction follows the shoot, noise, light, gravity and the free room, and
+  // its length the shoot's habit.
   void extend(std::uint32_t q, std::uint32_t internode) {
     const Shoot& shoot = population_.shoots[q];
     const ShootPath& path = form_.paths[q];
@@ -222,7 +240,7 @@ class FormBuilder {
       nodes[0] = begin(q, forward);
       add_node(nodes[0], q);
     } else {
-      forward = unit(nodes[internode] - nodes[internode - 1], forward);
+      forward = unit_or(nodes[internode] - nodes[internode - 1], forward);
     }
     const glm::vec3 tip = nodes[internode];
     float length = length_of(q, internode, tip, forward);
@@ -230,37 +248,40 @@ class FormBuilder {
     const std::uint64_t address = hash_combine(q, internode);
     const glm::vec3 noise = habit_.crook * crooks_.direction(address);
     if (shoot.trunk) {
-      const glm::vec3 back = 0.3f * shapes_[shoot.volume].axis();
+      const glm::vec3 along_axis = 0.3f * shapes_[shoot.volume].axis();
       if (internode == 1 && habit_.cordon > 0) {
         const float towards = population_.volumes[shoot.volume].towards;
         forward = {cosine(towards), 0, sine(towards)};
       }
-      const bool wired = habit_.cordon > 0;
-      forward = internode == 0 ? forward : unit(forward + trunk_crook * noise + (wired ? glm::vec3(0) : back), forward);
-      if (internode > 0 && wired)
-        forward = unit({forward.x, 0.3f * forward.y + tied * (habit_.cordon - tip.y), forward.z}, forward);
+      const bool on_wire = habit_.cordon > 0;
+      forward = internode == 0
+                    ? forward
+                    : unit_or(forward + trunk_crook * noise + (on_wire ? glm::vec3(0) : along_axis), forward);
+      if (internode > 0 && on_wire)
+        forward = unit_or({forward.x, 0.3f * forward.y + tied * (habit_.cordon - tip.y), forward.z}, forward);
     } else {
-      const Environment& around = population_.environments[shoot.volume];
+      const Environment& environment = population_.environments[shoot.volume];
       const Deformation& deformed = deformed_[q];
       length *= deformed.length;
-      const float regard = std::clamp(around.neighbours, 0.0f, 1.0f);
+      const float regard = std::clamp(environment.neighbours, 0.0f, 1.0f);
       const glm::vec3 light = light_.from(tip);
-      const float deep = reaches_.unit(address);
-      const FreeRoom::Found free =
-          room_.find({tip, forward, light, reach * length, deep, regard}, shapes_[shoot.volume], about_);
+      const float random_reach = reaches_.unit(address);
+      const FreeRoom::Found free_room =
+          room_.find({tip, forward, light, reach * length, random_reach, regard}, shapes_[shoot.volume], surroundings_);
       const float order = std::min(static_cast<float>(shoot.order) - 1, 2.0f) / 2;
-      const float down = around.gravitropism + deformed.gravitropism + habit_.hang * order;
-      forward = unit(habit_.inertia * forward + habit_.space * unit(free.middle, glm::vec3(0)) +
-                         around.phototropism * light - glm::vec3(0, down, 0) + noise,
-                     forward);
+      const float downwards = environment.gravitropism + deformed.gravitropism + habit_.hang * order;
+      forward = unit_or(habit_.inertia * forward + habit_.space * unit_or(free_room.middle, glm::vec3(0)) +
+                            environment.phototropism * light - glm::vec3(0, downwards, 0) + noise,
+                        forward);
       if (habit_.cordon > 0 && internode > 0) {
         const GrowthVolume& volume = population_.volumes[shoot.volume];
         const glm::vec3 row_normal = across(volume);
-        forward = unit(forward - held * glm::dot(tip - volume.at, row_normal) * row_normal, forward);
+        forward = unit_or(forward - held * glm::dot(tip - volume.at, row_normal) * row_normal, forward);
       }
       // Shoots never die: their number is the grammar's alone.
-      if (free.sum < crowded && habit_.cordon <= 0) length *= short_shoot;
-      for (int i = 0; i < most_halvings && regard > 0 && !about_.contains(tip + length * forward); ++i) length *= 0.5f;
+      if (free_room.sum < crowded && habit_.cordon <= 0) length *= short_shoot;
+      for (int i = 0; i < max_halvings && regard > 0 && !surroundings_.contains(tip + length * forward); ++i)
+        length *= 0.5f;
       // A shoot beyond its volume grows half as far, unless the grammar lengthens it.
       if (deformed.length <= 1 && !shapes_[shoot.volume].contains(tip + length * forward)) length *= beyond;
       const float floor = floor_share * population_.volumes[shoot.volume].height;
@@ -270,6 +291,7 @@ class FormBuilder {
     add_node(nodes[internode + 1], q);
   }
 
+  // Records a placed node and its shoot, for the free room and the light of later steps.
   void add_node(const glm::vec3& node, std::uint32_t shoot) {
     placed_nodes_.push_back(node);
     placed_shoots_.push_back(shoot);
@@ -279,7 +301,7 @@ class FormBuilder {
   const FormHabit& habit_;
   const RandomStream angles_, turns_, reaches_, crooks_, trunks_;
   Form form_;
-  const Surroundings& about_;
+  const Surroundings& surroundings_;
   CrownLight light_;
   std::vector<std::uint32_t> ordinals_;  // index of each shoot among its parent's
   std::vector<VolumeShape> shapes_;      // of the volumes
@@ -297,8 +319,9 @@ class FormBuilder {
 
 }  // namespace
 
-Form form_of(const Population& population, const FormHabit& habit, const Surroundings& about) {
-  return FormBuilder(population, habit, about).run();
+// Computes the places of all nodes of a population's shoots.
+Form form_of(const Population& population, const FormHabit& habit, const Surroundings& surroundings) {
+  return FormBuilder(population, habit, surroundings).run();
 }
 
 }  // namespace panicle::growth

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "foundation/golden_spiral.hpp"
 #include "foundation/lane_vectors.hpp"
 #include "foundation/mathematics.hpp"
 
@@ -16,7 +17,6 @@ namespace {
 // the volume, and additional weight of one in the light.
 constexpr float apart = 0.55f, ahead = 0.3f;
 constexpr float outside = 0.05f, lightwards = 0.5f;
-constexpr float golden = 0.618034f, golden_angle = 137.50776f;
 constexpr float at_tip = 1e-8f;  // squared distance below which nodes are the tip itself
 constexpr float far_away = 1e6f;
 constexpr std::size_t lanes = 4, looks = 40, groups = looks / lanes;
@@ -27,16 +27,15 @@ struct Group {
   std::array<float, lanes> turn;  // offset of the depth of each place, added to the noise and wrapped at 1
 };
 
+// Directions evenly over the sphere, grouped by four that are near each other, so that groups that point backwards are
+// skipped.
 std::array<Group, groups> make_directions() {
   std::array<glm::vec3, looks> all{};
   std::array<float, looks> turns{};
   float turn = 0;
   for (std::size_t i = 0; i < looks; ++i) {
-    const float y = 1 - (2 * static_cast<float>(i) + 1) / static_cast<float>(looks);
-    const float out = std::sqrt(std::max(0.0f, 1 - y * y));
-    const SinCos way = sincos_degrees(golden_angle * static_cast<float>(i));
-    all[i] = {out * way.cosine, y, out * way.sine};
-    turn += golden;
+    all[i] = golden_sphere_point(i, looks);
+    turn += golden_ratio;
     turns[i] = turn -= turn >= 1 ? 1.0f : 0.0f;
   }
   std::array<Group, groups> made{};
@@ -57,6 +56,7 @@ std::array<Group, groups> make_directions() {
   return made;
 }
 
+// The groups of directions, made once.
 const std::array<Group, groups>& directions() {
   static const std::array<Group, groups> all = make_directions();
   return all;
@@ -64,6 +64,8 @@ const std::array<Group, groups>& directions() {
 
 }  // namespace
 
+// Sets the nodes that take room. Their coordinates are stored in the order of a grid with cells of width `edge`; four
+// more at the end are far away.
 void FreeRoom::set_nodes(std::span<const glm::vec3> nodes, float edge) {
   grid_.build(nodes, edge);
   const std::size_t count = grid_.ids().size(), room = count + lanes;
@@ -79,6 +81,7 @@ void FreeRoom::set_nodes(std::span<const glm::vec3> nodes, float edge) {
   near_.resize(3 * count);
 }
 
+// Collects the nodes near enough to take room in any direction ahead, relative to the tip; the tip itself is left out.
 void FreeRoom::find_near(const Query& query) {
   const float far = (1 + apart) * query.radius, behind = (0.5f * ahead - apart) * query.radius;
   const glm::vec3 &tip = query.tip, &forward = query.forward;
@@ -106,6 +109,8 @@ void FreeRoom::find_near(const Query& query) {
   near_count_ = static_cast<std::size_t>(next - near_.data()) / 3;
 }
 
+// Looks from a tip in all directions ahead, and returns the sum of those that are free, in the volume and towards
+// light, and the sum of their weights.
 FreeRoom::Found FreeRoom::find(const Query& query, const VolumeShape& volume, const Surroundings& about) {
   find_near(query);
   const float reach = query.radius, square = apart * apart * reach * reach;

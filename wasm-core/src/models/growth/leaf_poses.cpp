@@ -9,22 +9,20 @@ constexpr float outwards = 0.45f, droop = 0.25f;
 constexpr float least = 1e-6f;  // squared length below which a vector has no direction
 constexpr float steep = 0.9f;
 
-FourVectors all_of(const glm::vec3& v) { return {panicle::all_of(v.x), panicle::all_of(v.y), panicle::all_of(v.z)}; }
-
-FourVectors unit(const FourVectors& v) { return 1.0f / square_root(dot(v, v)) * v; }
-
-// Unit vectors orthogonal to unit vectors, as in foundation/rotation.hpp.
+// Unit vectors orthogonal to four unit vectors, as in foundation/rotation.hpp.
 FourVectors any_perpendicular(const FourVectors& way) {
-  const Four none = panicle::all_of(0);
+  const Four none = all_of(0);
   const auto level = (way.y < steep) & (way.y > -steep);
   return unit(chosen(level, {-way.z, none, way.x}, {none, way.z, -way.y}));
 }
 
+// The four vectors with length 1, or `otherwise` where one has no length.
 FourVectors unit(const FourVectors& v, const FourVectors& otherwise) {
   return chosen(dot(v, v) > least, unit(v), otherwise);
 }
 
-// Rotations that take +Y to `up` and +Z to `front`, as turn_to of foundation/rotation.hpp.
+// Four rotations (quaternions) that take +Y to `up` and +Z to `front`, as turn_to of foundation/rotation.hpp. The
+// component that is computed from a square root is chosen by the trace and the largest diagonal element.
 std::array<glm::vec4, 4> turns_to(const FourVectors& up, const FourVectors& front) {
   const FourVectors side = cross(up, front);
   const Four trace = side.x + up.y + front.z;
@@ -43,6 +41,7 @@ std::array<glm::vec4, 4> turns_to(const FourVectors& up, const FourVectors& fron
   return turns;
 }
 
+// Four unit vectors from a twig's axis to its sides, by random angles.
 FourVectors side_of(const Twig& twig, const LeafNoise& noise) {
   const FourSinCos about = sincos_turns(noise.about);
   return about.cosine * all_of(twig.one) + about.sine * all_of(twig.other);
@@ -50,22 +49,25 @@ FourVectors side_of(const Twig& twig, const LeafNoise& noise) {
 
 }  // namespace
 
+// The rotations of four flat leaves on a twig: tips point outwards and a little down, faces to the sky but for a random
+// direction of weight `stray`.
 std::array<glm::vec4, 4> leaf_poses(const Twig& twig, const LeafNoise& noise, float stray) {
   const FourVectors along = all_of(twig.along);
-  FourVectors out = panicle::all_of(0.6f) * along + side_of(twig, noise);
+  FourVectors out = all_of(0.6f) * along + side_of(twig, noise);
   out.y -= droop;
   out = unit(out);
   const FourSinCos around = sincos_turns(noise.around);
   const Four level = stray * square_root((1.0f - noise.height) * (1.0f + noise.height));
-  const FourVectors sky = {panicle::all_of(0), panicle::all_of(1), panicle::all_of(0)};
+  const FourVectors sky = {all_of(0), all_of(1), all_of(0)};
   const FourVectors sampled = {level * around.cosine, level * around.sine, stray * noise.height};
-  const FourVectors face = unit(sky + panicle::all_of(outwards) * along + sampled, any_perpendicular(along));
+  const FourVectors face = unit(sky + all_of(outwards) * along + sampled, any_perpendicular(along));
   // The tip points to `out` as nearly as the leaf's face allows.
   return turns_to(unit(out - dot(out, face) * face, any_perpendicular(face)), face);
 }
 
+// The rotations of four needles on a twig, which point forward and outwards.
 std::array<glm::vec4, 4> needle_poses(const Twig& twig, const LeafNoise& noise) {
-  const FourVectors out = unit(all_of(twig.along) + panicle::all_of(0.5f) * side_of(twig, noise));
+  const FourVectors out = unit(all_of(twig.along) + all_of(0.5f) * side_of(twig, noise));
   return turns_to(out, any_perpendicular(out));
 }
 

@@ -9,18 +9,21 @@
 #include <vector>
 
 #include "foliage/blade.hpp"
+#include "foliage/messages.generated.hpp"
 #include "foundation/mathematics.hpp"
 #include "light/sky_visibility.hpp"
 #include "models/growth/foliage.hpp"
 #include "models/growth/form.hpp"
 #include "models/growth/levels.hpp"
 #include "models/growth/measures/measures.generated.hpp"
+#include "models/growth/messages.generated.hpp"
 #include "models/growth/moment.hpp"
 #include "models/growth/parameters.generated.hpp"
 #include "models/growth/population.hpp"
 #include "models/growth/rules.hpp"
 #include "plant/fingerprint.hpp"
 #include "plant/wood_measures.hpp"
+#include "protocol/common_request.hpp"
 #include "protocol/parameter_values.hpp"
 #include "stems/wood.hpp"
 
@@ -34,6 +37,7 @@ constexpr std::uint16_t usual_steps = 8;
 // kinds of leaf; the shape of all others comes with the request
 constexpr std::uint32_t no_leaf = 0, needle = 1, spray = 2;
 
+// Collects the parameters that the shoots' form depends on.
 FormHabit form_habit(const GrowthValues& values, std::uint64_t seed) {
   FormHabit habit;
   habit.shoot = values[shoot];
@@ -56,11 +60,13 @@ FormHabit form_habit(const GrowthValues& values, std::uint64_t seed) {
   return habit;
 }
 
+// The number of leaves that one leaf organ has: needles and sprays are one.
 std::uint32_t leaves_on_twig(const GrowthValues& values) {
   const std::uint32_t kind = values.whole(leaf_kind);
   return kind == needle || kind == spray ? 1 : values.whole(leaf_twig);
 }
 
+// Collects the parameters that the leaves, blossoms and bunches depend on; lengths in metres.
 LeafHabit leaf_habit(const GrowthValues& values, std::uint64_t seed) {
   const std::uint32_t kind = values.whole(leaf_kind);
   LeafHabit habit;
@@ -78,6 +84,7 @@ LeafHabit leaf_habit(const GrowthValues& values, std::uint64_t seed) {
   return habit;
 }
 
+// Makes the shared mesh of leaves by the parameters: needles, a spray of needles, or a twig of flat leaves.
 Blade blade_of(const GrowthValues& values, const FlatLeaf& flat) {
   switch (values.whole(leaf_kind)) {
     case needle:
@@ -89,30 +96,25 @@ Blade blade_of(const GrowthValues& values, const FlatLeaf& flat) {
   }
 }
 
+// Whether an organ is a leaf, on a twig or on the ground.
 bool is_leaf(const Organ& organ) { return organ.tag <= fallen_tag; }
 
-// The number of organs of each tag.
-std::array<std::uint32_t, organ_tags> tally(const Plant& plant) {
-  std::array<std::uint32_t, organ_tags> many{};
-  for (const Organ& organ : plant.organs) ++many[organ.tag];
-  return many;
-}
-
+// Adds the columns of segments and volumes, which the header lists.
 void add_columns(Plant& plant, const Population& population, const Moment& moment) {
   std::vector<std::uint32_t> shoots, born;
   std::vector<std::uint8_t> orders;
   for (const std::int32_t axis : moment.axes) {
-    const Shoot& of = population.shoots[static_cast<std::size_t>(axis)];
+    const Shoot& shoot = population.shoots[static_cast<std::size_t>(axis)];
     shoots.push_back(static_cast<std::uint32_t>(axis));
-    orders.push_back(of.order);
-    born.push_back(of.born);
+    orders.push_back(shoot.order);
+    born.push_back(shoot.born);
   }
   plant.columns.add("segments.shoot", std::move(shoots));
   plant.columns.add("segments.order", std::move(orders));
   plant.columns.add("segments.born", std::move(born));
   std::vector<std::uint8_t> child(population.volumes.size(), 0);
-  for (const Shoot& of : population.shoots)
-    if (of.trunk && of.parent >= 0) child[of.volume] = 1;
+  for (const Shoot& shoot : population.shoots)
+    if (shoot.trunk && shoot.parent >= 0) child[shoot.volume] = 1;
   plant.columns.add("volumes.child", std::move(child));
   plant.columns.add("volumes.id",
                     column_of<std::uint32_t>(population.volumes, 1,
@@ -138,9 +140,11 @@ void add_columns(Plant& plant, const Population& population, const Moment& momen
                     2);
 }
 
+// Measures wood and leaves. `leaf_area`: of a leaf organ at scale 1, m²; `leaves_each`: the leaves that an organ counts
+// for. The leaf index is their area over that of an ellipse as wide as the branches.
 void measure(Plant& plant, float leaf_area, std::uint32_t leaves_each) {
   const Branching branching = branching_of(plant.segments);
-  WoodMeasures<Measure> measures(branching, measure_count);
+  auto measures = wood_measures<Measure>(branching, measure_count);
   double area = 0;
   for (const Organ& organ : plant.organs)
     if (is_leaf(organ)) area += static_cast<double>(leaf_area * organ.scale * organ.scale);
@@ -151,7 +155,7 @@ void measure(Plant& plant, float leaf_area, std::uint32_t leaves_each) {
                static_cast<double>(leaves_each * std::count_if(plant.organs.begin(), plant.organs.end(), is_leaf)));
   measures.set(Measure::leaf_area, area);
   measures.set(Measure::leaf_index, shaded > 0 ? area / shaded : std::numeric_limits<double>::quiet_NaN());
-  plant.measures = measures.values();
+  plant.measures = measures.take();
 }
 
 // Adds a mesh that the organs of a kind share, where there are any.
@@ -167,6 +171,8 @@ void add_organ_mesh(Plant& plant, std::string name, std::string material, const 
   if (any) plant.meshes.push_back({std::move(name), std::move(material), mesh, {}, {}});
 }
 
+// Adds the meshes of wood, leaves and blossoms, and with `sky` how much sky each vertex of the wood and each organ
+// sees.
 void add_meshes(Plant& plant, const Moment& moment, const Blade& blade, bool sky, const RootFlareOptions& foot) {
   const Blade blossom = make_blossom();
   StemMesh stems = sweep_wood(plant.segments, moment.axes, moment.feet, foot);
@@ -190,32 +196,65 @@ void add_meshes(Plant& plant, const Moment& moment, const Blade& blade, bool sky
   add_organ_mesh(plant, "blossoms", "petal", blossom.mesh, [](const Organ& organ) { return organ.tag == blossom_tag; });
 }
 
+// Adds the levels of detail and the column of their tolerances.
 void add_levels(Plant& plant, const Moment& moment, float leaf_area, std::size_t count) {
   TreeLevels levels = levels_of(moment, plant.organs, leaf_area, make_blossom().area, count);
   for (PlantMesh& mesh : levels.meshes) plant.meshes.push_back(std::move(mesh));
   plant.columns.add("levels.tolerance", std::move(levels.tolerance));
 }
 
-Result<Plant> grow(Request& request, const Limits& limits) {
-  request.text("model");
-  const FlatLeaf flat = request.flat_leaf();
-  const std::uint64_t seed = request.word("seed", 1);
-  const bool meshes = request.wants("meshes"), measures = request.wants("measures"), sky = request.wants("sky"),
-             mesh_fingerprint = request.wants("mesh_fingerprint"), levels = request.wants("levels");
-  const std::uint32_t many_levels = request.word("levels", level_count);
-  const std::span<const float> parameters = request.floats("parameters"), about = request.floats("surroundings");
-  const bool has_text = request.has("rules");
-  const std::string_view text = request.text("rules");
-  if (Diagnostic trouble = request.trouble(); trouble.reason != Reason::none) return trouble;
-  if (many_levels == 0 || many_levels > level_count)
-    return Diagnostic{Reason::bad_request, "The request asks for other than one to four levels.", 0, 0};
-  if (!has_text) return Diagnostic{Reason::bad_request, "The request has no rules.", 0, 0};
-  if (Diagnostic trouble = check(flat); trouble.reason != Reason::none) return trouble;
-  const Result<Surroundings> surroundings = about.empty() ? Surroundings() : Surroundings::of(about);
-  if (!surroundings) return surroundings.error();
+struct GrowthRequest : CommonRequest {
+  explicit GrowthRequest(const CommonRequest& common) : CommonRequest(common) {}
+
+  FlatLeaf leaf;
+  std::string_view rules;
+  Surroundings surroundings;
+  std::uint32_t levels = 0;  // number of requested levels
+};
+
+// Reads the blocks of a request. Errors: bad_request; those of check(FlatLeaf) and Surroundings::of.
+Result<GrowthRequest> read_request(Request& blocks) {
+  GrowthRequest request(read_common(blocks));
+  request.leaf = blocks.flat_leaf();
+  request.rules = blocks.required_text("rules");
+  const std::uint32_t levels = blocks.word("levels", level_count);
+  if (blocks.wants("levels")) request.levels = levels;
+  const std::span<const float> surroundings = blocks.floats("surroundings");
+  if (Diagnostic error = blocks.trouble(); error.reason != Reason::none) return error;
+  if (levels == 0 || levels > level_count) return bad_request(message(messages::growth::levels_out_of_range, levels));
+  if (Diagnostic error = check(request.leaf); error.reason != Reason::none) return error;
+  if (surroundings.empty()) return request;
+  Result<Surroundings> read = Surroundings::of(surroundings);
+  if (!read) return read.error();
+  request.surroundings = std::move(read.value());
+  return request;
+}
+
+// Adds the counts, which include all `leaves_each` leaves of a twig.
+void add_counts(Plant& plant, const Moment& moment, std::uint32_t step_count, std::uint32_t leaves_each) {
+  std::array<std::uint32_t, organ_tags> many{};
+  for (const Organ& organ : plant.organs) ++many[organ.tag];
+  const std::uint32_t falling = many[falling_tag] + many[fallen_tag];
+  plant.counts = {{"branches", moment.branches},
+                  {"steps", step_count},
+                  {"segments", static_cast<std::uint32_t>(plant.segments.size())},
+                  {"leaves", leaves_each * (many[leaf_tag] + falling)},
+                  {"falling", leaves_each * falling},
+                  {"shed", leaves_each * many[shed_tag]},
+                  {"blossoms", many[blossom_tag]},
+                  {"bunches", many[bunch_tag]}};
+}
+
+// Grows a plant from growth rules: populates the volumes with shoots, gives the shoots their form, takes the moment of
+// the requested age, and adds leaves, meshes and measures.
+Result<Plant> grow(Request& blocks, const Limits& limits) {
+  const Result<GrowthRequest> read = read_request(blocks);
+  if (!read) return read.error();
+  const GrowthRequest& request = read.value();
+  const std::uint64_t seed = request.seed;
   Plant plant;
-  const GrowthValues values(parameters, plant.notes);
-  const auto rules = read_rules(text, limits);
+  const GrowthValues values(request.parameters, plant.notes);
+  const auto rules = read_rules(request.rules, limits);
   if (!rules) return rules.error();
   plant.notes.insert(plant.notes.end(), rules->notes.begin(), rules->notes.end());
   const auto steps_in_rules = steps_of(rules.value(), seed, usual_steps);
@@ -225,36 +264,24 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   if (!population) return population.error();
 
   const float time = values[age] / 100 * static_cast<float>(count);
-  const Form form = form_of(population.value(), form_habit(values, seed), surroundings.value());
-  auto moment = moment_of(population.value(), form, time, {0.001f * values[twig], values[pipe]}, limits);
+  const Form form = form_of(population.value(), form_habit(values, seed), request.surroundings);
+  const auto moment = moment_of(population.value(), form, time, {0.001f * values[twig], values[pipe]}, limits);
   if (!moment) return moment.error();
   plant.tags = {"trunk", "branch"};
   plant.organ_tags = {"leaf", "falling", "fallen", "shed", "blossom", "bunch"};
   plant.segments = moment->segments;
-  const Diagnostic trouble =
+  const Diagnostic error =
       add_leaves(plant, population.value(), form, moment.value(), time, leaf_habit(values, seed), limits);
-  if (trouble.reason != Reason::none) return trouble;
-  const Blade blade = blade_of(values, flat);
-  const auto many = tally(plant);
-  const std::uint32_t leaves = many[leaf_tag] + many[falling_tag] + many[fallen_tag];
-  if (meshes && blade.mesh.indices.empty() && leaves > 0)
-    plant.notes.emplace_back("The leaves have no shape: the request brings none to make them from.");
+  if (error.reason != Reason::none) return error;
+  const Blade blade = blade_of(values, request.leaf);
+  if (request.meshes && blade.mesh.indices.empty() && std::any_of(plant.organs.begin(), plant.organs.end(), is_leaf))
+    plant.notes.push_back(message(messages::foliage::leaves_without_shape));
   add_columns(plant, population.value(), moment.value());
-  // Counts include all leaves of a twig.
-  const std::uint32_t each = leaves_on_twig(values);
-  plant.counts = {{"branches", moment->branches},
-                  {"steps", count},
-                  {"segments", static_cast<std::uint32_t>(plant.segments.size())},
-                  {"leaves", each * leaves},
-                  {"falling", each * (many[falling_tag] + many[fallen_tag])},
-                  {"shed", each * many[shed_tag]},
-                  {"blossoms", many[blossom_tag]},
-                  {"bunches", many[bunch_tag]}};
-  if (measures) measure(plant, blade.area, each);
-  if (meshes) add_meshes(plant, moment.value(), blade, sky, {.flare = values[flare], .seed = seed});
-  if (levels) add_levels(plant, moment.value(), blade.area, many_levels);
-  plant.fingerprint = fingerprint_of(plant);
-  if (meshes && mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
+  add_counts(plant, moment.value(), count, leaves_on_twig(values));
+  if (request.measures) measure(plant, blade.area, leaves_on_twig(values));
+  if (request.meshes) add_meshes(plant, moment.value(), blade, request.sky, {.flare = values[flare], .seed = seed});
+  if (request.levels > 0) add_levels(plant, moment.value(), blade.area, request.levels);
+  set_fingerprints(plant, request.mesh_fingerprint);
   return plant;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "foundation/mathematics.hpp"
+#include "models/growth/messages.generated.hpp"
 
 namespace panicle::growth {
 namespace {
@@ -13,6 +14,8 @@ namespace {
 constexpr std::uint32_t trunk_tag = 0, branch_tag = 1;
 constexpr float tapered = 0.6f;  // radius at the end of a shoot over the radius of its last segment
 
+// Builder of a tree as it is at a time, in steps: segments for all internodes that exist, numbered so that each comes
+// after its parent. Shoots are numbered as in the population (`q`).
 struct MomentBuilder {
   const Population& population;
   const Form& form;
@@ -22,11 +25,13 @@ struct MomentBuilder {
   std::vector<std::uint32_t> children;  // of all shoots, consecutive by parent, in the order along it
   std::vector<std::uint32_t> first;     // of each shoot, the index of its first child in `children`; and the end
 
+  // Whether a shoot has begun to grow.
   bool exists(std::uint32_t shoot) const {
     const ShootPath& path = form.paths[shoot];
     return path.count > 0 && grown_share(path.from, time) > 0;
   }
 
+  // Lists the branches of each shoot, sorted by where they leave it from its foot up.
   void sort_children() {
     const std::size_t count = form.paths.size();
     first.assign(count + 1, 0);
@@ -45,6 +50,7 @@ struct MomentBuilder {
       });
   }
 
+  // Whether a shoot exists and grows on another one.
   bool is_attached(std::uint32_t q) const {
     return population.shoots[q].parent >= 0 && !population.shoots[q].trunk && exists(q);
   }
@@ -52,6 +58,7 @@ struct MomentBuilder {
   // Of each attached shoot, the segment that ends at its base.
   std::vector<std::int32_t> parent_segments;
 
+  // Adds the segments of a shoot as far as it has grown, divided where branches leave it.
   void add_shoot(std::uint32_t q) {
     const Shoot& shoot = population.shoots[q];
     const ShootPath& path = form.paths[q];
@@ -76,6 +83,7 @@ struct MomentBuilder {
     }
   }
 
+  // Adds a segment of a shoot from `at` to `end` after the segment `last`; updates both.
   void add(std::uint32_t q, std::int32_t& last, glm::vec3& at, const glm::vec3& end) {
     Segment segment;
     segment.parent = last;
@@ -88,7 +96,8 @@ struct MomentBuilder {
     at = end;
   }
 
-  // Radii by the pipe model, from the tips down: a shoot that has just come adds hardly anything.
+  // Computes the radii by the pipe model (Shinozaki 1964), from the tips down: radius^pipe is the sum over the shoots
+  // above, of which young ones count in part.
   void thicken() {
     std::vector<float> sums(moment.segments.size(), 0);
     for (std::size_t i = moment.segments.size(); i-- > 0;) {
@@ -125,10 +134,12 @@ struct MomentBuilder {
 
 }  // namespace
 
+// The share 0 … 1 of an internode of a step that is grown at a time.
 float grown_share(std::uint16_t step, float time) {
   return std::clamp(time - static_cast<float>(step) + 1, 0.0f, 1.0f);
 }
 
+// Builds the segments of a tree at a time in steps. Returns an error if there are more than the limits allow.
 Result<Moment> moment_of(const Population& population, const Form& form, float time, const WoodHabit& habit,
                          const Limits& limits) {
   MomentBuilder builder{population, form, time, habit, {}, {}, {}, {}};
@@ -142,10 +153,7 @@ Result<Moment> moment_of(const Population& population, const Form& form, float t
     if (!builder.exists(q)) continue;
     builder.add_shoot(q);
     if (builder.moment.segments.size() > limits.segments)
-      return Diagnostic{Reason::limit,
-                        "The tree has more than " + std::to_string(limits.segments) +
-                            " shoots; ask for fewer steps, or for a divisor function that grows less.",
-                        0, 0};
+      return Diagnostic{Reason::limit, message(messages::growth::too_many_shoots, limits.segments)};
   }
   builder.thicken();
   return std::move(builder.moment);

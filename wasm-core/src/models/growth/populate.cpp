@@ -5,6 +5,7 @@
 #include "expression/diagnostics.hpp"
 #include "expression/number_text.hpp"
 #include "foundation/random.hpp"
+#include "models/growth/messages.generated.hpp"
 #include "models/growth/population.hpp"
 #include "models/growth/volumes.hpp"
 
@@ -40,25 +41,30 @@ struct ShootState {
 };
 
 // The largest number of branches or leaves of one rule; limits stop far smaller ones.
-constexpr float most_at_once = 1e7f;
-constexpr std::size_t most_outcomes = 1 << 16;
+constexpr float max_at_once = 1e7f;
+constexpr std::size_t max_outcomes = 1 << 16;
 
+// Builder of the population of shoots by the rules of a grammar, step by step. Methods that return a bool return false
+// if an evaluation fails or a limit is exceeded; the error is in `evaluation_`.
 class PopulationBuilder {
  public:
   PopulationBuilder(const Rules& rules, std::uint64_t seed, const Limits& limits)
       : rules_(rules), seed_(seed), limits_(limits), evaluation_(rules, seed) {}
 
+  // Grows all steps.
   Result<Population> run(std::uint16_t steps) {
-    const bool fine = steps <= limits_.steps || too_many("steps", limits_.steps);
-    if (!fine || !begin(steps)) return evaluation_.trouble();
+    const bool fine = steps <= limits_.steps || too_many(messages::growth::too_many_steps, limits_.steps);
+    if (!fine || !begin(steps)) return evaluation_.error();
     for (std::uint16_t step = 1; step <= steps; ++step)
-      if (!grow(step)) return evaluation_.trouble();
+      if (!grow(step)) return evaluation_.error();
     plant_.steps = steps;
     if (limits_.budget != nullptr) limits_.budget->spend(spent_ + evaluation_.work());
     return std::move(plant_);
   }
 
  private:
+  // Evaluates the divisor functions and the footprint, and adds a trunk for each growth volume (the space that a crown
+  // fills).
   bool begin(std::uint16_t steps) {
     if (!draw_functions(rules_, seed_, steps, evaluation_)) return false;
     std::vector<GrowthVolume> volumes;
@@ -68,6 +74,8 @@ class PopulationBuilder {
     return true;
   }
 
+  // Adds a trunk with a growth volume of its own. `parent` is the trunk's shoot that it stands beside, −1: none;
+  // `address` that of its random values.
   bool add_trunk(const GrowthVolume& volume, std::int32_t parent, std::uint16_t step, std::uint64_t address) {
     const auto number = static_cast<std::uint32_t>(plant_.volumes.size());
     Environment environment;
@@ -78,8 +86,9 @@ class PopulationBuilder {
     return add_shoot({parent, number, step, static_cast<std::uint16_t>(parent < 0 ? 0 : 1), 0, true}, address);
   }
 
+  // Adds a shoot; `address` is that of its random values.
   bool add_shoot(const Shoot& shoot, std::uint64_t address) {
-    if (plant_.shoots.size() >= limits_.segments) return too_many("shoots", limits_.segments);
+    if (plant_.shoots.size() >= limits_.segments) return too_many(messages::growth::too_many_shoots, limits_.segments);
     plant_.shoots.push_back(shoot);
     ShootState state;
     state.address = address;
@@ -92,13 +101,15 @@ class PopulationBuilder {
   bool grow(std::uint16_t step) {
     outcomes_.clear();
     const std::size_t standing = plant_.shoots.size();
-    if (rules_.repeatable && plant_.volumes.size() * step <= most_outcomes)
+    if (rules_.repeatable && plant_.volumes.size() * step <= max_outcomes)
       outcomes_.resize(plant_.volumes.size() * step);
     for (std::size_t i = 0; i < standing; ++i)
       if (!spend(1) || !grow(static_cast<std::uint32_t>(i), step)) return false;
     return true;
   }
 
+  // Grows one shoot in a step: evaluates the rules, unless they give the same for all shoots of this age, and applies
+  // the outcome.
   bool grow(std::uint32_t number, std::uint16_t step) {
     const Shoot shoot = plant_.shoots[number];
     const auto age = static_cast<std::uint16_t>(step - shoot.born);
@@ -106,9 +117,11 @@ class PopulationBuilder {
     Outcome& outcome = outcomes_.empty() ? own : outcomes_[std::size_t{shoot.volume} * step + age - 1];
     if (!outcome.known && !decide(number, step, outcome)) return false;
     return deform(number, step, outcome) && shed(number, step, outcome.falling) && branch(number, step, outcome) &&
-           trunks(number, step, outcome);
+           add_child_trunks(number, step, outcome);
   }
 
+  // Evaluates all rules for a shoot in a step: how many branches and leaves it grows, its length and gravitropism.
+  // False: the evaluation failed or the work is used up.
   bool decide(std::uint32_t number, std::uint16_t step, Outcome& outcome) {
     const Shoot& shoot = plant_.shoots[number];
     const float age = static_cast<float>(step - shoot.born);
@@ -129,6 +142,8 @@ class PopulationBuilder {
     return true;
   }
 
+  // Applies a rule to a shoot if its condition holds and its probability is met. Buds and lone trunks are drawn later,
+  // with their probability. False: the evaluation failed.
   bool apply(const Rule& rule, std::uint32_t number, std::uint16_t step, Outcome& outcome) {
     if (!evaluation_.holds(rule.condition)) return !evaluation_.failed();
     float chance = 1;
@@ -149,6 +164,8 @@ class PopulationBuilder {
                        [&](const Consequence& each) { return apply_consequence(rule, each, number, outcome); });
   }
 
+  // Applies a consequence of a rule that holds for a shoot: sets a value, or adds leaves or a trunk to `outcome`.
+  // False: the evaluation failed.
   bool apply_consequence(const Rule& rule, const Consequence& each, std::uint32_t number, Outcome& outcome) {
     float value = 0;
     switch (each.kind) {
@@ -162,7 +179,7 @@ class PopulationBuilder {
       case Consequence::Kind::foliage:
         return evaluation_.work_out(each.number, value) && amount(value, outcome.foliage) &&
                (!each.steps.value.given ||
-                evaluation_.whole(each.steps, 1, 4096, "How long foliage stays", outcome.foliage_steps));
+                evaluation_.whole(each.steps, 1, 4096, messages::growth::term_foliage_steps, outcome.foliage_steps));
       case Consequence::Kind::child_trunk:
         if (plant_.shoots[number].trunk) outcome.child_trunks.emplace_back(&rule, 1.0f);
         break;
@@ -172,6 +189,7 @@ class PopulationBuilder {
     return true;
   }
 
+  // Evaluates an assignment of a rule and sets its word.
   bool set(const Consequence& each) {
     float value = 0;
     bool fine = false;
@@ -186,23 +204,27 @@ class PopulationBuilder {
     return fine;
   }
 
-  // Rounds to a whole number of at least 0.
+  // Rounds to a whole number of at least 0; an error if it is too large.
   bool amount(float value, std::uint32_t& out) {
-    if (value > most_at_once) return too_many("branches or leaves at once", static_cast<std::uint32_t>(most_at_once));
+    if (value > max_at_once)
+      return too_many(messages::growth::too_many_at_once, static_cast<std::uint32_t>(max_at_once));
     out = value > 0 ? static_cast<std::uint32_t>(std::floor(value + 0.5f)) : 0;
     return true;
   }
 
+  // Records a change of a shoot's gravitropism or length.
   bool deform(std::uint32_t number, std::uint16_t step, const Outcome& outcome) {
     ShootState& state = shoot_states_[number];
     if (state.gravitropism == outcome.gravitropism && state.length == outcome.length) return true;
     state.gravitropism = outcome.gravitropism;
     state.length = outcome.length;
-    if (plant_.deformations.size() >= limits_.pieces) return too_many("deformations", limits_.pieces);
+    if (plant_.deformations.size() >= limits_.pieces)
+      return too_many(messages::growth::too_many_deformations, limits_.pieces);
     plant_.deformations.push_back({number, step, outcome.gravitropism, outcome.length});
     return true;
   }
 
+  // Marks `falling` of the leaves that came in the step before as falling.
   // "Leaves that are generated in the previous step are assigned as falling leaves" (section 3.3). A leaf may sit on
   // the current branch or on one related to it (figure 1), so the shoot's own leaves fall first, then those of its
   // branches. Under the paper's rule N − k is constant while a shoot ages: a shoot with a negative count has never
@@ -220,6 +242,7 @@ class PopulationBuilder {
     return true;
   }
 
+  // Adds the branches of a shoot in a step with their leaves and foliage: as many as the rules give, or as buds open.
   bool branch(std::uint32_t number, std::uint16_t step, const Outcome& outcome) {
     const Shoot shoot = plant_.shoots[number];
     const auto age = static_cast<std::uint16_t>(step - shoot.born);
@@ -255,7 +278,8 @@ class PopulationBuilder {
   // Adds foliage on the internode of this step. Foliage is renewed every year, so that its falling leaves fall in the
   // autumn of their own step.
   bool add_foliage(std::uint32_t shoot, std::uint16_t step, const Outcome& outcome) {
-    if (plant_.leaves.size() + outcome.foliage > limits_.copies) return too_many("leaves", limits_.copies);
+    if (plant_.leaves.size() + outcome.foliage > limits_.copies)
+      return too_many(messages::growth::too_many_leaves, limits_.copies);
     const auto gone =
         static_cast<std::uint16_t>(std::min<std::uint32_t>(step + outcome.foliage_steps, Leaf::never - 1));
     for (std::uint32_t i = 0; i < outcome.foliage; ++i)
@@ -264,7 +288,8 @@ class PopulationBuilder {
     return true;
   }
 
-  // Draws for each remaining bud whether it opens: there are as many branches as open buds, but no more than requested.
+  // Draws for each remaining bud whether it opens. `grown`: in, the branches that the rules request; out, the number of
+  // open buds, at most that many.
   bool open_buds(std::uint32_t number, std::uint16_t step, const Outcome& outcome, std::uint32_t& grown) {
     const ShootState& state = shoot_states_[number];
     const auto age = static_cast<std::uint16_t>(step - plant_.shoots[number].born);
@@ -284,6 +309,7 @@ class PopulationBuilder {
   // The number of buds on the internodes up to an age, by the last rule of `count_buds`.
   std::uint32_t buds_until(std::uint16_t age) const { return buds_until_[age]; }
 
+  // Counts the buds of the internodes up to an age, by a rule of buds; results are cached in `buds_until_`.
   bool count_buds(const Rule& rule, std::uint16_t age) {
     if (buds_rule_ != &rule) {
       buds_rule_ = &rule;
@@ -301,13 +327,15 @@ class PopulationBuilder {
 
   // Adds leaves to the latest shoot.
   bool add_leaves(std::uint16_t step, std::uint32_t leaves) {
-    if (plant_.leaves.size() + leaves > limits_.copies) return too_many("leaves", limits_.copies);
+    if (plant_.leaves.size() + leaves > limits_.copies)
+      return too_many(messages::growth::too_many_leaves, limits_.copies);
     const auto shoot = static_cast<std::uint32_t>(plant_.shoots.size() - 1);
     for (std::uint32_t i = 0; i < leaves; ++i) plant_.leaves.push_back({shoot, step, Leaf::never, Leaf::never});
     return true;
   }
 
-  bool trunks(std::uint32_t number, std::uint16_t step, const Outcome& outcome) {
+  // Adds the child trunks of an outcome, each with its probability, in volumes smaller than the parent's.
+  bool add_child_trunks(std::uint32_t number, std::uint16_t step, const Outcome& outcome) {
     for (std::size_t i = 0; i < outcome.child_trunks.size(); ++i) {
       const auto& [rule, chance] = outcome.child_trunks[i];
       const std::uint64_t address = hash_combine(shoot_states_[number].address, step);
@@ -321,8 +349,9 @@ class PopulationBuilder {
     return true;
   }
 
-  // "A random size is determined between [1, GrowVol.size / 2]" (section 3.4): one draw for all lengths, so that a
-  // child trunk's crown has its parent's form. Where half is less than 1 it is half.
+  // A growth volume for a child trunk: "A random size is determined between [1, GrowVol.size / 2]" (section 3.4). One
+  // random `share` in [0, 1) for all lengths, so that a child trunk's crown has its parent's form. Where half is less
+  // than 1 it is half.
   static GrowthVolume smaller(const GrowthVolume& parent, float share) {
     const auto drawn = [share](float whole) {
       const float half = whole / 2, least = std::min(1.0f, half);
@@ -337,24 +366,21 @@ class PopulationBuilder {
     return volume;
   }
 
+  // Counts units of work and, now and then, looks at the clock.
   bool spend(std::uint64_t units) {
     spent_ += units;
     const std::uint64_t work = spent_ + evaluation_.work();
     if (limits_.budget != nullptr && work >= next_look_) {
       next_look_ = work + WorkBudget::look_interval;
       if (limits_.budget->look_at_clock())
-        return evaluation_.fail(error_at(
-            Reason::limit, {}, "The time limit is reached; give the tree more time, or let it take fewer steps.", {}));
+        return evaluation_.fail(error_at(Reason::limit, {}, message(messages::growth::time_limit)));
     }
-    return work <= limits_.work || too_many("units of work", limits_.work);
+    return work <= limits_.work || too_many(messages::growth::too_much_work, limits_.work);
   }
 
-  bool too_many(std::string_view what, std::uint32_t most) {
-    return evaluation_.fail(
-        error_at(Reason::limit, {},
-                 "The tree grows to more than % %, which is the limit; let it take fewer steps, or give "
-                 "its rules smaller numbers.",
-                 {std::to_string(most), what}));
+  // Fails with the message of a limit.
+  bool too_many(const MessageCode<1>& what, std::uint32_t limit) {
+    return evaluation_.fail({Reason::limit, message(what, limit)});
   }
 
   const Rules& rules_;
@@ -372,20 +398,22 @@ class PopulationBuilder {
 
 }  // namespace
 
+// Grows the population of shoots for a number of steps.
 Result<Population> populate(const Rules& rules, std::uint64_t seed, std::uint16_t steps, const Limits& limits,
                             std::vector<std::string>& notes) {
   notes.insert(notes.end(), rules.notes.begin(), rules.notes.end());
   return PopulationBuilder(rules, seed, limits).run(steps);
 }
 
+// The number of steps that the rules set or draw; `otherwise` if they do not.
 Result<std::uint16_t> steps_of(const Rules& rules, std::uint64_t seed, std::uint16_t otherwise) {
   if (!rules.steps_from.value.given) return otherwise;
   GrowthEvaluation evaluation(rules, seed);
   evaluation.at(hash_text("gs"));
   std::uint32_t from = 0, to = 0;
-  if (!evaluation.whole(rules.steps_from, 0, 4096, "gs", from)) return evaluation.trouble();
+  if (!evaluation.whole(rules.steps_from, 0, 4096, "gs", from)) return evaluation.error();
   if (!rules.steps_to.value.given) return static_cast<std::uint16_t>(from);
-  if (!evaluation.whole(rules.steps_to, 0, 4096, "gs", to)) return evaluation.trouble();
+  if (!evaluation.whole(rules.steps_to, 0, 4096, "gs", to)) return evaluation.error();
   return static_cast<std::uint16_t>(
       random_integer(seed, hash_text("gs"), 0, static_cast<std::int32_t>(from), static_cast<std::int32_t>(to)));
 }

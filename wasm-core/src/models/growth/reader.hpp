@@ -4,8 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "expression/lowering.hpp"
-#include "expression/token_reader.hpp"
+#include "expression/statement_reader.hpp"
 #include "models/growth/rules.hpp"
 
 namespace panicle::growth {
@@ -15,14 +14,15 @@ struct OwnRules {
   bool counts = false, buds = false, leaves = false;
 };
 
-class GrowthReader : expression::TokenReader {
+class GrowthReader : expression::StatementReader {
  public:
   GrowthReader(std::span<const expression::Token> tokens, Rules& rules, expression::Lowering& lowering);
 
   // False: `trouble()`.
   bool run();
-  const Diagnostic& trouble() const { return trouble_; }
+  using StatementReader::trouble;
   const OwnRules& own_rules() const { return own_rules_; }
+  // The words that the rules use, a `bit` each.
   std::uint32_t used() const { return used_; }
   // The first place where a rule uses D or E, which a `tree` has to define.
   const expression::SourceLocation& needs_function() const { return needs_function_; }
@@ -57,14 +57,11 @@ class GrowthReader : expression::TokenReader {
   bool unknown_word(const expression::Node& node, std::uint32_t may_use);
   // Reads the arguments of a call from its ( on.
   bool numbers(std::uint32_t may_use, std::vector<Number>& values);
-  bool opens(std::size_t at) const { return at < end_ && tokens_[at].is('('); }
-  std::size_t statement_end() const;
   // The last colon outside of all brackets after the arrow, or the end.
   std::size_t colon_after_arrow() const;
   std::size_t colon_before_arrow() const;
 
   Rules& rules_;
-  expression::Lowering& lowering_;
   std::vector<expression::Named> formals_;
   std::size_t arrow_ = 0;  // token of the statement's arrow
   std::size_t successors_end_ = 0;

@@ -43,6 +43,7 @@ inline constexpr std::array<std::string_view, words> word_names = {
     "L",          "order",      "phototropism", "gravitropism", "neighbours",   "length", "GrowVol.cnt",
     "GrowVol.id", "GrowVol.wb", "GrowVol.h",    "GrowVol.wt",   "GrowVol.grad", "1"};
 
+// The bit of a word in a set of words.
 constexpr std::uint32_t bit(Word word) { return 1u << static_cast<std::uint32_t>(word); }
 
 // An expression of the grammar.

@@ -10,17 +10,19 @@ namespace {
 
 constexpr float least_breadth = 0.5f;  // several needles form a tuft
 
-// The images of +X and +Y under a rotation.
+// The image of +X under the rotation by a unit quaternion.
 glm::vec3 right_of(const glm::vec4& q) {
   return {1 - 2 * (q.y * q.y + q.z * q.z), 2 * (q.x * q.y + q.w * q.z), 2 * (q.x * q.z - q.w * q.y)};
 }
+// The image of +Y under the rotation by a unit quaternion.
 glm::vec3 up_of(const glm::vec4& q) {
   return {2 * (q.x * q.y - q.w * q.z), 1 - 2 * (q.x * q.x + q.z * q.z), 2 * (q.y * q.z + q.w * q.x)};
 }
 
 constexpr std::uint32_t cells = 16;  // cells along a side of the box that sheets are sorted by
 
-// The Morton code of a place's cell in a box: places near each other mostly have codes near each other.
+// The Morton code of a point's cell in a box: the bits of its three cell numbers interleaved, so that points near each
+// other mostly have codes near each other. `scale` is cells per metre.
 std::uint32_t code_of(const glm::vec3& p, const Box& box, float scale) {
   std::uint32_t code = 0;
   for (int k = 0; k < 3; ++k) {
@@ -32,8 +34,8 @@ std::uint32_t code_of(const glm::vec3& p, const Box& box, float scale) {
   return code;
 }
 
-// Scales the middles about their box until corners reach from end to end of the target along each axis.
-void reach(std::vector<Sheet>& sheets, const Box& target) {
+// Scales the sheets' middles about their box until their corners reach from end to end of the target along each axis.
+void stretch_to(std::vector<Sheet>& sheets, const Box& target) {
   Box middles, corners;
   for (const Sheet& sheet : sheets) {
     middles.include(sheet.middle);
@@ -50,6 +52,7 @@ void reach(std::vector<Sheet>& sheets, const Box& target) {
 
 }  // namespace
 
+// Collects the organs with tags from `first` to `last` as sheets; `area` is that of one of scale 1.
 Sheets::Sheets(std::span<const Organ> organs, std::uint32_t first, std::uint32_t last, SheetKind kind, float area)
     : breadth_(std::max(2 * area, least_breadth)) {
   if (!(area > 0)) return;
@@ -70,6 +73,7 @@ Sheets::Sheets(std::span<const Organ> organs, std::uint32_t first, std::uint32_t
   }
 }
 
+// Sorts the sheets by their Morton codes, by counting, so that neighbours can be merged.
 void Sheets::sort() {
   if (sheets_.empty()) return;
   const glm::vec3 size = middles_.size();
@@ -86,6 +90,8 @@ void Sheets::sort() {
   sheets_ = std::move(sorted);
 }
 
+// Merges runs of neighbouring sheets into `count` larger ones with the same total area, which together fill the box
+// `target`.
 std::vector<Sheet> Sheets::merged(std::size_t count, const Box& target) const {
   const std::size_t all = sheets_.size();
   count = std::min(count, all);
@@ -106,7 +112,7 @@ std::vector<Sheet> Sheets::merged(std::size_t count, const Box& target) const {
     sheet.length = std::sqrt(2 * sheet.area / breadth_);
     sheet.one = false;
   }
-  reach(merged, target);
+  stretch_to(merged, target);
   return merged;
 }
 

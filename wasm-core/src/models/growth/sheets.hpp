@@ -16,6 +16,7 @@ namespace panicle::growth {
 struct Box {
   glm::vec3 low{std::numeric_limits<float>::max()}, high{-std::numeric_limits<float>::max()};
 
+  // Extends the box to a point.
   void include(const glm::vec3& p) {
     low = glm::min(low, p);
     high = glm::max(high, p);
@@ -29,6 +30,7 @@ struct Sheet {
   float area = 0, length = 0;                // of one side; from end to end
   bool one = true;
 
+  // The sheet's normal, as long as its area.
   glm::vec3 face() const { return glm::cross(across, along); }
   // Its base, its two sides and its tip, from the middle.
   std::array<glm::vec3, 4> corners() const {

@@ -14,6 +14,7 @@ namespace panicle::growth {
 
 class VolumeShape {
  public:
+  // Prepares the solid of revolution of a growth volume: its place, axis, height and half widths.
   explicit VolumeShape(const GrowthVolume& volume)
       : at_(volume.at),
         height_(volume.height),
@@ -39,10 +40,12 @@ class VolumeShape {
     return (along >= 0.0f) & (along <= height_) &
            (out_x * out_x + out_y * out_y + out_z * out_z <= square(along / height_));
   }
+  // The same for one place.
   bool contains(const glm::vec3& p) const { return contains(p.x, p.y, p.z); }
 
  private:
-  // Half the width, squared; below 0 where there is none.
+  // Half the width, squared, at a share `up` of the height: the parabola through the squares at base, middle and top
+  // (Lagrange); below 0 where there is none.
   template <class Number>
   Number square(const Number& up) const {
     return base_ * (1.0f - up) * (1.0f - 2.0f * up) + middle_ * up * (1.0f - up) + top_ * up * (2.0f * up - 1.0f);

@@ -8,6 +8,7 @@
 #include "expression/number_text.hpp"
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
+#include "models/growth/messages.generated.hpp"
 
 namespace panicle::growth {
 namespace {
@@ -23,26 +24,28 @@ constexpr float turn = 137.5f, spacing = 0.6f;
 // Largest number below which a float holds every whole number.
 constexpr std::int64_t exact = std::int64_t{1} << 24;
 
+// Bounds of an attribute, and its least value if it is drawn.
 struct Bounds {
   const char* what;
   float least, most, least_drawn;
 };
 // By Attribute::Kind. A drawn size is at least 1, as the paper has it of child trunks: [1, …].
 constexpr Bounds bounds[] = {
-    {"cnt", 1, most_volumes, 1}, {"id", 0, 1e6f, 1},     {"wb", 0, 1000, 1},
-    {"h", 0.1f, 1000, 1},        {"wt", 0, 1000, 1},     {"grad", -80, 80, 0},
-    {"towards", -360, 360, 0},   {"at", -1e4f, 1e4f, 0}, {"wm", 0, 1000, 1},
+    {"cnt", 1, max_volumes, 1}, {"id", 0, 1e6f, 1},     {"wb", 0, 1000, 1},
+    {"h", 0.1f, 1000, 1},       {"wt", 0, 1000, 1},     {"grad", -80, 80, 0},
+    {"towards", -360, 360, 0},  {"at", -1e4f, 1e4f, 0}, {"wm", 0, 1000, 1},
 };
 
 // The width halfway up a frustum.
 float mean_width(const GrowthVolume& volume) { return (volume.base + volume.top) / 2; }
 
+// Evaluates or draws the attributes of growth volumes. Methods return false with the error in `evaluation`.
 struct Drawer {
   const Rules& rules;
   std::uint64_t seed;
   GrowthEvaluation& evaluation;
 
-  // Evaluates or draws an attribute. `address`: of the volume.
+  // Evaluates or draws an attribute; `address` is that of the volume's random values.
   bool value(const Attribute& attribute, std::uint64_t address, float& out) {
     const Bounds& allowed = bounds[static_cast<std::size_t>(attribute.kind)];
     evaluation.at(address);
@@ -70,9 +73,12 @@ struct Drawer {
     volumes = static_cast<std::uint32_t>(found);
     if (found == static_cast<float>(volumes)) return true;
     return evaluation.fail(
-        error_at(Reason::evaluation, rule.place, "cnt is a whole number, not %.", {expression::number_text(found)}));
+        error_at(Reason::evaluation, rule.place,
+                 message(messages::growth::not_whole, expression::number_text(found), Quantity("cnt").in_words())));
   }
 
+  // Sets the attributes that a rule gives to its volume number `of_rule`. `placed` becomes true if the rule gives a
+  // place.
   bool volume(const VolumeRule& rule, std::uint32_t of_rule, std::uint64_t address, GrowthVolume& volume,
               bool& placed) {
     float id = static_cast<float>(volume.id), gradient = 0, towards = volume.towards, middle = -1;
@@ -120,10 +126,12 @@ struct Drawer {
   }
 };
 
+// The largest radius of a volume, metres.
 float half_width(const GrowthVolume& volume) { return std::max({volume.base, volume.middle, volume.top}) / 2; }
 
 }  // namespace
 
+// Draws the growth volumes of all footprint rules; those without a place are arranged in a spiral about the first.
 bool draw_volumes(const Rules& rules, std::uint64_t seed, GrowthEvaluation& evaluation,
                   std::vector<GrowthVolume>& volumes) {
   Drawer drawer{rules, seed, evaluation};
@@ -132,10 +140,9 @@ bool draw_volumes(const Rules& rules, std::uint64_t seed, GrowthEvaluation& eval
     const VolumeRule& rule = rules.footprint[i];
     std::uint32_t count = 1;
     if (!drawer.count(rule, hash_combine(hash_text("footprint"), i), count)) return false;
-    if (volumes.size() + count > most_volumes)
-      return evaluation.fail(error_at(Reason::limit, rule.place,
-                                      "A footprint has at most % growth volumes; have fewer.",
-                                      {std::to_string(most_volumes)}));
+    if (volumes.size() + count > max_volumes)
+      return evaluation.fail(
+          error_at(Reason::limit, rule.place, message(messages::growth::too_many_volumes, max_volumes)));
     for (std::uint32_t of_rule = 0; of_rule < count; ++of_rule) {
       const std::size_t number = volumes.size();
       GrowthVolume volume = otherwise;
@@ -157,6 +164,7 @@ bool draw_volumes(const Rules& rules, std::uint64_t seed, GrowthEvaluation& eval
   return true;
 }
 
+// Sets the words of a volume and its environment for the next evaluations.
 void enter_volume(const GrowthVolume& volume, const Environment& environment, GrowthEvaluation& evaluation) {
   evaluation.set(Word::id, static_cast<float>(volume.id));
   evaluation.set(Word::base, volume.base);
@@ -168,6 +176,7 @@ void enter_volume(const GrowthVolume& volume, const Environment& environment, Gr
   evaluation.set(Word::neighbours, environment.neighbours);
 }
 
+// Evaluates the environment of a volume (strength of phototropism, gravitropism, regard of neighbours) by the rules.
 bool environment_of(const Rules& rules, std::uint64_t seed, const GrowthVolume& volume, std::uint32_t number,
                     GrowthEvaluation& evaluation, Environment& environment) {
   enter_volume(volume, {}, evaluation);
@@ -201,7 +210,7 @@ bool drawn_rules(const Rules& rules, std::uint64_t seed, GrowthEvaluation& evalu
   float total = 0;
   for (std::size_t i = 0; i < weights.size(); ++i) {
     if (!rules.tree[i].weight.value.given) continue;
-    if (!evaluation.within(rules.tree[i].weight, 0, 1e6f, "A probability", weights[i])) return false;
+    if (!evaluation.within(rules.tree[i].weight, 0, 1e6f, messages::growth::term_probability, weights[i])) return false;
     total += weights[i];
   }
   float left = total * random_unit(seed, hash_text("tree"), 0);
@@ -216,25 +225,25 @@ bool drawn_rules(const Rules& rules, std::uint64_t seed, GrowthEvaluation& evalu
   return true;
 }
 
+// Evaluates the parameters of a divisor function: the power, and the remainder and modulus of a residue.
 bool rule_of(const DivisorFunction& function, GrowthEvaluation& evaluation, DivisorRule& rule) {
   rule = {function.kind, function.power, 0, 1};
   const Number* next = function.parameters.data();
-  if (!function.powered && !evaluation.whole(*next++, 0, 100, "The power", rule.power)) return false;
+  if (!function.powered && !evaluation.whole(*next++, 0, 100, messages::growth::term_power, rule.power)) return false;
   if (function.kind != DivisorRule::Kind::residue) return true;
-  return evaluation.whole(next[1], 1, 1e6f, "What is divided by", rule.modulus) &&
-         evaluation.whole(next[0], 0, static_cast<float>(rule.modulus - 1), "The remainder", rule.remainder);
+  return evaluation.whole(next[1], 1, 1e6f, messages::growth::term_divisor, rule.modulus) &&
+         evaluation.whole(next[0], 0, static_cast<float>(rule.modulus - 1), messages::growth::term_remainder,
+                          rule.remainder);
 }
 
-bool fail_at(GrowthEvaluation& evaluation, Diagnostic trouble, const expression::SourceLocation& place) {
-  trouble.line = place.line;
-  trouble.column = place.column;
-  if (!trouble.message.empty() && trouble.message[0] >= 'a' && trouble.message[0] <= 'z')
-    trouble.message[0] = static_cast<char>(trouble.message[0] - 'a' + 'A');
-  if (!trouble.message.empty() && trouble.message.back() != '.') trouble.message += '.';
-  return evaluation.fail(std::move(trouble));
+// Fails with an error at a place in the text; returns false.
+bool fail_at(GrowthEvaluation& evaluation, Diagnostic error, const expression::SourceLocation& place) {
+  error.line = place.line;
+  error.column = place.column;
+  return evaluation.fail(std::move(error));
 }
 
-// The values of a divisor function as floats, which hold whole numbers to 2^24.
+// Computes the values of a divisor function from 0 to `last` as floats, which hold whole numbers to 2^24 exactly.
 bool values_of(const DivisorRule& rule, std::uint32_t last, const expression::SourceLocation& place,
                GrowthEvaluation& evaluation, std::vector<float>& values) {
   const auto sums = divisor_sums(rule, last);
@@ -243,10 +252,7 @@ bool values_of(const DivisorRule& rule, std::uint32_t last, const expression::So
   for (const std::int64_t sum : sums.value()) {
     if (sum > exact || sum < -exact)
       return evaluation.fail(
-          error_at(Reason::bad_input, place,
-                   "The divisor function of % is greater than 2^24, more branches than any tree has; ask "
-                   "for fewer steps, or for a smaller power or base.",
-                   {std::to_string(values.size())}));
+          error_at(Reason::bad_input, place, message(messages::growth::function_too_large, values.size())));
     values.push_back(static_cast<float>(sum));
   }
   return true;
@@ -254,10 +260,13 @@ bool values_of(const DivisorRule& rule, std::uint32_t last, const expression::So
 
 }  // namespace
 
+// Chooses the tree rules that apply, and computes the divisor functions of branches and leaves for all arguments that
+// can occur in so many steps.
 bool draw_functions(const Rules& rules, std::uint64_t seed, std::uint16_t steps, GrowthEvaluation& evaluation) {
   std::vector<const TreeRule*> drawn;
   evaluation.at(hash_text("tree"));
   if (!drawn_rules(rules, seed, evaluation, drawn)) return false;
+  // The functions of branches (0) and of leaves (1), the factors of their arguments, and the greatest argument of both.
   const DivisorFunction* of[2] = {nullptr, nullptr};
   std::uint32_t factors[2] = {1, 1}, last = steps + 1u;
   for (const TreeRule* rule : drawn) {

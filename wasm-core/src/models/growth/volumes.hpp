@@ -9,16 +9,16 @@
 
 namespace panicle::growth {
 
-inline constexpr std::uint32_t most_volumes = 64;  // greatest number in a footprint
+inline constexpr std::uint32_t max_volumes = 64;  // greatest number in a footprint
 
-// Draws the volumes of a footprint. False: the evaluation's trouble.
+// Draws the volumes of a footprint. False: the evaluation's error.
 bool draw_volumes(const Rules& rules, std::uint64_t seed, GrowthEvaluation& evaluation,
                   std::vector<GrowthVolume>& volumes);
 
 // Sets the words of a volume and of its environment.
 void enter_volume(const GrowthVolume& volume, const Environment& environment, GrowthEvaluation& evaluation);
 
-// Evaluates a volume's environment by the rules. False: the evaluation's trouble.
+// Evaluates a volume's environment by the rules. False: the evaluation's error.
 bool environment_of(const Rules& rules, std::uint64_t seed, const GrowthVolume& volume, std::uint32_t number,
                     GrowthEvaluation& evaluation, Environment& environment);
 

@@ -20,12 +20,16 @@ constexpr float apart = 0.6f;             // of the spacing: a lattice point nea
 constexpr float row_share = 0.866025f;    // of a lattice of equal triangles
 constexpr float along_vein = 0.6f;        // of the spacing, between places on a vein
 
-glm::vec2 snapped(const glm::vec2& p) { return glm::floor(p * triangulation_lattice + 0.5f) / triangulation_lattice; }
+// Rounds a point to the lattice of the triangulation, whose tests are exact there.
+glm::vec2 snap_to_lattice(const glm::vec2& p) {
+  return glm::floor(p * triangulation_lattice + 0.5f) / triangulation_lattice;
+}
 
-// Removes the points of a closed ring that are hardly off the line between their neighbours.
+// Removes points of a closed ring that are at most `within` off the line between those that remain.
 std::vector<glm::vec2> simplified(std::span<const glm::vec2> ring, float within) {
   std::vector<glm::vec2> retained;
   std::size_t last = 0;
+  // The largest distance of the points between two points from the line between these.
   const auto off = [&](std::size_t from, std::size_t to) {
     float most = 0;
     const glm::vec2 a = ring[from], way = ring[to % ring.size()] - a;
@@ -45,18 +49,19 @@ std::vector<glm::vec2> simplified(std::span<const glm::vec2> ring, float within)
   return retained;
 }
 
-// Points by cells of a grid, for checking whether there is room for another point.
-class Crowding {
+// A grid of points, for checking whether there is room for another one. `cell` is the cells' width.
+class PointCells {
  public:
-  Crowding(const glm::vec2& low, const glm::vec2& high, float cell)
+  PointCells(const glm::vec2& low, const glm::vec2& high, float cell)
       : low_(low),
         cell_(cell),
         across_(static_cast<std::int32_t>((high.x - low.x) / cell) + 1),
         up_(static_cast<std::int32_t>((high.y - low.y) / cell) + 1),
         cells_(static_cast<std::size_t>(across_ * up_)) {}
 
+  // Adds a point to its cell.
   void add(const glm::vec2& p) { cells_[index(column(p.x), row(p.y))].push_back(p); }
-  // `reach` is at most a cell.
+  // Whether no point is nearer to p than `reach`, which is at most a cell's width.
   bool room(const glm::vec2& p, float reach) const {
     for (std::int32_t y = std::max(row(p.y) - 1, 0); y <= std::min(row(p.y) + 1, up_ - 1); ++y)
       for (std::int32_t x = std::max(column(p.x) - 1, 0); x <= std::min(column(p.x) + 1, across_ - 1); ++x)
@@ -68,6 +73,7 @@ class Crowding {
   }
 
  private:
+  // The column and row of cells at a coordinate, and a cell's index.
   std::int32_t column(float x) const {
     return std::clamp(static_cast<std::int32_t>((x - low_.x) / cell_), 0, across_ - 1);
   }
@@ -80,7 +86,7 @@ class Crowding {
   std::vector<std::vector<glm::vec2>> cells_;
 };
 
-// The widest veins, as many as there are points for.
+// The widest pieces of veins, up to a total length.
 std::vector<VeinPiece> widest(std::span<const VeinPiece> veins, float length) {
   std::vector<float> narrowness;
   for (const VeinPiece& vein : veins) narrowness.push_back(-vein.radius_from);
@@ -96,6 +102,8 @@ std::vector<VeinPiece> widest(std::span<const VeinPiece> veins, float length) {
 
 }  // namespace
 
+// Places the points of a blade that are triangulated: the simplified margin first, then points along the wider veins,
+// then a lattice over the rest. A point is left out where others are too near.
 BladePoints place_points(const Margin& margin, const Outline& outline, std::span<const VeinPiece> veins, float detail) {
   const glm::vec2 low(outline.low().x, outline.low().y), high(outline.high().x, outline.high().y);
   const float spacing = std::sqrt(outline.area() / (lattice_points * detail));
@@ -103,20 +111,20 @@ BladePoints place_points(const Margin& margin, const Outline& outline, std::span
   blade.points = simplified(margin.points, margin_within / detail);
   if (crossing(blade.points).first != crossing(blade.points).second) blade.points = margin.points;
   blade.ring = blade.points.size();
-  Crowding crowding(low, high, spacing);
+  PointCells point_cells(low, high, spacing);
   for (std::size_t i = 0; i < blade.ring; ++i) {
     // Also points along the ring's edges, so that other points keep off long edges too.
     const glm::vec2 a = blade.points[i], b = blade.points[(i + 1) % blade.ring];
     const float count = std::max(1.0f, std::ceil(2 * glm::distance(a, b) / spacing));
-    for (float k = 0; k < count; ++k) crowding.add(a + (k / count) * (b - a));
+    for (float k = 0; k < count; ++k) point_cells.add(a + (k / count) * (b - a));
   }
   const auto add = [&](const glm::vec2& p, float reach) {
-    if (!crowding.room(p, reach) || !outline.contains({p.x, p.y, 0})) return;
-    crowding.add(p);
-    blade.points.push_back(snapped(p));
+    if (!point_cells.room(p, reach) || !outline.contains({p.x, p.y, 0})) return;
+    point_cells.add(p);
+    blade.points.push_back(snap_to_lattice(p));
   };
-  const std::vector<VeinPiece> shown = widest(veins, vein_points * detail * along_vein * spacing);
-  for (const VeinPiece& vein : shown) {
+  const std::vector<VeinPiece> shown_veins = widest(veins, vein_points * detail * along_vein * spacing);
+  for (const VeinPiece& vein : shown_veins) {
     const float length = glm::distance(vein.from, vein.to);
     if (!(length > 0)) continue;
     const glm::vec2 way = (vein.to - vein.from) / length, across(-way.y, way.x);
@@ -144,7 +152,7 @@ BladePoints place_points(const Margin& margin, const Outline& outline, std::span
   std::vector<std::vector<std::uint32_t>> by_cell(static_cast<std::size_t>(across * up));
   for (std::uint32_t i = 0; i < blade.points.size(); ++i)
     by_cell[static_cast<std::size_t>(row(blade.points[i].y) * across + column(blade.points[i].x))].push_back(i);
-  for (const VeinPiece& vein : shown) {
+  for (const VeinPiece& vein : shown_veins) {
     const float reach = std::max(vein.radius_from, vein.radius_to);
     const glm::vec2 from = glm::min(vein.from, vein.to) - reach, to = glm::max(vein.from, vein.to) + reach;
     const glm::vec2 way = vein.to - vein.from;

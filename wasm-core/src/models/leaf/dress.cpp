@@ -5,6 +5,7 @@
 
 #include "light/plant_sky.hpp"
 #include "mesh/uv_sphere.hpp"
+#include "models/leaf/messages.generated.hpp"
 #include "models/leaf/petiole.hpp"
 #include "models/leaf/shape/blade.hpp"
 #include "stems/tubes.hpp"
@@ -15,6 +16,8 @@ namespace {
 constexpr float draft_detail = 0.25f;
 constexpr std::uint32_t petiole_sides = 14, ball_segments = 8;
 
+// The pieces of the veins in leaf lengths, each as wide as the energy that flows through it requires. `all` is the
+// energy of the whole leaf by target; `scale` is a leaf length in metres.
 std::vector<VeinPiece> pieces_of(std::span<const Trails> flat, std::span<const double> all, const Girth& girth,
                                  float scale) {
   std::vector<VeinPiece> pieces;
@@ -30,12 +33,10 @@ std::vector<VeinPiece> pieces_of(std::span<const Trails> flat, std::span<const d
   return pieces;
 }
 
-MeshPart whole(const Mesh& mesh) {
-  return {0, static_cast<std::uint32_t>(mesh.positions.size() / 3), 0, static_cast<std::uint32_t>(mesh.indices.size())};
-}
-
 }  // namespace
 
+// Adds the meshes of blade and petiole, of particles on their way as balls, and the visible share of the sky if
+// requested.
 void dress(Plant& plant, const LeafRequest& leaf_request, const Veins& veins, std::span<const Trails> flat,
            const Bending& bending, const Girth& girth) {
   using enum Parameter;
@@ -46,7 +47,7 @@ void dress(Plant& plant, const LeafRequest& leaf_request, const Veins& veins, st
       .detail = leaf_request.draft ? std::min(leaf_request.detail, draft_detail) : leaf_request.detail};
   std::vector<PlantMesh> blade =
       make_blade(veins.margin, veins.outline, pieces_of(flat, veins.all, girth, bending.scale), bending, form);
-  if (blade.empty()) plant.notes.push_back("The outline is too narrow somewhere for a blade: veins alone are shown.");
+  if (blade.empty()) plant.notes.push_back(message(messages::leaf::outline_too_narrow));
   const std::vector<Segment> stalk =
       make_petiole(bending, 0.01f * values[petiole] * bending.scale, 0.0005f * values[petiole_width]);
   StemMesh tube;
@@ -56,11 +57,11 @@ void dress(Plant& plant, const LeafRequest& leaf_request, const Veins& veins, st
     const auto owner = static_cast<std::int32_t>(stalk.size());
     std::vector<SkyBody> specks;
     for (std::size_t i = 0; i < stalk.size(); ++i) add_specks(stalk[i], static_cast<std::int32_t>(i), specks);
-    if (!blade.empty()) add_specks(blade[0].mesh, whole(blade[0].mesh), owner, specks);
+    if (!blade.empty()) add_specks(blade[0].mesh, whole_range(blade[0].mesh), owner, specks);
     Sky sky({}, specks);
     for (PlantMesh& face : blade) {
       std::vector<std::uint8_t> bytes(face.mesh.positions.size() / 3);
-      sample_part(sky, face.mesh, whole(face.mesh), owner, true, bytes);
+      sample_part(sky, face.mesh, whole_range(face.mesh), owner, true, bytes);
       face.columns.add("sky", std::move(bytes));
     }
     std::vector<std::uint8_t> bytes;

@@ -15,6 +15,7 @@ constexpr float before_tip = 0.985f;     // where a main vein ends, of its lengt
 constexpr float stride = 0.02f;          // of a rib's pieces, leaf lengths
 constexpr float before_margin = 0.012f;  // leaf lengths that ribs stay off the margin
 
+// A point without its third coordinate, and with one of 0.
 inline glm::vec2 flat(const glm::vec3& p) { return {p.x, p.y}; }
 inline glm::vec3 deep(const glm::vec2& p) { return {p.x, p.y, 0}; }
 

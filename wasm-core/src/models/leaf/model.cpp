@@ -30,6 +30,7 @@ constexpr float thinnest = 5e-6f;  // radius of a vein, metres
 // visible, yet apart.
 constexpr float ball_widens = 1.6f, ball_share = 0.3f, least_ball = 0.0022f, largest_ball = 0.006f;
 
+// The law of the veins' radii, in metres.
 Girth girth_of(const Values& values) {
   using enum Parameter;
   return {.law = static_cast<WidthLaw>(values.whole(law)),
@@ -38,6 +39,7 @@ Girth girth_of(const Values& values) {
           .thinnest = thinnest};
 }
 
+// Collects the parameters of the blade's bends; the half-width is that of the outline's box.
 Bending bending_of(const Values& values, const Outline& outline) {
   using enum Parameter;
   const glm::vec3 size = outline.high() - outline.low();
@@ -49,7 +51,8 @@ Bending bending_of(const Values& values, const Outline& outline) {
           .waves = values[waves]};
 }
 
-std::vector<Trails> standing(const Veins& veins, float age) {
+// The trails at an age from 0 to 100 percent of the run.
+std::vector<Trails> trails_at_age(const Veins& veins, float age) {
   if (!(age < 100)) return veins.crowds;
   const float moment = veins.timeline.moment(0.01f * age);
   std::vector<Trails> young;
@@ -57,7 +60,7 @@ std::vector<Trails> standing(const Veins& veins, float age) {
   return young;
 }
 
-// Adds the particles on their way: balls on the blade. particles: their number before any meet
+// Adds the particles that are still on their way: balls on the blade. `particles`: the number of all, before any meet.
 void add_particles(Plant& plant, const Veins& veins, std::span<const Trails> flat, const Bending& bending,
                    const Girth& girth, float particles) {
   plant.organ_tags = {"particle"};
@@ -73,6 +76,7 @@ void add_particles(Plant& plant, const Veins& veins, std::span<const Trails> fla
     }
 }
 
+// Adds the column of the order of each vein segment. `segments` are their indices by target and place.
 void add_orders(Plant& plant, std::span<const Vein> veins, const std::vector<std::vector<std::int32_t>>& segments) {
   std::vector<std::uint32_t> orders(plant.segments.size(), 0);
   for (const Vein& vein : veins)
@@ -82,6 +86,8 @@ void add_orders(Plant& plant, std::span<const Vein> veins, const std::vector<std
   plant.columns.add("segments.order", std::move(orders));
 }
 
+// Adds the columns of the flat leaf: both ends of each vein segment, the margin, and the square that textures show;
+// leaf lengths.
 void add_chart(Plant& plant, const Veins& veins, std::span<const Trails> flat) {
   std::vector<float> chart;
   for (const Trails& trails : flat)
@@ -102,6 +108,7 @@ void add_chart(Plant& plant, const Veins& veins, std::span<const Trails> flat) {
   plant.columns.add("chart", std::vector<float>{square.low.x, square.low.y, square.size}, 3);
 }
 
+// Grows a leaf: veins in the flat outline, bent into space, then meshes and measures as requested.
 Result<Plant> grow(Request& request, const Limits& limits) {
   using enum Parameter;
   Plant plant;
@@ -113,25 +120,22 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   const Veins& veins = grown.value();
   const Bending bending = bending_of(values, veins.outline);
   const Girth girth = girth_of(values);
-  const std::vector<Trails> flat = standing(veins, values[age]);
+  const std::vector<Trails> flat = trails_at_age(veins, values[age]);
   std::vector<Trails> bent = flat;
   for (Trails& trails : bent)
     for (glm::vec3& place : trails.places) place = bending({place.x, place.y});
 
   plant.tags = {"vein"};
   const auto segments = add_trails(plant, bent, veins.all, girth, {}, veins.tally, 0);
-  if (Diagnostic trouble = too_many_parts(limits, plant.segments.size(), 0); trouble.reason != Reason::none)
-    return trouble;
+  if (Diagnostic error = too_many_parts(limits, plant.segments.size(), 0); error.reason != Reason::none) return error;
   add_particles(plant, veins, flat, bending, girth, values[particles]);
   const std::vector<Vein> ordered = veins_of(flat);
   add_orders(plant, ordered, segments);
   add_chart(plant, veins, flat);
-  plant.fingerprint = fingerprint_of(plant);
   if (leaf_request->measures)
     plant.measures = measures_of({veins.margin, veins.outline, flat, ordered, veins.all, girth, bending.scale});
-  if (!leaf_request->meshes) return plant;
-  dress(plant, leaf_request.value(), veins, flat, bending, girth);
-  if (leaf_request->mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
+  if (leaf_request->meshes) dress(plant, leaf_request.value(), veins, flat, bending, girth);
+  set_fingerprints(plant, leaf_request->mesh_fingerprint);
   return plant;
 }
 

@@ -15,6 +15,8 @@ constexpr float taper_in = 0.6f;      // of its radius, where it begins under th
 
 }  // namespace
 
+// Builds the petiole as segments of a stem: from under the blade's base away from the blade, with a bow downwards.
+// `length` and `radius` in metres; empty if the length is 0.
 std::vector<Segment> make_petiole(const Bending& bending, float length, float radius) {
   std::vector<Segment> segments;
   const auto add = [&](const glm::vec3& end, float from, float to) {
@@ -33,6 +35,7 @@ std::vector<Segment> make_petiole(const Bending& bending, float length, float ra
     const float t = (static_cast<float>(k) + 0.5f) / pieces;
     const auto [sine, cosine] = sincos_degrees(bow * t);
     at += (length / pieces) * (cosine * way + sine * down);
+    // The radius after a number of pieces; the petiole widens towards its foot.
     const auto girth = [&](int step) {
       const float share = static_cast<float>(step) / pieces;
       return radius * (1 + (widens - 1) * share * share * share);

@@ -3,28 +3,26 @@
 #include <algorithm>
 #include <utility>
 
+#include "models/leaf/messages.generated.hpp"
+
 namespace panicle::particles::leaf {
 namespace {
 
-constexpr float least_detail = 0.02f, most_detail = 4;
+constexpr float least_detail = 0.02f, max_detail = 4;
 
 }  // namespace
 
+// Reads the outline, the level of detail, and whether a draft is enough; details out of range are clamped with a note.
 Result<LeafRequest> read_request(Request& request, std::vector<std::string>& notes) {
-  request.text("model");
-  LeafRequest leaf_request{.values = Values(request.floats("parameters"), notes), .outline = {}};
-  leaf_request.seed = request.word("seed", 1);
-  leaf_request.meshes = request.wants("meshes");
-  leaf_request.measures = request.wants("measures");
-  leaf_request.sky = request.wants("sky");
-  leaf_request.mesh_fingerprint = request.wants("mesh_fingerprint");
+  const CommonRequest common = read_common(request);
+  LeafRequest leaf_request{common, Values(common.parameters, notes), {}};
   leaf_request.draft = request.wants("draft");
   const auto rows = request.floats("outline");
   const auto detail = request.floats("detail");
-  if (Diagnostic trouble = request.trouble(); trouble.reason != Reason::none) return trouble;
+  if (Diagnostic error = request.trouble(); error.reason != Reason::none) return error;
   if (!detail.empty() && detail[0] == detail[0]) {
-    leaf_request.detail = std::clamp(detail[0], least_detail, most_detail);
-    if (leaf_request.detail != detail[0]) notes.push_back("The detail was brought into its range, 0.02 to 4.");
+    leaf_request.detail = std::clamp(detail[0], least_detail, max_detail);
+    if (leaf_request.detail != detail[0]) notes.push_back(message(messages::leaf::detail_clamped));
   }
   auto outline = read_outline(rows, notes);
   if (!outline) return outline.error();

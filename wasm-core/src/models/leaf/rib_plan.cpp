@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "models/leaf/messages.generated.hpp"
 #include "models/leaf/midrib.hpp"
 #include "models/leaf/shape/side_veins.hpp"
 #include "models/leaf/sides.hpp"
@@ -12,6 +13,7 @@
 namespace panicle::particles::leaf {
 namespace {
 
+// Builder of a leaf's ribs: the lines of main veins, which guide the particles of the finer ones.
 class Planner {
  public:
   Planner(const RibPlan& plan, const Margin& margin, const Outline& outline, const glm::vec3& base)
@@ -22,9 +24,13 @@ class Planner {
         sides_(margin),
         side_veins_(plan, margin, outline) {}
 
+  // Ribs with the base alone.
   Ribs empty() const { return {{base_}, {-1}}; }
+  // The place of a point of the margin.
   glm::vec3 tip_at(std::size_t point) const { return deep(margin_.points[point]); }
 
+  // Plans the veins of a pinnate leaf: a midrib with a side vein to each lobe's tip, or the given number if there are
+  // no lobes.
   std::vector<Ribs> pinnate(std::vector<std::string>& notes) const {
     std::vector<Ribs> all{empty()};
     const Midrib midrib = build_midrib(all[0], midline());
@@ -34,20 +40,18 @@ class Planner {
       ++lobes;
       if (!side_veins_.to_lobe(all[0], midrib, tip_at(tip))) ++hidden;
     }
-    if (hidden > 0)
-      notes.push_back("The midrib sees " + std::to_string(hidden) + " lobe tips from nowhere: they have no rib.");
+    if (hidden > 0) notes.push_back(message(messages::leaf::lobes_without_rib, hidden));
     if (lobes == 0 && plan_.secondaries > 0)
       side_veins_.add_veins(all[0], midrib, plan_.secondaries,
                             {.tip = margin_.tip, .last = margin_.points.size(), .fan = true});
     return all;
   }
 
+  // Plans the veins of a palmate leaf: a main vein from the base to each lobe's tip, with side veins in its part.
   std::vector<Ribs> palmate(std::vector<std::string>& notes) const {
     std::vector<std::size_t> tips = margin_.tips;
     if (std::find(tips.begin(), tips.end(), margin_.tip) == tips.end()) tips.push_back(margin_.tip);
-    if (tips.size() == 1)
-      notes.push_back(
-          "A palmate leaf has a main vein to each lobe tip, and this outline marks none but the leaf's own.");
+    if (tips.size() == 1) notes.push_back(message(messages::leaf::palmate_without_lobes));
     std::vector<Ribs> all;
     std::vector<Midrib> rays;
     float longest = 0;
@@ -69,7 +73,8 @@ class Planner {
     return all;
   }
 
-  // Arcs that share the blade between the midline and its sides evenly.
+  // Plans the veins of a leaf with parallel venation: arcs from the base to the tip that divide the blade between the
+  // midline and its sides evenly.
   std::vector<Ribs> parallel() const {
     const auto arcs = static_cast<std::int32_t>(plan_.secondaries);
     std::vector<Ribs> all;
@@ -81,8 +86,8 @@ class Planner {
     return all;
   }
 
-  // A line from the base towards the tip between the margin's sides, −1 on the left one, 1 on the right; as far as that
-  // is open.
+  // A line from the base towards the tip at a `position` between the margin's sides: −1 on the left side, 0 in the
+  // middle, 1 on the right; as far as the outline is open.
   std::vector<glm::vec3> between_sides(float position) const {
     constexpr float rows = 48;
     std::vector<glm::vec3> places{base_};
@@ -96,7 +101,7 @@ class Planner {
     return places;
   }
 
-  // A line straight to the tip where that is open, else midway between the sides.
+  // The line of the midrib: straight to the tip where that is open, else midway between the sides.
   std::vector<glm::vec3> midline() const {
     const glm::vec3 tip = tip_at(margin_.tip), end = base_ + before_tip * (tip - base_);
     if (straight(base_, end, outline_)) return main_vein(base_, tip, outline_);
@@ -132,6 +137,7 @@ class Planner {
 
 }  // namespace
 
+// Builds the ribs by the plan's kind of venation: one tree of ribs, or one for each main vein.
 std::vector<Ribs> build_ribs(const RibPlan& plan, const Margin& margin, const Outline& outline, const glm::vec3& base,
                              std::vector<std::string>& notes) {
   const Planner planner(plan, margin, outline, base);

@@ -4,15 +4,17 @@
 #include <array>
 #include <glm/common.hpp>
 
+#include "models/particles/messages.generated.hpp"
+
 namespace panicle::particles {
 namespace {
 
 constexpr std::uint32_t sides = 32;
 constexpr int pieces = 6;  // of a spline between two points
 
-// A solid of revolution of a profile's heights and radii: 1 is the box's half width and height, 0 its middle and lowest
-// point.
-Surface turned(std::span<const glm::vec2> profile, const glm::vec3& low, const glm::vec3& high) {
+// Revolves a profile about a vertical axis into the box from `low` to `high`. Radii (x) of 1 reach its sides, heights
+// (y) run from 0 at its bottom to 1 at its top.
+Surface revolved_into_box(std::span<const glm::vec2> profile, const glm::vec3& low, const glm::vec3& high) {
   Surface surface = surface_of_revolution(profile, glm::vec3(0), sides);
   const glm::vec3 foot(0.5f * (low.x + high.x), low.y, 0.5f * (low.z + high.z));
   const glm::vec3 size(0.5f * (high.x - low.x), high.y - low.y, 0.5f * (high.z - low.z));
@@ -22,6 +24,8 @@ Surface turned(std::span<const glm::vec2> profile, const glm::vec3& low, const g
 
 }  // namespace
 
+// Builds a boundary of the given form that fills the box from `low` to `high`. `profile` is used by Form::spline,
+// `mesh` by Form::mesh.
 Surface form_between(Form form, std::span<const glm::vec2> profile, const Surface& mesh, const glm::vec3& low,
                      const glm::vec3& high) {
   const glm::vec3 middle = 0.5f * (low + high), half = 0.5f * (high - low);
@@ -30,16 +34,16 @@ Surface form_between(Form form, std::span<const glm::vec2> profile, const Surfac
     case Form::box:
       return box(low, high);
     case Form::cone:
-      return turned(up, low, high);
+      return revolved_into_box(up, low, high);
     case Form::cone_down:
-      return turned(down, low, high);
+      return revolved_into_box(down, low, high);
     case Form::bowl: {
       Surface surface = ellipsoid(glm::vec3(middle.x, high.y, middle.z), {half.x, 2 * half.y, half.z}, sides);
       for (glm::vec3& p : surface.points) p.y = std::min(p.y, high.y);
       return surface;
     }
     case Form::spline:
-      return turned(profile, low, high);
+      return revolved_into_box(profile, low, high);
     case Form::mesh:
       return stretched(mesh, low, high);
     case Form::ellipsoid:
@@ -48,8 +52,11 @@ Surface form_between(Form form, std::span<const glm::vec2> profile, const Surfac
   return ellipsoid(middle, half, sides);
 }
 
+// Samples a Catmull-Rom spline through the points: six pieces between two points; the first and the last point are
+// repeated as neighbours, and x is clamped to 0 or more.
 std::vector<glm::vec2> spline_through(std::span<const glm::vec2> points) {
   std::vector<glm::vec2> line;
+  // The point i + by, or the first or last one beyond the ends.
   const auto at = [&](std::size_t i, int by) {
     const auto last = static_cast<std::int64_t>(points.size()) - 1;
     return points[static_cast<std::size_t>(std::clamp<std::int64_t>(static_cast<std::int64_t>(i) + by, 0, last))];
@@ -67,29 +74,32 @@ std::vector<glm::vec2> spline_through(std::span<const glm::vec2> points) {
   return line;
 }
 
+// A smooth profile through `points`, or through `otherwise` if there are fewer than two.
 std::vector<glm::vec2> profile_of(std::span<const glm::vec2> points, std::span<const glm::vec2> otherwise) {
   return spline_through(points.size() > 1 ? points : otherwise);
 }
 
+// Adds notes on a mesh that shall be the outer boundary: if it has no triangles, replaces the form by an ellipsoid and
+// notes that; else notes its seams.
 void note_on(const Surface& mesh, Form& form, std::vector<std::string>& notes) {
   if (mesh.triangles.empty()) {
     form = Form::ellipsoid;
-    notes.push_back("There is no mesh, so the boundary is an ellipsoid; drop a closed mesh.");
+    notes.push_back(message(messages::particles::no_mesh));
     return;
   }
-  note_seams(mesh, "mesh", notes);
+  note_seams(mesh, "outer", notes);
 }
 
-void note_seams(const Surface& mesh, const std::string& name, std::vector<std::string>& notes) {
+// Adds notes on open edges and on triangles that are turned the wrong way. `boundary`, "outer" or "inner", is the
+// mesh's name in the messages.
+void note_seams(const Surface& mesh, const char* boundary, std::vector<std::string>& notes) {
   const Seams seams = seams_of(mesh);
-  if (seams.open > 0)
-    notes.push_back("The " + name + " is open at " + std::to_string(seams.open) +
-                    " edges; what lies behind a gap may be taken for inside or outside.");
-  if (seams.turned > 0)
-    notes.push_back("Triangles of the " + name + " are turned against each other at " + std::to_string(seams.turned) +
-                    " edges; parts of it may count as holes.");
+  if (seams.open > 0) notes.push_back(message(messages::particles::mesh_open, boundary, seams.open));
+  if (seams.turned > 0) notes.push_back(message(messages::particles::mesh_inconsistent, boundary, seams.turned));
 }
 
+// Builds the boundary of the hollow: the mesh `own` in the box `low` … `high`, or the outer boundary if `own` is empty,
+// scaled by `size` about the point `about`. Empty for size 0.
 Surface inner_boundary(const Surface& outer, const Surface& own, const glm::vec3& low, const glm::vec3& high,
                        const glm::vec3& about, float size) {
   if (!(size > 0)) return {};

@@ -31,9 +31,9 @@ std::vector<glm::vec2> profile_of(std::span<const glm::vec2> points, std::span<c
 Surface inner_boundary(const Surface& outer, const Surface& own, const glm::vec3& low, const glm::vec3& high,
                        const glm::vec3& about, float size);
 
-// Adds a note for the gaps of a mesh, and one for triangles turned against each other. `name` is the mesh in these
-// notes: "mesh", "inner boundary".
-void note_seams(const Surface& mesh, const std::string& name, std::vector<std::string>& notes);
+// Adds a note for the gaps of a boundary's mesh, and one for triangles turned against each other. `boundary`: "outer"
+// or "inner", as the notes select it.
+void note_seams(const Surface& mesh, const char* boundary, std::vector<std::string>& notes);
 
 // Adds notes about a dropped mesh, one sentence each: gaps, sides turned against each other. Without a mesh, the form
 // becomes an ellipsoid.

@@ -15,11 +15,13 @@ constexpr std::uint32_t directions = 24;
 // Optical depth of a cell with a wall in it: it transmits e to the power of minus this.
 constexpr float opaque = 6;
 // Enough for a dozen crowns side by side, each as finely as one alone, and nearly as much again.
-constexpr std::uint64_t most_cells = 400'000;
-constexpr float most_along = 20'000, wider = 1.05f;
+constexpr std::uint64_t max_cells = 400'000;
+constexpr float max_along = 20'000, wider = 1.05f;
 
 }  // namespace
 
+// The directions from which light comes, with their shares of it: the overcast sky's and the sun's, mixed by
+// `habit.sky`.
 std::vector<LightDirection> light_directions(const LightHabit& habit) {
   std::vector<LightDirection> lamps;
   if (habit.sky > 0) lamps = overcast(directions);
@@ -28,12 +30,15 @@ std::vector<LightDirection> light_directions(const LightHabit& habit) {
   return lamps;
 }
 
+// The unit vector towards the sun, from its azimuth and its height above the horizon in degrees.
 glm::vec3 towards_sun(float azimuth, float height) {
   const auto [sine, cosine] = sincos_degrees(azimuth);
   const auto [up, along] = sincos_degrees(height);
   return {along * sine, up, along * cosine};
 }
 
+// Builds the light in a grid of cells over a crown and the obstacles near it. `edge` is the cells' width, which grows
+// until the grid has at most `max_cells`. Leaves absorb by the habit, walls nearly everything.
 VoxelLight light_in(const Region& crown, const LightObstacles& shades, const LightHabit& habit, float edge) {
   glm::vec3 first = crown.low(), last = crown.high();
   // Obstacles about the crown count only for light that reaches this far.
@@ -45,8 +50,9 @@ VoxelLight light_in(const Region& crown, const LightObstacles& shades, const Lig
     }
   const glm::vec3 size = last - first;
   const auto count = [&](float length) { return static_cast<std::uint32_t>(std::ceil(length / edge)) + 1; };
-  edge = std::max({edge, glm::length(size) / most_along, 1e-6f});
-  while (std::uint64_t{count(size.x)} * count(size.y) * count(size.z) > most_cells) edge *= wider;
+  edge = std::max({edge, glm::length(size) / max_along, 1e-6f});
+  while (std::uint64_t{count(size.x)} * count(size.y) * count(size.z) > max_cells) edge *= wider;
+  // The optical density at a point: absorption per unit of length.
   const auto matter_at = [&](const glm::vec3& p) {
     const auto walled = [&](const Box& wall) {
       return glm::all(glm::lessThan(glm::max(wall.low - p, p - wall.high), glm::vec3(0.5f * edge)));

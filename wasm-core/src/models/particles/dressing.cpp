@@ -7,9 +7,14 @@
 #include "stems/wood.hpp"
 
 namespace panicle::particles {
+
+// A trail is the way that a particle has gone, from its start to the target; the energy of a place is the sum over all
+// particles that pass it.
+
 namespace {
 
-// The axis of each segment: at a fork the heaviest goes on.
+// The number of the axis (unbranched run of stem) that each segment belongs to: at a fork the trail with the most
+// energy continues the axis, each other one begins a new axis.
 std::vector<std::int32_t> axes_of(const GrownWood& grown, std::size_t segments) {
   std::vector<std::int32_t> axes(segments, 0);
   std::int32_t count = 0;
@@ -34,7 +39,8 @@ std::vector<std::int32_t> axes_of(const GrownWood& grown, std::size_t segments) 
   return axes;
 }
 
-// The occluders besides the wood: a leaf counts with half of its area.
+// The leaves as occluders of the sky: disc of half a leaf's area at each organ with the tag `leaf_tag`. `leaf_area` is
+// that of scale 1.
 std::vector<Occluder> leaves_of(const Plant& plant, std::uint32_t leaf_tag, float leaf_area) {
   std::vector<Occluder> leaves;
   for (const Organ& organ : plant.organs)
@@ -44,6 +50,8 @@ std::vector<Occluder> leaves_of(const Plant& plant, std::uint32_t leaf_tag, floa
 
 }  // namespace
 
+// Adds the stems' mesh to the plant and, if the habit wants it, the visible share of the sky at its vertices and
+// organs.
 void dress(Plant& plant, const GrownWood& grown, const DressHabit& habit) {
   std::vector<glm::vec3> targets;
   for (const Trails& trails : grown.wood.crowds)

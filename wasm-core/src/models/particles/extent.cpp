@@ -15,6 +15,7 @@ constexpr float unit = 1.0f / 4294967296.0f;
 
 }  // namespace
 
+// Measures a region's area or volume, and the same weighted by its density, by quasi-random points in its box.
 Extent extent_of(const Region& region) {
   const glm::vec3 low = region.low(), size = region.high() - low;
   const std::array<std::uint32_t, 3>& steps = region.flat() ? steps_flat : steps_deep;

@@ -9,6 +9,10 @@
 #include "models/particles/polish.hpp"
 
 namespace panicle::particles {
+
+// A trail is the way that a particle has gone, from its start to the target; the energy of a place is the sum over all
+// particles that pass it.
+
 namespace {
 
 // Power of the energy: with 1/2 even forks would open 90°, with 1 not at all; with this 42°.
@@ -19,6 +23,8 @@ constexpr float most = 0.4f;
 
 }  // namespace
 
+// Moves the places of trails so that forks open at natural angles: each piece pulls at its ends with a force that grows
+// with its energy, in several passes. Pieces stay longer than `nearest`, and places move at most `farthest`.
 void narrow_forks(Trails& trails, const Guide& guide, float nearest, float farthest) {
   const std::size_t count = trails.size();
   std::vector<glm::vec3>& places = trails.places;
@@ -32,6 +38,7 @@ void narrow_forks(Trails& trails, const Guide& guide, float nearest, float farth
   // Places that lead to the target are not moved.
   for (std::size_t i = 1; i < count; ++i) moves[next_of(i)] = trails.next[next_of(i)] > 0;
   for (int pass = 0; pass < passes; ++pass) {
+    // Forces of all pieces on their ends, and the length of the shortest piece at each place.
     force.assign(count, glm::vec3(0));
     closest.assign(count, std::numeric_limits<float>::max());
     for (std::size_t i = 1; i < count; ++i) {
@@ -44,6 +51,7 @@ void narrow_forks(Trails& trails, const Guide& guide, float nearest, float farth
       force[i] += (pull[i] / length) * way;
       force[next] -= (pull[i] / length) * way;
     }
+    // Moves places along their forces, within both limits.
     before = places;
     for (std::size_t i = 1; i < count; ++i) {
       if (!moves[i] || !(closest[i] > nearest)) continue;

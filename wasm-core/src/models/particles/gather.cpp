@@ -8,10 +8,14 @@
 #include "foundation/order.hpp"
 
 namespace panicle::particles {
+
+// A trail is the way that a particle has gone, from its start to the target.
+
 namespace {
 
-// The same places, in the order of the tree, each now leading to next[i]. Recomputes the energy that flows through and
-// the step at which each place was first left, and drops places through which no particle passes.
+// Copies trails with new links: place i now leads to next[i]. Sorts the places in tree order, recomputes the energy
+// that flows through each and the step at which it was first left, and drops places through which no particle passes.
+// `stride` is a particle's way in a step.
 Trails relinked(const Trails& trails, std::vector<std::int32_t> next, float stride) {
   const std::size_t count = trails.size();
   const std::vector<std::uint32_t> order = tree_order(next);
@@ -33,22 +37,24 @@ Trails relinked(const Trails& trails, std::vector<std::int32_t> next, float stri
       first_left[to] =
           std::min(first_left[to], first_left[i] + glm::distance(trails.places[i], trails.places[to]) / stride);
   }
-  Trails made;
+  Trails result;
   std::vector<std::int32_t> new_index(count, -1);
   for (const std::uint32_t i : order) {
     if (i > 0 && trails.particle[i] < 0 && !on_the_way[i]) continue;
     const std::int32_t to = i == 0 ? -1 : new_index[static_cast<std::size_t>(next[i])];
     new_index[i] =
-        made.add(trails.places[i], to, energy[i], static_cast<std::uint32_t>(first_left[i]), trails.particle[i]);
+        result.add(trails.places[i], to, energy[i], static_cast<std::uint32_t>(first_left[i]), trails.particle[i]);
   }
   // The target is as old as the last arrival at the axis.
-  made.born[0] = 0;
-  if (made.size() > 1) made.born[0] = 1 + *std::max_element(made.born.begin() + 1, made.born.end());
-  return made;
+  result.born[0] = 0;
+  if (result.size() > 1) result.born[0] = 1 + *std::max_element(result.born.begin() + 1, result.born.end());
+  return result;
 }
 
 }  // namespace
 
+// Bundles the trails near the axis into one: places nearer than `reach` to it are linked in a chain along the axis,
+// from the farthest to the target, as far as each sees the next.
 Trails gathered(const Trails& trails, const Axis& axis, const Guide& guide, float reach, float stride) {
   std::vector<std::uint32_t> near;
   std::vector<float> nearness;

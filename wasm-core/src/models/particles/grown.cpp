@@ -7,10 +7,14 @@
 #include <utility>
 
 #include "models/particles/extent.hpp"
+#include "models/particles/messages.generated.hpp"
 #include "models/particles/moment.hpp"
 #include "spatial/query_budget.hpp"
 
 namespace panicle::particles {
+
+// A trail is the way that a particle has gone, from its start to the target.
+
 namespace {
 
 constexpr float margin = 0.1f;          // clearance of ways from obstacles, in spacings
@@ -18,8 +22,8 @@ constexpr float least_ball = 0.06f;     // radius of a particle, in spacings
 constexpr float ball_widens = 1.6f;     // times its trail's radius
 constexpr std::uint32_t unfolding = 5;  // the leaves unfold in one step for this many of the run
 
-// Appends an organ, no mesh yet, for each particle on its way: a place with or without a trail behind it, and without a
-// next.
+// Appends a ball as an organ for each particle that is still on its way: such a place has no next. `all` is the energy
+// of all particles, which with `girth` gives the trail's radius.
 void add_travellers(Plant& plant, const Trails& trails, double all, const Girth& girth, float least_radius,
                     std::uint32_t tag) {
   for (std::size_t i = 1; i < trails.size(); ++i) {
@@ -44,30 +48,31 @@ float clearance(const SpaceRequest& request, std::span<const glm::vec3> targets,
   return clear;
 }
 
-// Notes the number of targets where trails do not leave the boundary. `way`: of particles, −1 down.
-void note_on(std::span<const glm::vec3> targets, const Region& outer, float way, std::vector<std::string>& notes) {
+// Adds a note with the number of targets that particles reach before they leave the boundary, so that there is no free
+// trunk. `way` is the vertical direction of the particles: −1 down, 1 up.
+void note_targets_inside(std::span<const glm::vec3> targets, const Region& outer, float way,
+                         std::vector<std::string>& notes) {
   const float end = way < 0 ? outer.low().y : outer.high().y;
   const auto short_of = [&](const glm::vec3& target) { return (target.y - end) * way < 0; };
   const auto count = std::count_if(targets.begin(), targets.end(), short_of);
   if (count > 0)
-    notes.push_back(
-        (way < 0 ? "Targets above the boundary's lowest place: " : "Targets below the boundary's highest place: ") +
-        std::to_string(count) + (way < 0 ? "; what is below them climbs" : "; what is above them goes down") +
-        ", out of the boundary where it must.");
+    notes.push_back(message(
+        way < 0 ? messages::particles::targets_above_boundary : messages::particles::targets_below_boundary, count));
 }
 
-// The reason that no particle starts.
-const char* why_none(const Extent& room, const Region& outer, bool young) {
-  if (!(extent_of(outer).size > 0)) return "The boundary holds no room; make it larger, or its profile wider.";
-  if (!(room.size > 0)) return "There is no room between the boundaries; make the inner one smaller.";
-  if (!(room.filled > 0))
-    return "No light comes to where particles could start, or the hormone holds all of them back.";
-  if (young) return "At this age there is no particle yet; let it be older.";
-  return "No particle found room; ask for more.";
+// The message why no particle starts. `room` is measured between the boundaries, `outer` is the outer boundary, `young`
+// a plant that is not grown up.
+const MessageCode<0>& why_none(const Extent& room, const Region& outer, bool young) {
+  if (!(extent_of(outer).size > 0)) return messages::particles::boundary_without_room;
+  if (!(room.size > 0)) return messages::particles::no_room_between_boundaries;
+  if (!(room.filled > 0)) return messages::particles::no_place_to_start;
+  return young ? messages::particles::no_particle_yet : messages::particles::no_particle_fits;
 }
 
 }  // namespace
 
+// Grows wood: scatters particles, lets them run to the targets, and adds the trails at the habit's age as segments of
+// the plant. `floor` and `ceiling` bound the ways around obstacles; `traveller` is the tag of particles on their way.
 Result<GrownWood> grow_wood(Plant& plant, const Region& region, const Region& outer, std::span<const glm::vec3> targets,
                             const SpaceHabit& habit, const SpaceRequest& request, float floor, float ceiling,
                             std::uint32_t traveller, const Limits& limits) {
@@ -79,11 +84,11 @@ Result<GrownWood> grow_wood(Plant& plant, const Region& region, const Region& ou
   const bool any = !starts.empty();
   std::erase_if(starts, [&](const glm::vec3& start) { return obstacles.contains(start); });
   if (starts.empty())
-    plant.notes.push_back(any ? "Obstacles leave no room for a particle; make them smaller."
-                              : why_none(room, outer, habit.growth < 1));
+    plant.notes.push_back(
+        message(any ? messages::particles::obstacles_fill_boundary : why_none(room, outer, habit.growth < 1)));
 
   note_on(habit.motion.rules, plant.notes);
-  note_on(targets, outer, habit.trunk.way, plant.notes);
+  note_targets_inside(targets, outer, habit.trunk.way, plant.notes);
   Result<Wood> wooden = run(starts, targets, spacing, habit.motion, habit.trunk, habit.twigs, {region, outer},
                             obstacles, request.seed, limits);
   if (region.is_exhausted()) return QueryBudget::error();
@@ -92,9 +97,7 @@ Result<GrownWood> grow_wood(Plant& plant, const Region& region, const Region& ou
   grown.room = room.size;
   grown.wood = std::move(wooden.value());
   const Wood& wood = grown.wood;
-  if (wood.unreachable > 0)
-    plant.notes.push_back(std::to_string(wood.unreachable) +
-                          " particles have no way past the obstacles and were left out.");
+  if (wood.unreachable > 0) plant.notes.push_back(message(messages::particles::particles_left_out, wood.unreachable));
   // First particles run, then the leaves unfold, in steps as long.
   const std::uint32_t steps = wood.timeline.steps(), further = habit.leafy ? steps / unfolding + 1 : 0;
   grown.wood.tally.steps = steps + further;

@@ -13,8 +13,9 @@ namespace {
 
 constexpr std::uint32_t lanes = 4;
 
-// The approximate distance of neighbours where `count` points fill a box evenly: in a plane or on a line, too.
-float spacing(const glm::vec3& size, std::size_t count) {
+// The approximate distance of neighbours where `count` points fill a box evenly. A box that is flat in one or two
+// directions counts as a plane or a line.
+float mean_spacing(const glm::vec3& size, std::size_t count) {
   const float largest = std::max({size.x, size.y, size.z});
   if (!(largest > 0)) return 1;
   float filled = 1;
@@ -30,6 +31,8 @@ float spacing(const glm::vec3& size, std::size_t count) {
 
 }  // namespace
 
+// Sorts the points into a grid, with their coordinates in separate arrays for four at a time. `points` must outlive the
+// queries.
 void Neighbours::build(std::span<const glm::vec3> points) {
   points_ = points;
   glm::vec3 low(std::numeric_limits<float>::max()), high(-low);
@@ -39,7 +42,7 @@ void Neighbours::build(std::span<const glm::vec3> points) {
   }
   // A little more, so that its square is not rounded below that of two points at opposite corners.
   across_ = points.empty() ? 0 : 1.001f * glm::distance(low, high);
-  edge_ = spacing(high - low, points.size());
+  edge_ = mean_spacing(high - low, points.size());
   grid_.build(points, edge_);
   const std::span<const std::uint32_t> ids = grid_.ids();
   for (auto* values : {&x_, &y_, &z_}) values->resize(ids.size() + lanes - 1);
@@ -51,6 +54,7 @@ void Neighbours::build(std::span<const glm::vec3> points) {
   }
 }
 
+// The nearest other point that point i sees, within `reach`; `none` if there is none. Ties go to the lower index.
 std::uint32_t Neighbours::nearest(std::uint32_t i, float reach, const Guide& guide) const {
   const glm::vec3 p = points_[i];
   const std::uint32_t* ids = grid_.ids().data();
@@ -83,6 +87,7 @@ std::uint32_t Neighbours::nearest(std::uint32_t i, float reach, const Guide& gui
   }
 }
 
+// Adds all pairs of points closer than `reach`, with their squared distances.
 void Neighbours::pairs(float reach, std::vector<Pair>& found) const {
   const std::uint32_t* ids = grid_.ids().data();
   for (std::uint32_t a = 0; a < points_.size(); ++a) {

@@ -7,19 +7,21 @@
 namespace panicle::particles {
 namespace {
 
-// The distance of turning places from an ellipsoid, over its size: lines between neighbouring places, up to 35° apart,
-// keep clear of it.
+// Corners to turn at are placed about an ellipsoid at this multiple of its size: lines between neighbouring corners, up
+// to 35° apart, keep clear of it.
 constexpr float about_round = 1.1f;
 constexpr int pieces = 4;  // of an edge, with a place to turn at between two
 
+// Whether a point is inside a box; its faces are outside.
 bool inside(const Box& box, const glm::vec3& p) {
   for (int k = 0; k < 3; ++k)
     if (!(p[k] > box.low[k] && p[k] < box.high[k])) return false;
   return true;
 }
 
-// Whether a line meets a box, by slabs: the stretch of the line between the planes of each pair of faces.
-bool meets(const Box& box, const glm::vec3& a, const glm::vec3& b) {
+// Whether the segment from a to b meets a box, by the slab test: intersects the parameter ranges in which the segment
+// lies between each pair of opposite faces.
+bool segment_meets_box(const Box& box, const glm::vec3& a, const glm::vec3& b) {
   float first = 0, last = 1;
   for (int k = 0; k < 3; ++k) {
     const float way = b[k] - a[k];
@@ -34,15 +36,17 @@ bool meets(const Box& box, const glm::vec3& a, const glm::vec3& b) {
   return first < last;
 }
 
-// The place relative to the ellipsoid's middle, in half-axes; an ellipsoid without extent contains nothing.
-glm::vec3 in_round(const Box& box, const glm::vec3& p) {
+// The point relative to the middle of the ellipsoid that fills a box, in units of its half-axes: inside, the length is
+// below 1. An ellipsoid without extent contains nothing.
+glm::vec3 in_half_axes(const Box& box, const glm::vec3& p) {
   const glm::vec3 half = glm::max(0.5f * (box.high - box.low), glm::vec3(1e-6f));
   return (p - 0.5f * (box.low + box.high)) / half;
 }
 
-// Whether a line meets an ellipsoid: tests its place nearest to the middle, in half-axes.
-bool meets_round(const Box& box, const glm::vec3& a, const glm::vec3& b) {
-  const glm::vec3 from = in_round(box, a), way = in_round(box, b) - from;
+// Whether the segment from a to b meets an ellipsoid: tests the point of it that is nearest to the middle, in
+// half-axes.
+bool segment_meets_ellipsoid(const Box& box, const glm::vec3& a, const glm::vec3& b) {
+  const glm::vec3 from = in_half_axes(box, a), way = in_half_axes(box, b) - from;
   const float square = glm::dot(way, way);
   const float at = square > 0 ? glm::clamp(-glm::dot(from, way) / square, 0.0f, 1.0f) : 0;
   const glm::vec3 nearest = from + at * way;
@@ -51,11 +55,14 @@ bool meets_round(const Box& box, const glm::vec3& a, const glm::vec3& b) {
 
 }  // namespace
 
+// Whether a point is inside the ellipsoid that fills the box.
 bool within_round(const Box& box, const glm::vec3& p) {
-  const glm::vec3 from = in_round(box, p);
+  const glm::vec3 from = in_half_axes(box, p);
   return glm::dot(from, from) < 1;
 }
 
+// Widens all obstacles by `margin` and lists the free corners around them at which a way can turn, at heights between
+// `floor` and `ceiling`. `rounds` are the boxes of ellipsoids.
 Obstacles::Obstacles(std::span<const Box> boxes, std::span<const Box> rounds, float margin, float floor, float ceiling)
     : margin_(margin) {
   for (const Box& box : boxes) boxes_.push_back({box.low - margin, box.high + margin});
@@ -83,14 +90,17 @@ Obstacles::Obstacles(std::span<const Box> boxes, std::span<const Box> rounds, fl
   }
 }
 
+// Whether a point is inside an obstacle, with its margin.
 bool Obstacles::contains(const glm::vec3& p) const {
   return std::any_of(boxes_.begin(), boxes_.end(), [&](const Box& box) { return inside(box, p); }) ||
          std::any_of(rounds_.begin(), rounds_.end(), [&](const Box& box) { return within_round(box, p); });
 }
 
+// Whether an obstacle meets the segment from a to b.
 bool Obstacles::between(const glm::vec3& a, const glm::vec3& b) const {
-  return std::any_of(boxes_.begin(), boxes_.end(), [&](const Box& box) { return meets(box, a, b); }) ||
-         std::any_of(rounds_.begin(), rounds_.end(), [&](const Box& box) { return meets_round(box, a, b); });
+  return std::any_of(boxes_.begin(), boxes_.end(), [&](const Box& box) { return segment_meets_box(box, a, b); }) ||
+         std::any_of(rounds_.begin(), rounds_.end(),
+                     [&](const Box& box) { return segment_meets_ellipsoid(box, a, b); });
 }
 
 }  // namespace panicle::particles

@@ -18,10 +18,12 @@ constexpr std::int32_t near = 3;
 constexpr float cells_beside = 4;  // length of a way that is tested at once near the edge
 constexpr float rounding = 1e-3f;  // of a cell: an edge this near to a cell is listed in it
 
+// The third component of the cross product: twice the signed area of the triangle.
 float cross(const glm::vec2& a, const glm::vec2& b) { return a.x * b.y - a.y * b.x; }
 
-// Whether two segments cross or touch.
-bool meet(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c, const glm::vec2& d) {
+// Whether the segments ab and cd cross or touch: their boxes overlap, and neither has both ends strictly on one side of
+// the other.
+bool segments_meet(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c, const glm::vec2& d) {
   if (std::max(a.x, b.x) < std::min(c.x, d.x) || std::max(c.x, d.x) < std::min(a.x, b.x)) return false;
   if (std::max(a.y, b.y) < std::min(c.y, d.y) || std::max(c.y, d.y) < std::min(a.y, b.y)) return false;
   const float c_side = cross(b - a, c - a), d_side = cross(b - a, d - a);
@@ -32,6 +34,7 @@ bool meet(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c, const glm:
 
 }  // namespace
 
+// Closes the polygon, sorts its edges into rows for fast queries, and measures it.
 Outline::Outline(std::vector<glm::vec2> points) : points_(std::move(points)) {
   if (points_.empty()) points_.push_back({0, 0});
   points_.push_back(points_[0]);
@@ -62,11 +65,14 @@ Outline::Outline(std::vector<glm::vec2> points) : points_(std::move(points)) {
   find_sides();
 }
 
+// The row, for winding numbers, that the height y is in.
 std::size_t Outline::row_of(float y) const {
   const float at = (y - low_.y) / row_height_;
   return static_cast<std::size_t>(std::clamp(at, 0.0f, static_cast<float>(count() - 1)));
 }
 
+// The winding number of the polygon about a place: edges that cross the line from it towards +x, upwards less
+// downwards. 0 outside the box.
 int Outline::winding(float x, float y) const {
   if (!(x >= low_.x && x <= high_.x && y >= low_.y && y <= high_.y)) return 0;
   int turns = 0;
@@ -81,6 +87,7 @@ int Outline::winding(float x, float y) const {
   return turns;
 }
 
+// Whether a place is inside. NaN is outside.
 bool Outline::contains(const glm::vec3& p) const {
   if (!(p.x >= low_.x && p.x <= high_.x && p.y >= low_.y && p.y <= high_.y)) return false;
   // Where no edge comes near, all of a cell is on one side. (For a place on the border of two cells either cell will
@@ -92,9 +99,9 @@ bool Outline::contains(const glm::vec3& p) const {
   return clearance_[cell] > 0 ? inside_[cell] != 0 : winding(p.x, p.y) != 0;
 }
 
-// Calls `see(cell)` for every cell that a line meets, and for some cells beside it.
+// Calls `visit(cell)` for every cell that the segment from a to b meets, and for some cells beside it.
 template <class See>
-void Outline::cells_between(const glm::vec2& a, const glm::vec2& b, const See& see) const {
+void Outline::cells_between(const glm::vec2& a, const glm::vec2& b, const See& visit) const {
   const glm::vec2 from = a.y <= b.y ? a : b, to = a.y <= b.y ? b : a;
   const float slack = rounding * cell_, rise = to.y - from.y;
   const std::int32_t top = line_of(to.y + slack);
@@ -106,10 +113,11 @@ void Outline::cells_between(const glm::vec2& a, const glm::vec2& b, const See& s
     const float one = from.x + enters * (to.x - from.x), other = from.x + leaves * (to.x - from.x);
     const std::int32_t right = column_of(std::max(one, other) + slack);
     for (std::int32_t x = column_of(std::min(one, other) - slack); x <= right; ++x)
-      see(static_cast<std::size_t>(y * across_ + x));
+      visit(static_cast<std::size_t>(y * across_ + x));
   }
 }
 
+// Lists the edges that meet each cell: counts those of each, then fills in their numbers, in ascending order.
 void Outline::list_edges() {
   first_in_.assign(nearest_.size() + 1, 0);
   for (std::uint32_t edge = 0; edge < count(); ++edge)
@@ -121,6 +129,7 @@ void Outline::list_edges() {
     cells_between(points_[edge], points_[edge + 1], [&](std::size_t cell) { edges_in_[free[cell]++] = edge; });
 }
 
+// Determines whether each cell is inside, for cells that no edge comes near.
 void Outline::find_sides() {
   inside_.assign(nearest_.size(), 0);
   for (std::int32_t y = 0; y < up_; ++y)
@@ -132,7 +141,8 @@ void Outline::find_sides() {
     }
 }
 
-// Steps along the line by the least distance to the edge; edges are tested only near the edge.
+// Whether the segment from a to b stays inside. Walks along it in hops as long as the clearance, and tests edges only
+// where that is less than a cell.
 bool Outline::holds(const glm::vec3& a, const glm::vec3& b) const {
   const float length = glm::distance(a, b), beside = cells_beside * cell_;
   glm::vec3 at = a;
@@ -148,23 +158,27 @@ bool Outline::holds(const glm::vec3& a, const glm::vec3& b) const {
   }
 }
 
+// Whether the segment from a to b crosses or touches an edge.
 bool Outline::crosses(const glm::vec2& a, const glm::vec2& b) const {
   bool crossed = false;
   cells_between(a, b, [&](std::size_t cell) {
     for (std::uint32_t k = first_in_[cell]; k < first_in_[cell + 1] && !crossed; ++k)
-      crossed = meet(a, b, points_[edges_in_[k]], points_[edges_in_[k] + 1]);
+      crossed = segments_meet(a, b, points_[edges_in_[k]], points_[edges_in_[k] + 1]);
   });
   return crossed;
 }
 
+// The column and the line of cells that a coordinate is in, clamped to the grid.
 std::int32_t Outline::column_of(float x) const {
   return static_cast<std::int32_t>(std::clamp((x - low_.x) / cell_, 0.0f, static_cast<float>(across_ - 1)));
 }
 
+// The row of cells at a height.
 std::int32_t Outline::line_of(float y) const {
   return static_cast<std::int32_t>(std::clamp((y - low_.y) / cell_, 0.0f, static_cast<float>(up_ - 1)));
 }
 
+// The distance of a point from the edge of that number.
 float Outline::distance_to_edge(const glm::vec3& p, std::uint32_t edge) const {
   const glm::vec2 from = points_[edge], way = points_[edge + 1] - from, place = glm::vec2(p.x, p.y) - from;
   const float square = glm::dot(way, way);
@@ -172,12 +186,14 @@ float Outline::distance_to_edge(const glm::vec3& p, std::uint32_t edge) const {
   return glm::distance(place, at * way);
 }
 
+// The exact distance of a point from the nearest edge.
 float Outline::distance(const glm::vec3& p) const {
   float least = std::numeric_limits<float>::max();
   for (std::uint32_t i = 0; i < count(); ++i) least = std::min(least, distance_to_edge(p, i));
   return least;
 }
 
+// Whether a point is at least `reach` away from all edges.
 bool Outline::keeps_off(const glm::vec3& p, float reach) const {
   if (clearance(p) >= reach) return true;
   const std::int32_t left = column_of(p.x - reach), right = column_of(p.x + reach), top = line_of(p.y + reach);
@@ -189,7 +205,8 @@ bool Outline::keeps_off(const glm::vec3& p, float reach) const {
   return true;
 }
 
-// Cells on the edge know an edge; the others take over their neighbours' edges, in two sweeps. The edge found is less
+// Builds a grid over the box and finds for each cell an edge near its middle and its distance, as a distance transform:
+// cells on an edge begin with it, the others take over their neighbours' edges in two sweeps. The edge found is less
 // than a cell farther than the nearest.
 void Outline::measure() {
   const glm::vec3 size = high_ - low_;
@@ -238,8 +255,8 @@ void Outline::measure() {
   }
 }
 
-// Computes the certain distance of each cell. Near the edge its accuracy matters: there all edges that may be nearer
-// are tested.
+// Reduces each cell's distance to a clearance that holds for the whole cell. Near the edge, where accuracy matters, all
+// edges that may be nearer are tested.
 void Outline::make_certain() {
   for (std::int32_t y = 0; y < up_; ++y)
     for (std::int32_t x = 0; x < across_; ++x) {
@@ -259,10 +276,12 @@ void Outline::make_certain() {
     }
 }
 
+// The approximate distance from the edge: exact to the edge that is nearest to the cell's middle.
 float Outline::about_distance(const glm::vec3& p) const {
   return distance_to_edge(p, nearest_[static_cast<std::size_t>(line_of(p.y) * across_ + column_of(p.x))]);
 }
 
+// A distance within which there is certainly no edge; 0 outside the grid.
 float Outline::clearance(const glm::vec3& p) const {
   const glm::vec3 at = (p - low_) / cell_;
   if (!(at.x >= 0 && at.y >= 0)) return 0;
@@ -270,6 +289,7 @@ float Outline::clearance(const glm::vec3& p) const {
   return x < across_ && y < up_ ? clearance_[static_cast<std::size_t>(y * across_ + x)] : 0;
 }
 
+// The polygon's area, by the shoelace formula.
 float Outline::area() const {
   float twice = 0;
   for (std::size_t i = 0; i < count(); ++i) twice += cross(points_[i], points_[i + 1]);

@@ -44,7 +44,7 @@ class Outline final : public Region {
   std::int32_t column_of(float x) const;
   std::int32_t line_of(float y) const;
   template <class See>
-  void cells_between(const glm::vec2& a, const glm::vec2& b, const See& see) const;
+  void cells_between(const glm::vec2& a, const glm::vec2& b, const See& visit) const;
   int winding(float x, float y) const;
   std::size_t row_of(float y) const;
 

@@ -7,15 +7,20 @@
 #include <numeric>
 
 namespace panicle::particles {
+
+// The energy of a place is the sum over all particles that pass it; a trail is the way that a particle has gone, from
+// its start to the target.
+
 namespace {
 
 constexpr std::uint32_t at_target = ~0u;
 constexpr float budget_in_ways = 4;          // of the longest way
 constexpr std::uint32_t sampled_ways = 100;  // taken from as many starts, evenly
-constexpr float standing = 1e-6f;            // of a step: shorter strides count as waiting
+constexpr float least_stride = 1e-6f;        // of a step: shorter strides count as waiting
 constexpr std::uint32_t cells_a_particle = 24;
 
-glm::vec3 towards(const glm::vec3& from, const glm::vec3& to) {
+// The unit vector from one point to another; 0 where they coincide.
+glm::vec3 direction_to(const glm::vec3& from, const glm::vec3& to) {
   const glm::vec3 way = to - from;
   const float length = glm::length(way);
   return length > 0 ? way / length : glm::vec3(0);
@@ -23,6 +28,8 @@ glm::vec3 towards(const glm::vec3& from, const glm::vec3& to) {
 
 }  // namespace
 
+// Places a particle with `energy` at each start. Arrays by slot (place, energy …) hold the particles that still move;
+// nodes are the points of all trails, node 0 is the target, the starts follow.
 ParticleSystem::ParticleSystem(std::span<const glm::vec3> starts, double energy, const Guide& guide, const Rules& rules)
     : guide_(&guide),
       rules_(rules),
@@ -56,6 +63,8 @@ ParticleSystem::ParticleSystem(std::span<const glm::vec3> starts, double energy,
   }
 }
 
+// Moves all particles by one step, then merges those that met. Beyond twice the step budget all are led straight to the
+// target. Returns false once none is left.
 bool ParticleSystem::step() {
   if (places_.empty()) return false;
   ++steps_;
@@ -78,7 +87,7 @@ bool ParticleSystem::step() {
   return true;
 }
 
-// Finds each one's nearest neighbour and the stride that follows.
+// Chooses each particle's stride: a step towards its aim, turned towards its nearest neighbour where that way is free.
 void ParticleSystem::choose_strides() {
   const auto count = static_cast<std::uint32_t>(places_.size());
   const bool alone = steps_ > step_budget_ || count < 2;
@@ -87,13 +96,13 @@ void ParticleSystem::choose_strides() {
   strides_.resize(count);
   for (std::uint32_t slot = 0; slot < count; ++slot) {
     const glm::vec3& place = places_[slot];
-    const glm::vec3 aim = aims_.empty() ? guide_->aim(place) : aims_[slot], ahead = towards(place, aim);
+    const glm::vec3 aim = aims_.empty() ? guide_->aim(place) : aims_[slot], ahead = direction_to(place, aim);
     const std::uint32_t other = alone ? Neighbours::none : neighbours_.nearest(slot, reach, *guide_);
     glm::vec3& stride = strides_[slot];
     stride = rules_.step * ahead;
     if (other != Neighbours::none) {
-      const glm::vec3 to_neighbour = towards(place, places_[other]);
-      const glm::vec3 sum = rules_.printed ? towards(glm::vec3(0), to_neighbour + ahead)
+      const glm::vec3 to_neighbour = direction_to(place, places_[other]);
+      const glm::vec3 sum = rules_.printed ? direction_to(glm::vec3(0), to_neighbour + ahead)
                                            : (rules_.pull * to_neighbour + ahead) / (1 + rules_.pull);
       if (guide_->passes(place, place + rules_.step * sum)) {
         stride = rules_.step * sum;
@@ -106,16 +115,19 @@ void ParticleSystem::choose_strides() {
   aims_.clear();
 }
 
+// Moves all particles by their strides; those within a step of the target arrive.
 void ParticleSystem::move() {
   for (std::uint32_t slot = 0; slot < places_.size(); ++slot) {
     const glm::vec3& place = places_[slot];
     if (glm::distance(place, guide_->target()) <= rules_.step && guide_->sees(place, guide_->target()))
       arrive(slot);
-    else if (glm::length(strides_[slot]) > standing * rules_.step)
+    else if (glm::length(strides_[slot]) > least_stride * rules_.step)
       move_to(slot, place + strides_[slot]);
   }
 }
 
+// Merges pairs of particles that are near and see each other, the nearest pairs first; each particle at most once a
+// step.
 void ParticleSystem::merge_pairs() {
   if (places_.size() < 2) return;
   neighbours_.build(places_);
@@ -178,13 +190,14 @@ void ParticleSystem::join() {
   for (std::size_t at = grid_.size(); at < nodes_.size(); ++at) grid_.add(nodes_[at].place);
 }
 
-// Links a particle's last node to the next.
+// Makes the node `to` the next one of the particle's last node, which is left in this step.
 void ParticleSystem::link(std::uint32_t slot, std::int32_t to) {
   Node& node = nodes_[static_cast<std::size_t>(nodes_at_[slot])];
   node.next = to;
   node.born = steps_;
 }
 
+// Moves a particle to a place and adds a node to its trail.
 void ParticleSystem::move_to(std::uint32_t slot, const glm::vec3& to) {
   if (to == places_[slot]) return;
   link(slot, static_cast<std::int32_t>(nodes_.size()));
@@ -193,7 +206,7 @@ void ParticleSystem::move_to(std::uint32_t slot, const glm::vec3& to) {
   places_[slot] = to;
 }
 
-// Moves a particle from aim to aim, as long as that leads nearer.
+// Leads a particle from aim to aim to the target in one step, as long as each aim is nearer to it.
 void ParticleSystem::walk_to_target(std::uint32_t slot) {
   for (float left = guide_->way(places_[slot]);;) {
     const glm::vec3 aim = guide_->aim(places_[slot]);
@@ -205,6 +218,7 @@ void ParticleSystem::walk_to_target(std::uint32_t slot) {
   arrive(slot);
 }
 
+// Ends a particle at the target and adds its energy there.
 void ParticleSystem::arrive(std::uint32_t slot) {
   link(slot, 0);
   arrived_ += energies_[slot];
@@ -212,7 +226,8 @@ void ParticleSystem::arrive(std::uint32_t slot) {
   gone_[slot] = 1;
 }
 
-// The particle that `particle` has merged into (root of a union-find forest).
+// The particle that `particle` has merged into, directly or through others: the root in a union-find forest, with path
+// halving.
 std::uint32_t ParticleSystem::union_root(std::uint32_t particle) {
   while (merged_into_[particle] != particle) {
     merged_into_[particle] = merged_into_[merged_into_[particle]];
@@ -242,6 +257,7 @@ void ParticleSystem::remove_gone() {
   gone_.assign(remaining, 0);
 }
 
+// The trails of all particles as a tree in tree order, with the energy that flows through each place.
 Trails ParticleSystem::trails() const {
   const std::size_t count = nodes_.size();
   std::vector<std::int32_t> leads, number(count), next{-1};

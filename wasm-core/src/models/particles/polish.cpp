@@ -8,6 +8,9 @@
 #include "foundation/easing.hpp"
 
 namespace panicle::particles {
+
+// The energy of a place is the sum over all particles that pass it.
+
 namespace {
 
 constexpr float least_passes = 2.5f, more_passes = 15;
@@ -16,15 +19,16 @@ constexpr double bedded_energy = 0.004;
 // This multiple of the reach applies where a trail goes on along a rib and other trails have drawn it away.
 constexpr float back_from = 2;
 
-// A place to move, the run of places that lead to it, and the number of moves left.
+// A place that is smoothed: its index, the run of places that lead to it, and the number of moves that are left.
 struct Drawn {
   std::uint32_t place, first, count;
   float passes;
 };
 
+// The next point on the way to the target.
 std::size_t next_of(const Trails& trails, std::size_t i) { return static_cast<std::size_t>(trails.next[i]); }
 
-// The places that lead to each place: in the order of the tree they are side by side.
+// For each place the run of places that lead to it: the first index and the count. In tree order they are side by side.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> leading_to(const Trails& trails) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> runs(trails.size(), {0, 0});
   for (std::uint32_t i = 1; i < trails.size(); ++i) {
@@ -35,14 +39,16 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> leading_to(const Trails& tr
   return runs;
 }
 
-float distance_to(const glm::vec3& p, const glm::vec3& from, const glm::vec3& to) {
+// The distance of a point from the segment between `from` and `to`.
+float distance_to_segment(const glm::vec3& p, const glm::vec3& from, const glm::vec3& to) {
   const glm::vec3 way = to - from;
   const float square = glm::dot(way, way);
   const float at = square > 0 ? glm::clamp(glm::dot(p - from, way) / square, 0.0f, 1.0f) : 0;
   return glm::distance(p, from + at * way);
 }
 
-// Whether place i, with a run of places that lead to it, may move there.
+// Whether place i may move to `to`: the point must be free and see the next place and the `run` of places that lead to
+// i.
 bool is_free(const Guide& guide, const Trails& trails, std::uint32_t i,
              const std::pair<std::uint32_t, std::uint32_t>& run, const glm::vec3& to) {
   const std::vector<glm::vec3>& places = trails.places;
@@ -61,6 +67,8 @@ bool is_free(const Guide& guide, const Trails& trails, std::uint32_t i,
 
 }  // namespace
 
+// Smooths trails: moves each place towards the middle between its next place and the mean of those that lead to it.
+// Places with more energy are moved more often; `share` 0 … 1 scales the number of moves.
 void smooth(Trails& trails, const Guide& guide, float share) {
   const auto runs = leading_to(trails);
   std::vector<Drawn> moving;
@@ -90,6 +98,8 @@ void smooth(Trails& trails, const Guide& guide, float share) {
   }
 }
 
+// Moves trails that run within `reach` of a rib (a leaf's main vein) onto it: the more, the more energy they carry. The
+// heaviest trail continues on its line.
 void move_onto_ribs(Trails& trails, const RibGrid& ribs, const Guide& guide, float reach) {
   constexpr std::uint32_t none = ~0u;
   const auto runs = leading_to(trails);
@@ -121,6 +131,8 @@ void move_onto_ribs(Trails& trails, const RibGrid& ribs, const Guide& guide, flo
   }
 }
 
+// Drops places that are closer than `tolerance` to the line between those that remain (Douglas-Peucker). Forks, starts
+// and the target remain; with `arrivals` also the places that lead to the target.
 Trails simplified(const Trails& trails, float tolerance, bool arrivals) {
   const auto runs = leading_to(trails);
   std::vector<std::uint8_t> retained(trails.size(), 0);
@@ -144,7 +156,8 @@ Trails simplified(const Trails& trails, float tolerance, bool arrivals) {
       float farthest = tolerance;
       std::size_t corner = 0;
       for (std::size_t k = first + 1; k < last; ++k) {
-        const float off = distance_to(trails.places[chain[k]], trails.places[chain[first]], trails.places[chain[last]]);
+        const float off =
+            distance_to_segment(trails.places[chain[k]], trails.places[chain[first]], trails.places[chain[last]]);
         if (!(off > farthest)) continue;
         farthest = off;
         corner = k;
@@ -155,45 +168,48 @@ Trails simplified(const Trails& trails, float tolerance, bool arrivals) {
       spans.push_back({corner, last});
     }
   }
-  Trails left;
-  std::vector<std::int32_t> now(trails.size(), -1);
+  Trails result;
+  std::vector<std::int32_t> new_index(trails.size(), -1);
   for (std::size_t i = 0; i < trails.size(); ++i) {
     if (i > 0 && !retained[i]) {
-      now[i] = now[next_of(trails, i)];  // places that led to the removed place lead to its next
+      new_index[i] = new_index[next_of(trails, i)];  // places that led to the removed place lead to its next
       continue;
     }
-    const std::int32_t to = i == 0 ? -1 : now[next_of(trails, i)];
-    now[i] = left.add(trails.places[i], to, trails.energy[i], trails.born[i], trails.particle[i]);
+    const std::int32_t to = i == 0 ? -1 : new_index[next_of(trails, i)];
+    new_index[i] = result.add(trails.places[i], to, trails.energy[i], trails.born[i], trails.particle[i]);
   }
-  return left;
+  return result;
 }
 
+// Divides long pieces of trails with energies from `least` to below `most` into equal parts no longer than `longest`.
+// `stride` is the way in a step.
 Trails divided(const Trails& trails, float longest, double least, double most, float stride) {
-  Trails made;
-  made.reserve(2 * trails.size());
-  std::vector<std::int32_t> now(trails.size(), -1);
+  Trails result;
+  result.reserve(2 * trails.size());
+  std::vector<std::int32_t> new_index(trails.size(), -1);
   for (std::size_t i = 0; i < trails.size(); ++i) {
     std::int32_t to = -1;
     if (i > 0) {
       const std::size_t next = next_of(trails, i);
-      to = now[next];
+      to = new_index[next];
       const glm::vec3 way = trails.places[next] - trails.places[i];
       const float length = glm::length(way);
       const bool whole = next == 0 || trails.energy[i] < least || !(trails.energy[i] < most);
       const std::uint32_t pieces = whole ? 1 : 1 + static_cast<std::uint32_t>(length / longest);
-      const auto left = static_cast<float>(trails.born[i]);
-      const float there = arrival(trails, i, stride);
+      const auto left_at = static_cast<float>(trails.born[i]);
+      const float arrives_at = arrival(trails, i, stride);
       for (std::uint32_t k = 1; k < pieces; ++k) {
         const float share = 1 - static_cast<float>(k) / static_cast<float>(pieces);
-        to = made.add(trails.places[i] + share * way, to, trails.energy[i],
-                      static_cast<std::uint32_t>(left + share * (there - left)), -1);
+        to = result.add(trails.places[i] + share * way, to, trails.energy[i],
+                        static_cast<std::uint32_t>(left_at + share * (arrives_at - left_at)), -1);
       }
     }
-    now[i] = made.add(trails.places[i], to, trails.energy[i], trails.born[i], trails.particle[i]);
+    new_index[i] = result.add(trails.places[i], to, trails.energy[i], trails.born[i], trails.particle[i]);
   }
-  return made;
+  return result;
 }
 
+// Moves places back to where they were `before` until each place is free and sees its next one again.
 void take_back_hidden(Trails& trails, const std::vector<glm::vec3>& before, const Guide& guide) {
   std::vector<glm::vec3>& places = trails.places;
   for (bool hidden = !guide.sees_all(); hidden;) {

@@ -1,27 +1,21 @@
 #include "models/particles/refusals.hpp"
 
-#include <cstdint>
-#include <string>
+#include "models/particles/messages.generated.hpp"
 
 namespace panicle::particles {
 
+// The error for more segments or leaves than allowed; none within the limits.
 Diagnostic too_many_parts(const Limits& limits, std::size_t segments, std::size_t leaves) {
-  const auto refused = [](std::size_t count, const char* what, std::uint32_t limit, const char* fewer) {
-    return Diagnostic{Reason::limit,
-                      "The plant would have " + std::to_string(count) + " " + what + ", more than " +
-                          std::to_string(limit) + "; ask for fewer " + fewer + ".",
-                      0, 0};
-  };
-  if (segments > limits.pieces) return refused(segments, "pieces of trail", limits.pieces, "particles");
-  if (leaves > limits.copies) return refused(leaves, "leaves", limits.copies, "particles or leaves a tip");
+  if (segments > limits.pieces)
+    return {Reason::limit, message(messages::particles::too_many_pieces, segments, limits.pieces)};
+  if (leaves > limits.copies)
+    return {Reason::limit, message(messages::particles::too_many_leaves, leaves, limits.copies)};
   return {};
 }
 
+// The error for particles that have not arrived after the greatest number of steps.
 Diagnostic still_running(const Limits& limits) {
-  return {Reason::limit,
-          "After " + std::to_string(limits.moves) +
-              " moves particles are still on their way; ask for fewer particles, a longer step, or a wider merge.",
-          0, 0};
+  return {Reason::limit, message(messages::particles::still_moving, limits.moves)};
 }
 
 }  // namespace panicle::particles

@@ -16,6 +16,8 @@ constexpr float rounding = 1e-5f;
 
 }  // namespace
 
+// Numbers the lines of ribs (unbranched runs, also across forks) and prepares empty grids over the box from `low` to
+// `high`, each with cells half as wide as the one before.
 RibGrid::RibGrid(const Ribs& ribs, const glm::vec3& low, const glm::vec3& high)
     : ribs_(&ribs), low_(low), cell_((high - low) / static_cast<float>(along)) {
   cell_.x = std::max(cell_.x, std::numeric_limits<float>::min());
@@ -35,7 +37,8 @@ RibGrid::RibGrid(const Ribs& ribs, const glm::vec3& low, const glm::vec3& high)
     grids_.emplace_back(static_cast<std::size_t>((widest << level) * (widest << level)));
 }
 
-// Of `from`, the pieces that are nearest to some place within `radius` of the middle.
+// Selects the pieces of `from` that can be nearest to some point within `radius` of the middle: those no farther than
+// the nearest one by twice the radius.
 RibGrid::Pieces RibGrid::selected(const Pieces& from, const glm::vec3& middle, float radius) const {
   std::vector<float> distances;
   distances.reserve(from.size());
@@ -51,6 +54,8 @@ RibGrid::Pieces RibGrid::selected(const Pieces& from, const glm::vec3& middle, f
   return near;
 }
 
+// The pieces that can be nearest to a point of a cell; selected from those of the coarser cell around it when first
+// needed.
 const RibGrid::Pieces& RibGrid::pieces_about(std::int32_t x, std::int32_t y, std::int32_t level) const {
   Pieces& pieces = grids_[static_cast<std::size_t>(level)][static_cast<std::size_t>(y * (widest << level) + x)];
   if (!pieces.empty() || every_.empty()) return pieces;
@@ -60,12 +65,14 @@ const RibGrid::Pieces& RibGrid::pieces_about(std::int32_t x, std::int32_t y, std
   return pieces;
 }
 
+// The point of the ribs that is nearest to p.
 Ribs::Foot RibGrid::nearest(const glm::vec3& p) const {
   const float x = (p.x - low_.x) / cell_.x, y = (p.y - low_.y) / cell_.y;
   if (!(x >= 0 && y >= 0 && x < static_cast<float>(along) && y < static_cast<float>(along))) return ribs_->nearest(p);
   return ribs_->nearest(p, pieces_about(static_cast<std::int32_t>(x), static_cast<std::int32_t>(y), divisions));
 }
 
+// The point of one line of ribs that is nearest to p.
 Ribs::Foot RibGrid::nearest_on(std::uint32_t line, const glm::vec3& p) const {
   Ribs::Foot best{0, 0, p, std::numeric_limits<float>::max()};
   for (const std::uint32_t i : lines_[line])

@@ -51,6 +51,7 @@ struct Ribs {
  private:
   template <class Piece>
   Foot nearest_of(std::size_t count, const Piece& piece, const glm::vec3& p) const;
+  // The share, 0 … 1, of the vector `way` at which it is nearest to `p`.
   static float share_along(const glm::vec3& way, const glm::vec3& p) {
     const float square = glm::dot(way, way);
     return square > 0 ? glm::clamp(glm::dot(p, way) / square, 0.0f, 1.0f) : 0;

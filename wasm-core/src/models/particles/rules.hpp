@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "models/particles/messages.generated.hpp"
+
 namespace panicle::particles {
 
 struct Rules {
@@ -18,7 +20,8 @@ struct Rules {
   float join = 0;  // closer than this to an older trail ahead, a particle ends in it; 0: trails may cross
 };
 
-// Half the distance by which two particles that aim at each other approach in a step.
+// Half the distance by which two particles that aim at each other approach in a step: a whole step in the paper's
+// printed rule, else the step times the share of the neighbour's pull.
 inline float approach(const Rules& rules) {
   return rules.printed ? rules.step : rules.step * rules.pull / (1 + rules.pull);
 }
@@ -30,8 +33,7 @@ inline float least_merge(const Rules& rules) { return 2 * approach(rules); }
 inline void note_on(const Rules& rules, std::vector<std::string>& notes) {
   const float least = least_merge(rules);
   if (rules.merge < least)
-    notes.push_back("The merge radius was raised to " + std::to_string(static_cast<int>(100 * least + 0.5f)) +
-                    " % of a spacing: within less, two particles could jump past each other for ever.");
+    notes.push_back(message(messages::particles::merge_radius_raised, static_cast<int>(100 * least + 0.5f)));
 }
 
 }  // namespace panicle::particles

@@ -22,11 +22,11 @@ constexpr float apart_flat = 0.79f, apart_deep = 0.86f;
 constexpr std::uint64_t blue_rounds = 6, edge_rounds = 2;
 // More than a hundred for each of the largest number of points: where a region fills hardly any of its box, there are
 // fewer points instead.
-constexpr std::uint64_t most_cells = 12'000'000;
+constexpr std::uint64_t max_cells = 12'000'000;
 // Of a jittered lattice, whose cells hold one point each and are not stored.
-constexpr std::uint64_t most_jittered = 100'000'000;
+constexpr std::uint64_t max_jittered = 100'000'000;
 // Number of tries for each uniform point.
-constexpr std::uint64_t most_darts = 1000;
+constexpr std::uint64_t max_darts = 1000;
 // The number of spacings tried until the requested number of points fits in, or few more.
 constexpr int tries = 8;
 constexpr float few_more = 0.04f;
@@ -36,6 +36,7 @@ constexpr std::uint32_t sample = 400;
 // The cells of a lattice about the origin that a region's box meets, and two more on every side.
 class Lattice {
  public:
+  // `edge` is the width of a cell.
   Lattice(const Region& region, float edge) : edge_(edge), flat_(region.flat()) {
     const glm::vec3 low = region.low(), high = region.high();
     for (int k = 0; k < 3; ++k) {
@@ -45,10 +46,12 @@ class Lattice {
     }
   }
 
+  // The number of cells.
   std::uint64_t cells() const {
     return static_cast<std::uint64_t>(count_[0]) * static_cast<std::uint64_t>(count_[1]) *
            static_cast<std::uint64_t>(count_[2]);
   }
+  // The lattice coordinates of a cell from its index.
   glm::ivec3 cell(std::uint64_t index) const {
     // Below 2^32: 32-bit division takes a third of the time.
     const auto at = static_cast<std::uint32_t>(index), x = static_cast<std::uint32_t>(count_[0]), row = at / x,
@@ -62,8 +65,8 @@ class Lattice {
       if (at[k] < margin || at[k] >= count_[k] - margin) return false;
     return true;
   }
-  // Offsets from a cell's index to the first of each row of five cells about it, the nearest rows first: with them all
-  // cells that come nearer to it than a cell's diagonal.
+  // Offsets from a cell's index to the first of each row of five cells about it, the nearest rows first. Together these
+  // rows contain every cell that is nearer than a cell's diagonal.
   std::vector<std::int64_t> rows() const {
     std::vector<std::int64_t> found;
     for (std::int32_t shell = 0; shell <= 2 * margin * margin; ++shell)
@@ -73,8 +76,9 @@ class Lattice {
             found.push_back((static_cast<std::int64_t>(z) * count_[1] + y) * count_[0] - margin);
     return found;
   }
+  // The cell of a point.
   glm::ivec3 cell_of(const glm::vec3& p) const { return {whole(p.x), whole(p.y), flat_ ? 0 : whole(p.z)}; }
-  // A random point of a cell: within `share` of its width about its middle.
+  // A random point of a cell: within `share` of its width about its middle. Each `round` gives another point.
   glm::vec3 point(const glm::ivec3& cell, float share, std::uint64_t seed, std::uint64_t round) const {
     const std::uint64_t bits = random_bits(seed, stream_place, address_of(cell, round));
     const auto along = [&](int k) {
@@ -83,9 +87,9 @@ class Lattice {
     };
     return {along(0), along(1), flat_ ? 0 : along(2)};
   }
-  // How a cell lies in the region; points of it may be off by rounding.
+  // Whether all, some or none of a cell is inside the region, but for rounding.
   Share share_of(const glm::ivec3& cell, const Region& region) const { return share_of(cell, 1, region); }
-  // The same for so many cells in a row.
+  // The same for `count` cells in a row.
   Share share_of(const glm::ivec3& cell, std::int32_t count, const Region& region) const {
     const glm::vec3 low = (glm::vec3(cell) - 1e-3f) * edge_, size = glm::vec3(count, 1, 1) + 2e-3f;
     return flat_ ? Share::some : region.share_of(low, low + size * edge_);
@@ -101,6 +105,7 @@ class Lattice {
     if (flat_) farthest.z = 0;
     return glm::dot(farthest, farthest) * edge_ * edge_ < reach * reach;
   }
+  // The address of a cell's random values.
   static std::uint64_t address_of(const glm::ivec3& cell, std::uint64_t round) {
     const auto word = [](std::int32_t value) { return static_cast<std::uint64_t>(static_cast<std::uint32_t>(value)); };
     return hash_combine(hash_combine(word(cell[0]) << 32 | word(cell[1]), word(cell[2])), round);
@@ -109,6 +114,7 @@ class Lattice {
  private:
   static constexpr std::int32_t margin = 2;
 
+  // The lattice coordinate of the cell that a coordinate is in.
   std::int32_t whole(float v) const { return static_cast<std::int32_t>(std::floor(v / edge_)); }
 
   float edge_;
@@ -116,13 +122,16 @@ class Lattice {
   glm::ivec3 first_{0}, count_{1};
 };
 
-float root(float size, bool flat) { return flat ? std::sqrt(size) : cube_root(size); }
+// The edge of a square (flat) or cube of that area or volume.
+float edge_of(float size, bool flat) { return flat ? std::sqrt(size) : cube_root(size); }
 
+// Draws independent points in the region's box and keeps those inside, by the density; fewer than `count` where the
+// region fills hardly any of its box.
 std::vector<glm::vec3> uniform(const Region& region, std::uint32_t count, std::uint64_t seed) {
   std::vector<glm::vec3> points;
   points.reserve(count);
   const glm::vec3 low = region.low(), size = region.high() - low;
-  for (std::uint64_t dart = 0; points.size() < count && dart < most_darts * count && !region.is_exhausted(); ++dart) {
+  for (std::uint64_t dart = 0; points.size() < count && dart < max_darts * count && !region.is_exhausted(); ++dart) {
     const glm::vec3 p = low + size * glm::vec3(random_unit(seed, stream_x, dart), random_unit(seed, stream_y, dart),
                                                random_unit(seed, stream_z, dart));
     if (region.contains(p) && random_unit(seed, stream_keep, dart) < region.density(p)) points.push_back(p);
@@ -130,15 +139,16 @@ std::vector<glm::vec3> uniform(const Region& region, std::uint32_t count, std::u
   return points;
 }
 
-// Points, and the random value of each over its density: below 1; the lowest values stay where there are too many.
+// Points with ranks. A rank is a point's random value over the density there, below 1: where there are too many points,
+// those with the lowest ranks stay.
 struct RankedPoints {
   std::vector<glm::vec3> points;
   std::vector<float> ranks;
   bool coarse = false;  // whether the lattice would have had too many cells
 
-  // `known`: known to be inside. The cheap test goes first: random value and density reject most places of a dark
-  // crown.
-  void draw(const Region& region, const glm::vec3& p, bool known, const glm::ivec3& cell, std::uint64_t seed) {
+  // Adds the point p of a cell if it is inside and its random value is below the density. `known`: it is known to be
+  // inside. The cheap test goes first: random value and density reject most places of a dark crown.
+  void add_if_drawn(const Region& region, const glm::vec3& p, bool known, const glm::ivec3& cell, std::uint64_t seed) {
     if (!known && !region.has_room(p)) return;
     const float noise = random_unit(seed, stream_keep, Lattice::address_of(cell, 0)), density = region.density(p);
     if (!(noise < density) || !(known || region.contains(p))) return;
@@ -147,9 +157,10 @@ struct RankedPoints {
   }
 };
 
+// Draws a point in each cell of a lattice over a region; widens the spacing until there are not too many cells.
 RankedPoints jittered(const Region& region, float spacing, std::uint64_t seed) {
   RankedPoints ranked;
-  while (Lattice(region, spacing).cells() > most_jittered) {
+  while (Lattice(region, spacing).cells() > max_jittered) {
     spacing *= 1.1f;
     ranked.coarse = true;
   }
@@ -161,7 +172,7 @@ RankedPoints jittered(const Region& region, float spacing, std::uint64_t seed) {
     if (lattice.share_of(cell, length, region) == Share::none) continue;
     for (std::int32_t k = 0; k < length; ++k) {
       const glm::ivec3 at = cell + glm::ivec3(k, 0, 0);
-      ranked.draw(region, lattice.point(at, jitter, seed, 0), false, at, seed);
+      ranked.add_if_drawn(region, lattice.point(at, jitter, seed, 0), false, at, seed);
     }
   }
   return ranked;
@@ -174,7 +185,7 @@ RankedPoints blue(const Region& region, float apart, std::uint64_t seed) {
   RankedPoints ranked;
   const bool flat = region.flat();
   const float diagonal = std::sqrt(flat ? 2.0f : 3.0f);
-  while (Lattice(region, apart / diagonal).cells() > most_cells) {
+  while (Lattice(region, apart / diagonal).cells() > max_cells) {
     apart *= 1.1f;
     ranked.coarse = true;
   }
@@ -182,6 +193,8 @@ RankedPoints blue(const Region& region, float apart, std::uint64_t seed) {
   std::vector<std::uint8_t> taken(lattice.cells() + 3, 0);  // five of a row are read as eight
   std::vector<glm::vec3> points, by_cell(lattice.cells());
   const std::vector<std::int64_t> rows = lattice.rows();
+  // The point near a cell that is closer than `apart` to p, or null. Reads eight bytes of `taken`, of which five are
+  // the row's.
   const auto in_the_way = [&](std::uint64_t cell, const glm::vec3& p) -> const glm::vec3* {
     for (const std::int64_t offset : rows) {
       const auto first = static_cast<std::size_t>(static_cast<std::int64_t>(cell) + offset);
@@ -221,16 +234,17 @@ RankedPoints blue(const Region& region, float apart, std::uint64_t seed) {
     }
     std::swap(open, still_open);
   }
-  for (const glm::vec3& p : points) ranked.draw(region, p, true, lattice.cell_of(p), seed);
+  for (const glm::vec3& p : points) ranked.add_if_drawn(region, p, true, lattice.cell_of(p), seed);
   return ranked;
 }
 
+// Scatters points at a given spacing, in a jittered lattice or as blue noise.
 RankedPoints scatter_at(const Region& region, Pattern pattern, float spacing, std::uint64_t seed) {
   if (pattern == Pattern::jittered) return jittered(region, spacing, seed);
   return blue(region, spacing * (region.flat() ? apart_flat : apart_deep), seed);
 }
 
-// The points of a rank below the limit.
+// The points with ranks below the limit.
 std::vector<glm::vec3> below(const RankedPoints& ranked, float limit) {
   std::vector<glm::vec3> points;
   for (std::size_t i = 0; i < ranked.points.size(); ++i)
@@ -238,7 +252,7 @@ std::vector<glm::vec3> below(const RankedPoints& ranked, float limit) {
   return points;
 }
 
-// The rank below which there are `count` points.
+// The rank below which there are `count` points; 1 where there are no more than that.
 float limit_of(const RankedPoints& ranked, std::uint32_t count) {
   if (ranked.ranks.size() <= count) return 1;
   std::vector<float> ranks = ranked.ranks;
@@ -248,15 +262,17 @@ float limit_of(const RankedPoints& ranked, std::uint32_t count) {
 
 // The spacing of `count` points in the filled area or volume.
 float spacing_in(float filled, std::uint32_t count, bool flat) {
-  return count > 0 ? root(filled / static_cast<float>(count), flat) : 0;
+  return count > 0 ? edge_of(filled / static_cast<float>(count), flat) : 0;
 }
 
 }  // namespace
 
+// The spacing at which `count` points fill the region.
 float spacing_of(const Region& region, std::uint32_t count) {
   return spacing_in(extent_of(region).filled, count, region.flat());
 }
 
+// Scatters about `count` points in a pattern: uniform ones by their count, the others by their spacing.
 std::vector<glm::vec3> scatter(const Region& region, Pattern pattern, std::uint32_t count, float spacing,
                                std::uint64_t seed) {
   if (!(spacing > 0)) return {};
@@ -264,6 +280,8 @@ std::vector<glm::vec3> scatter(const Region& region, Pattern pattern, std::uint3
   return scatter_at(region, pattern, spacing, seed).points;
 }
 
+// Scatters exactly `count` points where the pattern allows: tries spacings until enough points fit, then drops those
+// with the highest ranks. A `growth` below 1, the size of a young plant, widens the spacing and so reduces the count.
 Scattered scatter_all(const Region& region, Pattern pattern, std::uint32_t count, std::uint64_t seed, float growth) {
   const bool flat = region.flat();
   const Extent extent = extent_of(region);
@@ -279,9 +297,9 @@ Scattered scatter_all(const Region& region, Pattern pattern, std::uint32_t count
   // Points near the edge have less room of their own, and more than the spacing predicts fit in: the more, the fewer
   // they are.
   if (count > sample) {
-    const float wider = root(wanted / sample, flat);
+    const float wider = edge_of(wanted / sample, flat);
     const auto found = static_cast<float>(scatter_at(region, pattern, wider * nominal, seed).points.size());
-    spacing *= root((1 + (found / sample - 1) / wider) / (1 + 0.5f * few_more), flat);
+    spacing *= edge_of((1 + (found / sample - 1) / wider) / (1 + 0.5f * few_more), flat);
   }
   RankedPoints best;
   float of_best = spacing;
@@ -294,7 +312,7 @@ Scattered scatter_all(const Region& region, Pattern pattern, std::uint32_t count
       of_best = spacing;
     }
     if (coarse || (found >= count && static_cast<float>(found) <= (1 + few_more) * wanted)) break;
-    spacing *= root(std::max(static_cast<float>(found), 0.5f) / ((1 + 0.5f * few_more) * wanted), flat);
+    spacing *= edge_of(std::max(static_cast<float>(found), 0.5f) / ((1 + 0.5f * few_more) * wanted), flat);
   }
   const float limit = limit_of(best, count);
   if (growth < 1) best = scatter_at(region, pattern, of_best / growth, seed);

@@ -2,50 +2,42 @@
 
 #include <cmath>
 #include <glm/common.hpp>
-#include <string>
+
+#include "foundation/vectors.hpp"
+#include "models/particles/messages.generated.hpp"
 
 namespace panicle::particles {
 namespace {
 
-constexpr float farthest = 1e4f;
-
-Diagnostic refused(std::string why) { return {Reason::bad_input, std::move(why), 0, 0}; }
-
-// Whether a block holds whole rows of finite numbers of a sound size; if not, sets `trouble`.
-bool sound(std::span<const float> values, std::size_t width, const char* name, Diagnostic& trouble) {
+// Whether a block has whole rows of `width` finite numbers of a reasonable size; if not, sets `error`. `block` is its
+// name in the messages.
+bool sound(std::span<const float> values, std::size_t width, const char* block, Diagnostic& error) {
   if (values.size() % width != 0) {
-    trouble = refused(std::string(name) + " must have " + std::to_string(width) + " numbers each.");
+    error = bad_input(message(messages::particles::row_width, block, width));
     return false;
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (std::fabs(values[i]) <= farthest) continue;
-    trouble = refused(std::string(name) + ": number " + std::to_string(i % width + 1) + " of row " +
-                      std::to_string(i / width + 1) + " is not finite or beyond 10 km.");
+    if (is_coordinate(values[i])) continue;
+    error = bad_input(message(messages::particles::number_out_of_range, block, i / width + 1, i % width + 1));
     return false;
   }
   return true;
 }
 
-// Whether all corners are some of the points; if not, sets `trouble`. `owner`: the owner of the points, "the mesh".
-bool sound_corners(std::span<const std::uint32_t> triangles, std::size_t points, const std::string& owner,
-                   Diagnostic& trouble) {
-  if (triangles.size() % 3 != 0) trouble = refused("Triangles of " + owner + " must have 3 corners each.");
+// Whether all corners are indices of the `points`; if not, sets `error`. `boundary`, "outer" or "inner", names the mesh
+// in the messages.
+bool sound_corners(std::span<const std::uint32_t> triangles, std::size_t points, const char* boundary,
+                   Diagnostic& error) {
+  if (triangles.size() % 3 != 0) error = bad_input(message(messages::particles::triangle_corners, boundary));
   for (const std::uint32_t corner : triangles)
-    if (trouble.reason == Reason::none && corner >= points)
-      trouble = refused("A triangle of " + owner + " has the corner " + std::to_string(corner) +
-                        ", but there are only " + std::to_string(points) + " points.");
-  return trouble.reason == Reason::none;
+    if (error.reason == Reason::none && corner >= points)
+      error = bad_input(message(messages::particles::triangle_without_point, boundary, corner, points));
+  return error.reason == Reason::none;
 }
 
-std::vector<glm::vec3> triples(std::span<const float> values) {
-  std::vector<glm::vec3> points;
-  for (std::size_t i = 0; i + 2 < values.size(); i += 3) points.emplace_back(values[i], values[i + 1], values[i + 2]);
-  return points;
-}
-
-// Boxes from two opposite corners each.
+// Boxes from the coordinates of two opposite corners each.
 std::vector<Box> boxes_of(std::span<const float> values) {
-  const std::vector<glm::vec3> corners = triples(values);
+  const std::vector<glm::vec3> corners = vectors_of(values);
   std::vector<Box> boxes;
   for (std::size_t i = 0; i + 1 < corners.size(); i += 2)
     boxes.push_back({glm::min(corners[i], corners[i + 1]), glm::max(corners[i], corners[i + 1])});
@@ -54,45 +46,40 @@ std::vector<Box> boxes_of(std::span<const float> values) {
 
 }  // namespace
 
+// Reads a request's boundary meshes, targets and obstacles. Returns an error for wrong sizes, and for more of them than
+// the limits allow.
 Result<SpaceRequest> read_space(Request& request, const Limits& limits) {
-  SpaceRequest read;
-  request.text("model");
-  read.seed = request.word("seed", 1);
-  read.meshes = request.wants("meshes");
-  read.measures = request.wants("measures");
-  read.sky = request.wants("sky");
+  SpaceRequest read(read_common(request));
   read.light = request.wants("light");
-  read.mesh_fingerprint = request.wants("mesh_fingerprint");
-  read.parameters = request.floats("parameters");
   const auto profile = request.floats("profile"), points = request.floats("volume.points");
   const auto triangles = request.words("volume.triangles");
   const auto hollow_points = request.floats("hollow.points");
   const auto hollow_triangles = request.words("hollow.triangles");
   const auto targets = request.floats("targets"), obstacles = request.floats("obstacles"),
              rounds = request.floats("obstacles.round");
-  if (Diagnostic trouble = request.trouble(); trouble.reason != Reason::none) return trouble;
+  if (Diagnostic error = request.trouble(); error.reason != Reason::none) return error;
 
-  Diagnostic trouble;
-  if (!sound(profile, 2, "Points of the profile", trouble) || !sound(points, 3, "Points of the mesh", trouble) ||
-      !sound(hollow_points, 3, "Points of the inner boundary's mesh", trouble) ||
-      !sound(targets, 3, "Targets", trouble) || !sound(obstacles, 6, "Obstacles", trouble) ||
-      !sound(rounds, 6, "Round obstacles", trouble))
-    return trouble;
+  // Checks sizes and limits before anything is copied.
+  Diagnostic error;
+  if (!sound(profile, 2, "profile", error) || !sound(points, 3, "mesh", error) ||
+      !sound(hollow_points, 3, "inner", error) || !sound(targets, 3, "targets", error) ||
+      !sound(obstacles, 6, "obstacles", error) || !sound(rounds, 6, "rounds", error))
+    return error;
   if (const auto refusal = too_many_triangles((triangles.size() + hollow_triangles.size()) / 3, limits))
     return *refusal;
-  if (!sound_corners(triangles, points.size() / 3, "the mesh", trouble) ||
-      !sound_corners(hollow_triangles, hollow_points.size() / 3, "the inner boundary's mesh", trouble))
-    return trouble;
-  if (targets.size() / 3 > SpaceRequest::most_targets)
-    return refused("There may be no more than " + std::to_string(SpaceRequest::most_targets) + " targets.");
+  if (!sound_corners(triangles, points.size() / 3, "outer", error) ||
+      !sound_corners(hollow_triangles, hollow_points.size() / 3, "inner", error))
+    return error;
+  if (targets.size() / 3 > SpaceRequest::max_targets)
+    return bad_input(message(messages::particles::too_many_targets, SpaceRequest::max_targets));
   if ((obstacles.size() + rounds.size()) / 6 > Obstacles::most)
-    return refused("There may be no more than " + std::to_string(Obstacles::most) + " obstacles.");
+    return bad_input(message(messages::particles::too_many_obstacles, Obstacles::most));
 
   for (std::size_t i = 0; i + 1 < profile.size(); i += 2)
     read.profile.emplace_back(std::fmax(profile[i], 0.0f), profile[i + 1]);
-  read.volume = {triples(points), {triangles.begin(), triangles.end()}};
-  read.hollow = {triples(hollow_points), {hollow_triangles.begin(), hollow_triangles.end()}};
-  read.targets = triples(targets);
+  read.volume = {vectors_of(points), {triangles.begin(), triangles.end()}};
+  read.hollow = {vectors_of(hollow_points), {hollow_triangles.begin(), hollow_triangles.end()}};
+  read.targets = vectors_of(targets);
   read.obstacles = boxes_of(obstacles);
   read.rounds = boxes_of(rounds);
   return read;

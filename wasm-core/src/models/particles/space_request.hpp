@@ -1,14 +1,12 @@
 // The shared part of requests of a tree and of a root: outputs, and inputs besides the parameters.
 #pragma once
 
-#include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-#include <span>
 #include <vector>
 
 #include "models/particles/obstacles.hpp"
-#include "protocol/request.hpp"
+#include "protocol/common_request.hpp"
 #include "spatial/solid.hpp"
 
 namespace panicle::particles {
@@ -18,12 +16,12 @@ namespace panicle::particles {
 // triples in metres), `hollow.points` and `hollow.triangles` likewise of a mesh that is the inner boundary, `obstacles`
 // and `obstacles.round` (float32, six each in metres: the low and the high corner of a box, and of one that an
 // ellipsoid fills: another tree's crown, which shades as one); and the blocks of every request.
-struct SpaceRequest {
-  static constexpr std::size_t most_targets = 256;
+struct SpaceRequest : CommonRequest {
+  static constexpr std::size_t max_targets = 256;
 
-  std::uint64_t seed = 1;
-  bool meshes = false, measures = false, sky = false, light = false, mesh_fingerprint = false;
-  std::span<const float> parameters;
+  explicit SpaceRequest(const CommonRequest& common) : CommonRequest(common) {}
+
+  bool light = false;
   std::vector<glm::vec2> profile;
   Surface volume, hollow;
   std::vector<glm::vec3> targets;

@@ -12,8 +12,8 @@ namespace panicle::particles {
 class TrailGrid {
  public:
   TrailGrid() = default;
-  // `reach`: radius of a search; cells are wider where there would be more than `most_cells`.
-  TrailGrid(const glm::vec3& low, const glm::vec3& high, float reach, std::uint32_t most_cells);
+  // `reach`: radius of a search; cells are wider where there would be more than `max_cells`.
+  TrailGrid(const glm::vec3& low, const glm::vec3& high, float reach, std::uint32_t max_cells);
 
   void add(const glm::vec3& place);  // the next place; they are numbered from 0
   std::size_t size() const { return before_.size(); }
@@ -33,6 +33,7 @@ class TrailGrid {
     std::int32_t x, y, z;
   };
   Cell cell_of(const glm::vec3& p) const;
+  // The index of a cell in the list of all, x fastest.
   std::size_t index(const Cell& cell) const {
     return static_cast<std::size_t>((cell.z * count_.y + cell.y) * count_.x + cell.x);
   }

@@ -6,8 +6,12 @@
 #include <utility>
 
 #include "foundation/mathematics.hpp"
+#include "models/particles/messages.generated.hpp"
 
 namespace panicle::particles {
+
+// A trail is the way that a particle has gone, from its start to the target.
+
 namespace {
 
 // The greatest energy that flows into each place.
@@ -23,6 +27,7 @@ std::vector<double> heaviest_inflow(const Trails& trails) {
 
 }  // namespace
 
+// The radius of a trail through which `energy` of the energy of `all` particles flows, by the law of the girth.
 float radius_of(const Girth& girth, double energy, double all) {
   const float share = all > 0 ? static_cast<float>(energy / all) : 0;
   const float part = girth.law == WidthLaw::linear        ? share
@@ -31,6 +36,8 @@ float radius_of(const Girth& girth, double energy, double all) {
   return std::max(girth.thickest * part, girth.thinnest);
 }
 
+// Adds the trails of each target as segments with the given tag, and all counts and columns on them. `frame` maps the
+// trails' places into the plant. Returns the segment of each place, by target; −1 for places that lead nowhere.
 std::vector<std::vector<std::int32_t>> add_trails(Plant& plant, std::span<const Trails> crowds,
                                                   std::span<const double> all, const Girth& girth, const Frame& frame,
                                                   const RunTotals& tally, std::uint32_t tag) {
@@ -41,6 +48,7 @@ std::vector<std::vector<std::int32_t>> add_trails(Plant& plant, std::span<const 
     const Trails& trails = crowds[c];
     const std::vector<double> inflow = heaviest_inflow(trails);
     std::vector<std::int32_t>& number = numbers.emplace_back(trails.size(), -1);
+    // A segment for each place that leads on, from there to the next, which has its number already.
     for (std::size_t i = 0; i < trails.size(); ++i) {
       if (trails.next[i] < 0) continue;
       const auto next = static_cast<std::size_t>(trails.next[i]);
@@ -62,9 +70,7 @@ std::vector<std::vector<std::int32_t>> add_trails(Plant& plant, std::span<const 
   plant.counts.push_back({"steps", tally.steps});
   plant.counts.push_back({"segments", static_cast<std::uint32_t>(plant.segments.size())});
   plant.counts.push_back({"targets", static_cast<std::uint32_t>(target_energy.size())});
-  if (tally.stragglers > 0)
-    plant.notes.push_back(std::to_string(tally.stragglers) +
-                          " particles did not come to their target by themselves and were led there.");
+  if (tally.stragglers > 0) plant.notes.push_back(message(messages::particles::particles_led, tally.stragglers));
   plant.columns.add("segments.energy", std::move(energy));
   plant.columns.add("segments.born", std::move(born));
   plant.columns.add("targets.places", std::move(target_places), 3);

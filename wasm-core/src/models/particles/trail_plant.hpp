@@ -30,6 +30,7 @@ float radius_of(const Girth& girth, double energy, double all);
 struct Frame {
   glm::vec3 origin{0};
   float scale = 1;
+  // The place in the plant of a point of the trails.
   glm::vec3 operator()(const glm::vec3& p) const { return origin + p * scale; }
 };
 

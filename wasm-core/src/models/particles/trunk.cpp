@@ -15,6 +15,8 @@ constexpr float longest_bend = 0.9f;
 
 }  // namespace
 
+// Prepares the guide of particles to a trunk's axis and down it. `outer` may be null: no boundary; `obstacles` may be
+// null: none.
 Trunk::Trunk(const Axis& axis, const TrunkHabit& habit, const Region* outer, const Obstacles* obstacles)
     : Guide(axis.foot()),
       axis_(axis),
@@ -26,6 +28,8 @@ Trunk::Trunk(const Axis& axis, const TrunkHabit& habit, const Region* outer, con
   if (obstacles_) survey();
 }
 
+// The point of the axis that a particle at p heads for: farther on along the axis by the slant times its distance, at
+// least by `ahead`, but before the bole begins; the foot if that would be passed.
 glm::vec3 Trunk::to_axis(const glm::vec3& p) const {
   const glm::vec3 foot = target();
   const float from_axis = axis_.distance(p);
@@ -35,11 +39,14 @@ glm::vec3 Trunk::to_axis(const glm::vec3& p) const {
   return !(left > drop) ? foot : axis_.at(p.y + habit_.way * drop);
 }
 
+// The length of the way from p to the axis and along it to the target, without obstacles.
 float Trunk::straight_way(const glm::vec3& p) const {
   const glm::vec3 near = to_axis(p);
   return glm::distance(p, near) + glm::distance(near, target());
 }
 
+// The place that a particle at p goes to next: a step on the way to the axis, bent by the habit where it is far from
+// its aim and the bent way is free; or the corner of an obstacle that hides the axis.
 glm::vec3 Trunk::aim(const glm::vec3& p) const {
   const glm::vec3 straight = to_axis(p);
   if (!sees(p, straight)) {
@@ -55,21 +62,25 @@ glm::vec3 Trunk::aim(const glm::vec3& p) const {
   return axis_.step_towards(p, passes(p, bent) ? bent : straight, near);
 }
 
+// The length of the way from p to the target, around obstacles.
 float Trunk::way(const glm::vec3& p) const {
   if (sees(p, to_axis(p))) return straight_way(p);
   const Corner* corner = turning(p);
   return corner ? glm::distance(p, corner->place) + corner->way : straight_way(p);
 }
 
+// Whether a particle may move between two points: not beyond the target, not through obstacles, and not out of the
+// boundary against its direction.
 bool Trunk::passes(const glm::vec3& from, const glm::vec3& to) const {
   const float along = (to.y - from.y) * habit_.way;
   if (along > 0 && (to.y - target().y) * habit_.way > 0) return false;
   return sees(from, to) && (outer_ == nullptr || along >= 0 || outer_->contains(to));
 }
 
+// Whether a particle at a point finds a way to the target, straight or round an obstacle.
 bool Trunk::reaches(const glm::vec3& p) const { return open(p) && (goes_straight(p) || turning(p) != nullptr); }
 
-// The visible corner with the shortest way.
+// The corner that p sees with the shortest way to the target through it, or null.
 const Trunk::Corner* Trunk::turning(const glm::vec3& p) const {
   const Corner* best = nullptr;
   float shortest = unknown;
@@ -82,7 +93,8 @@ const Trunk::Corner* Trunk::turning(const glm::vec3& p) const {
   return best;
 }
 
-// Dijkstra (1959) over the corners that see each other, from those that go straight to the target or the axis.
+// Computes the shortest ways from all corners of obstacles: Dijkstra (1959) over corners that see each other, from
+// those that go straight to the target or the axis.
 void Trunk::survey() {
   std::vector<Corner> all;
   for (const glm::vec3& place : obstacles_->corners())

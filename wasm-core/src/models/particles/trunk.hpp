@@ -38,7 +38,9 @@ class Trunk final : public Guide {
 
   glm::vec3 aim(const glm::vec3& p) const override;
   float way(const glm::vec3& p) const override;
+  // Whether a point is outside all obstacles.
   bool open(const glm::vec3& p) const override { return obstacles_ == nullptr || !obstacles_->contains(p); }
+  // Whether no obstacle is between two points.
   bool sees(const glm::vec3& a, const glm::vec3& b) const override {
     return obstacles_ == nullptr || !obstacles_->between(a, b);
   }
@@ -55,6 +57,7 @@ class Trunk final : public Guide {
 
   glm::vec3 to_axis(const glm::vec3& p) const;
   float straight_way(const glm::vec3& p) const;
+  // Whether the way from a point to the axis and down it to the target is free.
   bool goes_straight(const glm::vec3& p) const { return sees(p, to_axis(p)) && sees(to_axis(p), target()); }
   const Corner* turning(const glm::vec3& p) const;
   void survey();

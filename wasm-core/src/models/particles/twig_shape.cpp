@@ -11,6 +11,10 @@
 #include "models/particles/value_noise.hpp"
 
 namespace panicle::particles {
+
+// A trail is the way that a particle has gone, from its start to the target; the energy of a place is the sum over all
+// particles that pass it.
+
 namespace {
 
 // Twigs turn less where their ends have no room; each pass reduces the turn.
@@ -25,6 +29,8 @@ glm::vec3 turned_down(const glm::vec3& way, float share) {
 
 }  // namespace
 
+// Lets the ends of twigs hang down: each piece turns down by `weep`, more the fewer tips it carries and the farther out
+// it is, up to the length `arc`. Twigs whose ends leave `room` or `outer` turn less.
 void hang_twigs(Trails& trails, const Guide& guide, const Region& outer, const Region& room, const TwigHabit& habit,
                 float arc) {
   const std::size_t count = trails.size();
@@ -62,6 +68,7 @@ void hang_twigs(Trails& trails, const Guide& guide, const Region& outer, const R
   take_back_hidden(trails, before, guide);
 }
 
+// Moves places by noise, up to `by` and with a wavelength of about `over`, so that branches wander; thin ones more.
 void wander_branches(Trails& trails, const Guide& guide, const Region& outer, float by, float over,
                      std::uint64_t seed) {
   const std::size_t count = trails.size();

@@ -15,6 +15,7 @@ struct TwigHabit {
   float crook = 0;       // how far branches stray from their way, in spacings
   float crook_tips = 1;  // twigs with fewer tips go straight from place to place
 
+  // Whether it changes any twig.
   bool shapes() const { return weep > 0 || crook > 0; }
 };
 

@@ -10,13 +10,14 @@ namespace {
 
 constexpr std::uint64_t stream_ragged = 0x4a99;
 // Crowns that are far apart have most of their lattice in the air.
-constexpr float most_along = 160;
+constexpr float max_along = 160;
 
 }  // namespace
 
+// Draws random values in [0, 1) at the corners of a lattice over the box from `low` to `high`, `edge` apart or farther.
 ValueNoise::ValueNoise(const glm::vec3& low, const glm::vec3& high, float edge, std::uint64_t seed)
-    : edge_(std::max(
-          {edge, (high.x - low.x) / most_along, (high.y - low.y) / most_along, (high.z - low.z) / most_along})) {
+    : edge_(
+          std::max({edge, (high.x - low.x) / max_along, (high.y - low.y) / max_along, (high.z - low.z) / max_along})) {
   first_ = glm::ivec3(glm::floor(low / edge_));
   count_ = glm::ivec3(glm::floor(high / edge_)) - first_ + 2;
   values_.clear();
@@ -29,6 +30,7 @@ ValueNoise::ValueNoise(const glm::vec3& low, const glm::vec3& high, float edge, 
                         hash_combine(hash_combine(word(first_.x + x), word(first_.y + y)), word(first_.z + z))));
 }
 
+// Interpolates the noise at a place between the eight values around it.
 float ValueNoise::at(const glm::vec3& p) const {
   const glm::vec3 scaled = p / edge_, base = glm::floor(scaled), share = scaled - base,
                   ease = share * share * (3.0f - 2.0f * share);

@@ -23,13 +23,14 @@ Venation::Venation(const Outline& outline, const Ribs& ribs, float slant, float 
       ahead_(look_ahead * spacing),
       cell_(field_cell * spacing) {}
 
+// The shortest ways to the ribs around corners of the outline; computed when first needed.
 Waypoints& Venation::waypoints() const {
   if (!waypoints_) waypoints_ = std::make_unique<Waypoints>(*outline_, ribs_->sampled(cell_), cell_);
   return *waypoints_;
 }
 
-// The visible point of the rib: far below the nearest place, else less far; round corners by waypoints, which lead to
-// the ribs.
+// The point that a particle at p heads for: a visible point of the ribs, far below the nearest one if possible, else
+// less far; where none is visible, the next waypoint on the way to the ribs.
 glm::vec3 Venation::aim(const glm::vec3& p) const {
   const Ribs::Foot foot = grid_.nearest(p);
   for (float below = std::max(slant_ * foot.distance, ahead_); below > least_ahead * ahead_; below *= 0.5f) {
@@ -40,11 +41,13 @@ glm::vec3 Venation::aim(const glm::vec3& p) const {
   return waypoints().next(p);
 }
 
+// The length of the way from p to the nearest rib and down along it to the petiole.
 float Venation::way(const glm::vec3& p) const {
   const Ribs::Foot foot = grid_.nearest(p);
   return (sees(p, foot.place) ? foot.distance : waypoints().way(p)) + ribs_->length_below(foot);
 }
 
+// Whether the segment from a to b stays in the leaf; its end at the petiole, which lies on the edge, is not tested.
 bool Venation::sees(const glm::vec3& a, const glm::vec3& b) const {
   return outline_->holds(a == target() ? a + before_target * (b - a) : a,
                          b == target() ? b + before_target * (a - b) : b);

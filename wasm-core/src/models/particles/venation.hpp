@@ -24,6 +24,7 @@ class Venation final : public Guide {
   glm::vec3 aim(const glm::vec3& p) const override;
   float way(const glm::vec3& p) const override;
   bool open(const glm::vec3& p) const override { return outline_->contains(p); }
+  // The distance of a point to the outline.
   float room(const glm::vec3& p) const override { return outline_->clearance(p); }
   bool sees(const glm::vec3& a, const glm::vec3& b) const override;
 

@@ -8,33 +8,38 @@
 namespace panicle::particles {
 namespace {
 
-constexpr float most_cells = 96;
+constexpr float max_cells = 96;
 // A goal may lie on the edge, from which nothing is visible: the test stops this share of the way before it.
 constexpr float before_goal = 1e-3f;
 constexpr std::int32_t around[8][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
 
 }  // namespace
 
+// Begins shortest ways (Dijkstra) from the cells of a grid inside an outline to the nearest of some goals; `cell` is
+// the least width of a cell. Cells are computed when first needed.
 Waypoints::Waypoints(const Outline& outline, std::vector<glm::vec3> goals, float cell)
     : outline_(&outline), goals_(std::move(goals)) {
   const glm::vec3 size = outline.high() - outline.low();
-  edge_ = std::max({cell, size.x / most_cells, size.y / most_cells, 1e-30f});
+  edge_ = std::max({cell, size.x / max_cells, size.y / max_cells, 1e-30f});
   across_ = static_cast<std::int32_t>(size.x / edge_) + 1;
   up_ = static_cast<std::int32_t>(size.y / edge_) + 1;
   cells_.resize(static_cast<std::size_t>(across_ * up_));
   begin();
 }
 
+// The middle of a cell.
 glm::vec3 Waypoints::middle(std::int32_t x, std::int32_t y) const {
   return outline_->low() + edge_ * glm::vec3(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f, 0);
 }
 
-// `ahead`: a corner, and the way from there.
+// Whether the way from `place`, the middle of a cell, over the corner `ahead` is shorter than the cell's known way.
+// `ahead.way` is the length beyond the corner.
 bool Waypoints::shorter(std::int32_t cell, const glm::vec3& place, const Cell& ahead) const {
   const float known = cells_[static_cast<std::size_t>(cell)].way;
   return known < 0 || glm::distance(place, ahead.corner) + ahead.way < known;
 }
 
+// Gives a cell the way over the corner `ahead` if that is shorter than its known one, and puts the cell into the queue.
 void Waypoints::offer(std::int32_t cell, const glm::vec3& place, const Cell& ahead) {
   if (!shorter(cell, place, ahead)) return;
   const float way = glm::distance(place, ahead.corner) + ahead.way;
@@ -88,15 +93,17 @@ void Waypoints::spread_next() {
     const std::int32_t to_x = x + dx, to_y = y + dy;
     if (to_x < 0 || to_y < 0 || to_x >= across_ || to_y >= up_) continue;
     const std::int32_t to = to_y * across_ + to_x;
-    const glm::vec3 there = middle(to_x, to_y);
-    if (cells_[static_cast<std::size_t>(to)].closed || !shorter(to, there, ahead) || !inside(to_x, to_y)) continue;
-    if (sees(there, ahead.corner, ahead.turns))
-      offer(to, there, ahead);
-    else if (outline_->holds(there, place))
-      offer(to, there, {place, from.way, true});
+    const glm::vec3 to_middle = middle(to_x, to_y);
+    if (cells_[static_cast<std::size_t>(to)].closed || !shorter(to, to_middle, ahead) || !inside(to_x, to_y)) continue;
+    if (sees(to_middle, ahead.corner, ahead.turns))
+      offer(to, to_middle, ahead);
+    else if (outline_->holds(to_middle, place))
+      offer(to, to_middle, {place, from.way, true});
   }
 }
 
+// Whether the segment is inside the outline. `turns`: `to` is a corner where a way turns and not a goal, so that its
+// end is tested as well.
 bool Waypoints::sees(const glm::vec3& from, const glm::vec3& to, bool turns) const {
   return outline_->holds(from, turns ? to : to + before_goal * (from - to));
 }
@@ -117,15 +124,17 @@ void Waypoints::fill() {
       const std::int32_t x = cell % across_, y = cell / across_;
       for (const auto& [dx, dy] : around) {
         if (x + dx < 0 || y + dy < 0 || x + dx >= across_ || y + dy >= up_) continue;
-        std::int32_t& there = nearest_[static_cast<std::size_t>((y + dy) * across_ + x + dx)];
-        if (there >= 0) continue;
-        there = nearest_[static_cast<std::size_t>(cell)];
+        std::int32_t& nearest = nearest_[static_cast<std::size_t>((y + dy) * across_ + x + dx)];
+        if (nearest >= 0) continue;
+        nearest = nearest_[static_cast<std::size_t>(cell)];
         next.push_back((y + dy) * across_ + x + dx);
       }
     }
   }
 }
 
+// Chooses where a particle at `p` walks next on its shortest way to a goal: the corner that its cell or a neighbour
+// leads to, else the nearest cell with a way.
 Waypoints::Choice Waypoints::choose(const glm::vec3& p) {
   const glm::vec3 from_low = (p - outline_->low()) / edge_;
   const auto within = [](float at, std::int32_t count) {
@@ -154,8 +163,10 @@ Waypoints::Choice Waypoints::choose(const glm::vec3& p) {
   return {place, glm::distance(p, place) + cells_[static_cast<std::size_t>(at_target)].way};
 }
 
+// The next corner on the way from p to the nearest goal, and the length of that way.
 glm::vec3 Waypoints::next(const glm::vec3& p) { return choose(p).corner; }
 
+// The length of the shortest known way from a point to a goal.
 float Waypoints::way(const glm::vec3& p) { return choose(p).way; }
 
 }  // namespace panicle::particles

@@ -40,6 +40,7 @@ class Waypoints {
 
   glm::vec3 middle(std::int32_t x, std::int32_t y) const;
   bool sees(const glm::vec3& from, const glm::vec3& to, bool turns) const;
+  // Whether a cell's middle is inside the outline.
   bool inside(std::int32_t x, std::int32_t y) const { return outline_->contains(middle(x, y)); }
   bool shorter(std::int32_t cell, const glm::vec3& place, const Cell& ahead) const;
   void offer(std::int32_t cell, const glm::vec3& place, const Cell& ahead);

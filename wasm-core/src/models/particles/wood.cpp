@@ -14,6 +14,10 @@
 #include "models/particles/refusals.hpp"
 
 namespace panicle::particles {
+
+// A trail is the way that a particle has gone, from its start to the target; the energy of a place is the sum over all
+// particles that pass it.
+
 namespace {
 
 // The tolerance of simplification, in spacings, and its share of the margin around obstacles.
@@ -31,13 +35,14 @@ constexpr float ahead = 2;
 // wandering branches, and of the noise that they wander by.
 constexpr float hanging_piece = 0.4f, arc = 1.5f, wandering_piece = 0.65f, billow = 1.3f;
 
+// The number of tips: places where a particle starts.
 double tips_of(const Trails& trails) {
   return static_cast<double>(std::count_if(trails.particle.begin(), trails.particle.end(),
                                            [](std::int32_t particle) { return particle >= 0; }));
 }
 
 // The nearest target that a particle at `p` can reach (ties: that of the lowest index); none if it can reach none.
-std::optional<std::size_t> nearest(const std::deque<Trunk>& guides, const glm::vec3& p) {
+std::optional<std::size_t> nearest_target(const std::deque<Trunk>& guides, const glm::vec3& p) {
   std::optional<std::size_t> found;
   float best = std::numeric_limits<float>::max();
   for (std::size_t i = 0; i < guides.size(); ++i) {
@@ -50,26 +55,31 @@ std::optional<std::size_t> nearest(const std::deque<Trunk>& guides, const glm::v
   return found;
 }
 
+// Sizes that the shaping of twigs depends on: the mean distance of starts, the way in a step, and the seed.
 struct Scale {
   float spacing, stride;
   std::uint64_t seed;
 };
 
-// Applies hanging and wandering. Straight pieces are divided first, twigs alone where the rest stays.
+// Lets twigs hang and branches wander, as the habit requires. Straight pieces are divided first, those of twigs alone
+// if nothing else moves.
 Trails shaped(const Trails& trails, const Guide& guide, const Region& outer, const Region& room, const TwigHabit& habit,
               const Scale& scale) {
-  const double all = trails.energy[0], tip = all / tips_of(trails);
-  const double least = habit.weep > 0 ? 0 : 0.999 * tip * static_cast<double>(habit.crook_tips);
-  const double most = habit.crook > 0 ? 2 * all : tip * static_cast<double>(habit.weep_tips);
+  const double total_energy = trails.energy[0], tip_energy = total_energy / tips_of(trails);
+  const double least = habit.weep > 0 ? 0 : 0.999 * tip_energy * static_cast<double>(habit.crook_tips);
+  const double most = habit.crook > 0 ? 2 * total_energy : tip_energy * static_cast<double>(habit.weep_tips);
   const float piece = habit.weep > 0 ? hanging_piece : wandering_piece;
-  Trails made = divided(trails, piece * scale.spacing, least, most, scale.stride);
-  hang_twigs(made, guide, outer, room, habit, arc * scale.spacing);
-  wander_branches(made, guide, outer, habit.crook * scale.spacing, billow * scale.spacing, scale.seed);
-  return simplified(made, tolerance * scale.spacing, true);
+  Trails result = divided(trails, piece * scale.spacing, least, most, scale.stride);
+  hang_twigs(result, guide, outer, room, habit, arc * scale.spacing);
+  wander_branches(result, guide, outer, habit.crook * scale.spacing, billow * scale.spacing, scale.seed);
+  return simplified(result, tolerance * scale.spacing, true);
 }
 
 }  // namespace
 
+// Assigns the starts to the nearest targets that they can reach, runs the particles of each target, and smooths and
+// shapes their trails. `spacing`, the mean distance of starts, scales all rules. Fails when the limits' moves are used
+// up.
 Result<Wood> run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, float spacing,
                  const Motion& motion, TrunkHabit habit, const TwigHabit& twigs, const WoodRegions& rooms,
                  const Obstacles& obstacles, std::uint64_t seed, const Limits& limits) {
@@ -88,7 +98,7 @@ Result<Wood> run(std::span<const glm::vec3> starts, std::span<const glm::vec3> t
   Wood wood;
   std::vector<std::vector<glm::vec3>> bound(targets.size());
   for (const glm::vec3& start : starts)
-    if (const auto target = nearest(guides, start))
+    if (const auto target = nearest_target(guides, start))
       bound[*target].push_back(start);
     else
       ++wood.unreachable;

@@ -42,13 +42,19 @@ class Soil final : public Region {
   // All must outlive it. `topsoil`: the depth at which density has fallen to 1/e; 0: it does not.
   Soil(const Solid& outer, const Solid& inner, float topsoil, const Hormone& hormone)
       : outer_(&outer), inner_(&inner), hormone_(&hormone), topsoil_(topsoil) {}
+  // The box round the soil.
   glm::vec3 low() const override { return outer_->low(); }
   glm::vec3 high() const override { return outer_->high(); }
+  // Whether a point is in the soil, between the outer and the inner boundary.
   bool contains(const glm::vec3& p) const override { return outer_->contains(p) && !inner_->contains(p); }
+  // Whether none, some or all of a box is in the soil.
   Share share_of(const glm::vec3& from, const glm::vec3& to) const override {
     return share_between(outer_->share_of(from, to), inner_->share_of(from, to));
   }
+  // Whether the queries have used up their budget.
   bool is_exhausted() const override { return outer_->is_exhausted(); }
+  // The density of starting places at a point: it falls with depth below the surface, and where the hormone holds roots
+  // back.
   float density(const glm::vec3& p) const override {
     return (topsoil_ > 0 ? exponential((p.y - high().y) / topsoil_) : 1) * hormone_->left(p);
   }
@@ -60,9 +66,10 @@ class Soil final : public Region {
   float topsoil_;
 };
 
+// Measures the roots; `room` is the volume that they may fill, m³. The density is in kilometres of roots a cubic metre.
 std::vector<float> measures_of(const Plant& plant, float room) {
   const Branching branching = branching_of(plant.segments);
-  WoodMeasures<Measure> measures(branching, measure_count);
+  auto measures = wood_measures<Measure>(branching, measure_count);
   const double rooted = static_cast<double>(room);
   measures.set(Measure::deepest, std::max(-branching.low, 0.0f));
   measures.set(Measure::root_volume, rooted);
@@ -70,9 +77,11 @@ std::vector<float> measures_of(const Plant& plant, float room) {
   measures.set(Measure::surface, branching.surface);
   measures.set(Measure::density,
                rooted > 0 ? 0.001 * branching.length / rooted : std::numeric_limits<double>::quiet_NaN());
-  return measures.values();
+  return measures.take();
 }
 
+// Grows roots: a boundary in the ground, wood from particles that walk up to the collar, then meshes and measures as
+// requested.
 Result<Plant> grow(Request& request, const Limits& limits) {
   const Result<SpaceRequest> read = read_space(request, limits);
   if (!read) return read.error();
@@ -89,7 +98,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   const auto budget = std::make_shared<QueryBudget>(limits.looks);
   const Solid outer(whole, budget);
   // The bare region is around the collar.
-  if (!read->hollow.triangles.empty()) note_seams(read->hollow, "inner boundary", plant.notes);
+  if (!read->hollow.triangles.empty()) note_seams(read->hollow, "inner", plant.notes);
   const Solid inner(inner_boundary(whole, read->hollow, low, high, {0, ground, 0}, values[Parameter::inner]), budget);
   std::vector<glm::vec3> targets = read->targets;
   const float plants = values[stems];
@@ -107,8 +116,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
       grow_wood(plant, soil, outer, targets, space, read.value(), deepest, 0, particle_tag, limits);
   if (!ran) return ran.error();
   const GrownWood& grown = ran.value();
-  if (Diagnostic trouble = too_many_parts(limits, plant.segments.size(), 0); trouble.reason != Reason::none)
-    return trouble;
+  if (Diagnostic error = too_many_parts(limits, plant.segments.size(), 0); error.reason != Reason::none) return error;
   if (values[storage] > 0) {
     const StorageHabit store{0.005f * size * values[storage], values[storage_reach] * extent.y};
     for (std::size_t c = 0; c < grown.trails.size(); ++c) swell(plant.segments, grown, c, store);
@@ -123,8 +131,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
     for (Organ& organ : plant.organs) organ.mesh = 1;
     if (!plant.organs.empty()) plant.meshes.push_back({"balls", "skin", make_uv_sphere(ball_segments), {}, {}});
   }
-  plant.fingerprint = fingerprint_of(plant);
-  if (read->meshes && read->mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
+  set_fingerprints(plant, read->mesh_fingerprint);
   return plant;
 }
 

@@ -15,11 +15,14 @@ constexpr float straight = 2;
 
 }  // namespace
 
+// The radius of a storage root at a depth below its collar; 0 below its reach.
 float storage_radius(const StorageHabit& habit, float below) {
   if (!(habit.reach > 0) || below >= habit.reach) return 0;
   return habit.radius * power(1 - std::max(below, 0.0f) / habit.reach, taper);
 }
 
+// Thickens the heaviest root of a plant, from its collar down as far as it would be thicker than it is, and moves it
+// towards its axis. `target`: index of the plant.
 void swell(std::vector<Segment>& segments, const GrownWood& grown, std::size_t target, const StorageHabit& habit) {
   const Trails& trails = grown.trails[target];
   const std::vector<std::int32_t>& numbers = grown.numbers[target];

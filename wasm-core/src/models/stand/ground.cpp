@@ -27,6 +27,7 @@ Relief::Relief(const Ground& ground, std::uint64_t seed) : ground_(ground) {
   for (float& weight : weight_) weight *= 0.5f * ground.relief / all;
 }
 
+// The ground's height at a place: the sum of all waves.
 float Relief::at(float x, float z) const {
   if (ground_.relief <= 0) return 0;
   float height = 0;
@@ -35,6 +36,8 @@ float Relief::at(float x, float z) const {
   return height;
 }
 
+// Builds the ground as a grid of triangles, two cells a metre and at most 96 along each edge; normals from central
+// differences of the height.
 Mesh Relief::mesh() const {
   const auto cells = [&](float length) {
     return static_cast<std::uint32_t>(std::clamp(std::ceil(2 * length), 1.0f, 96.0f));

@@ -13,12 +13,15 @@
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
 #include "models/stand/measures/measures.generated.hpp"
+#include "models/stand/messages.generated.hpp"
 #include "models/stand/parameters.generated.hpp"
 #include "models/stand/places.hpp"
 #include "models/stand/plan.hpp"
 #include "models/stand/surroundings.hpp"
 #include "models/stand/trellises.hpp"
 #include "plant/fingerprint.hpp"
+#include "plant/measures.hpp"
+#include "protocol/common_request.hpp"
 #include "protocol/parameter_values.hpp"
 #include "spatial/point_grid.hpp"
 
@@ -28,6 +31,7 @@ namespace {
 using StandValues = Values<Parameter, parameter_table>;
 using enum Parameter;
 
+// All kinds of plants of a plan, layer after layer: the number of a kind is its index here.
 std::vector<const Kind*> kinds_of(const Plan& plan) {
   std::vector<const Kind*> kinds;
   for (const Layer& layer : plan.layers)
@@ -43,6 +47,7 @@ std::uint32_t count_names(const std::vector<const Kind*>& kinds) {
   return static_cast<std::uint32_t>(std::unique(names.begin(), names.end()) - names.begin());
 }
 
+// Adds the columns of the kinds of plants: names, seeds, sizes of crowns, settings, and their places in the text.
 void add_kinds(Plant& plant, const std::vector<const Kind*>& kinds) {
   std::string names, spots, keys, words;
   std::vector<std::uint32_t> places, seeds, settings, setting_places;
@@ -73,51 +78,59 @@ void add_kinds(Plant& plant, const std::vector<const Kind*>& kinds) {
   columns.add("settings.place", std::move(setting_places), 2);
 }
 
+// A column with one value for each plant: `of(plant)`.
 template <class Value, class Of>
-std::vector<Value> each(const std::vector<Placement>& plants, Of of) {
+std::vector<Value> column_by(const std::vector<Placement>& plants, Of of) {
   return column_of<Value>(plants, 1, [&](const Placement& plant, Value* at) { *at = of(plant); });
 }
 
+// Adds the columns of all plants, and extends the fingerprint by their seeds, settings and surroundings.
 void add_plants(Plant& plant, const std::vector<Placement>& plants, std::vector<float> surroundings) {
   std::size_t width = 1;
-  for (const Placement& of : plants) width = std::max(width, of.settings.size());
-  auto values = column_of<float>(plants, static_cast<std::uint32_t>(width), [&](const Placement& of, float* at) {
+  for (const Placement& placement : plants) width = std::max(width, placement.settings.size());
+  auto values = column_of<float>(plants, static_cast<std::uint32_t>(width), [&](const Placement& placement, float* at) {
     std::fill(at, at + width, std::numeric_limits<float>::quiet_NaN());
-    std::copy(of.settings.begin(), of.settings.end(), at);
+    std::copy(placement.settings.begin(), placement.settings.end(), at);
   });
   Fingerprint print;
   print.add(static_cast<std::uint32_t>(plant.fingerprint));
   print.add(static_cast<std::uint32_t>(plant.fingerprint >> 32));
-  for (const Placement& of : plants) print.add(of.seed);
+  for (const Placement& placement : plants) print.add(placement.seed);
   print.add(std::span<const float>(values));
   print.add(std::span<const float>(surroundings));
   plant.fingerprint = print.value();
   Columns& columns = plant.columns;
-  columns.add("plants.kind", each<std::uint32_t>(plants, [](const Placement& of) { return of.kind; }));
-  columns.add("plants.seed", each<std::uint32_t>(plants, [](const Placement& of) { return of.seed; }));
-  columns.add("plants.bearer", each<std::int32_t>(plants, [](const Placement& of) { return of.parent; }));
-  columns.add("plants.at", column_of<float>(plants, 3, [](const Placement& of, float* at) { put(of.at, at); }), 3);
-  columns.add("plants.scale", each<float>(plants, [](const Placement& of) { return of.scale; }));
-  columns.add("plants.turn", each<float>(plants, [](const Placement& of) { return of.turn; }));
+  columns.add("plants.kind",
+              column_by<std::uint32_t>(plants, [](const Placement& placement) { return placement.kind; }));
+  columns.add("plants.seed",
+              column_by<std::uint32_t>(plants, [](const Placement& placement) { return placement.seed; }));
+  columns.add("plants.bearer",
+              column_by<std::int32_t>(plants, [](const Placement& placement) { return placement.parent; }));
+  columns.add("plants.at",
+              column_of<float>(plants, 3, [](const Placement& placement, float* at) { put(placement.at, at); }), 3);
+  columns.add("plants.scale", column_by<float>(plants, [](const Placement& placement) { return placement.scale; }));
+  columns.add("plants.turn", column_by<float>(plants, [](const Placement& placement) { return placement.turn; }));
   columns.add("plants.values", std::move(values), static_cast<std::uint32_t>(width));
   columns.add("plants.surroundings", std::move(surroundings), surrounding);
 }
 
+// Adds the placements as organs, without meshes, tagged by their kinds.
 void add_organs(Plant& plant, const std::vector<Placement>& plants, const std::vector<const Kind*>& kinds) {
   for (const Kind* const kind : kinds) plant.organ_tags.push_back(kind->name);
-  for (const Placement& of : plants) {
+  for (const Placement& placement : plants) {
     Organ organ;
-    organ.tag = of.kind;
-    organ.position = of.at;
+    organ.tag = placement.kind;
+    organ.position = placement.at;
     // A turn takes +x to (cos, 0, sin): about +y in the negative direction.
-    const SinCos half = sincos_degrees(-0.5f * of.turn);
+    const SinCos half = sincos_degrees(-0.5f * placement.turn);
     organ.rotation = {0, half.sine, 0, half.cosine};
-    organ.scale = of.scale;
+    organ.scale = placement.scale;
     plant.organs.push_back(organ);
   }
 }
 
-// The mean distance from each plant on the ground to its nearest neighbour, metres.
+// The mean distance from each plant on the ground to its nearest neighbour, in metres; `area` of the ground in m² gives
+// a first guess. NaN with fewer than two plants.
 float spacing_of(const std::vector<glm::vec3>& feet, float area) {
   if (feet.size() < 2) return std::numeric_limits<float>::quiet_NaN();
   float sum = 0;
@@ -139,49 +152,43 @@ float spacing_of(const std::vector<glm::vec3>& feet, float area) {
   return sum / static_cast<float>(feet.size());
 }
 
+// Measures the stand; plants that are attached to others do not count.
 void measure(Plant& plant, const Plan& plan, const std::vector<Placement>& plants,
              const std::vector<const Kind*>& kinds) {
-  std::vector<float>& measures = plant.measures;
-  measures.assign(measure_count, 0);
-  const auto set = [&](Measure measure, float value) { measures[static_cast<std::size_t>(measure)] = value; };
+  Measures<Measure> measures(measure_count, 0);
   std::vector<glm::vec3> feet;
   float crowns = 0;
-  for (const Placement& of : plants) {
-    if (of.parent >= 0) continue;
-    feet.emplace_back(of.at.x, 0, of.at.z);
-    const float width = kinds[of.kind]->width * of.scale;
+  for (const Placement& placement : plants) {
+    if (placement.parent >= 0) continue;
+    feet.emplace_back(placement.at.x, 0, placement.at.z);
+    const float width = kinds[placement.kind]->width * placement.scale;
     crowns += 0.25f * pi * width * width;
   }
   const float area = plan.ground.width * plan.ground.depth;
-  set(Measure::area, area);
-  set(Measure::standing, static_cast<float>(feet.size()));
-  set(Measure::density, 10'000 * static_cast<float>(feet.size()) / area);
-  set(Measure::spacing, spacing_of(feet, area));
-  set(Measure::cover, 100 * crowns / area);
+  measures[Measure::area] = area;
+  measures[Measure::standing] = static_cast<float>(feet.size());
+  measures[Measure::density] = 10'000 * static_cast<float>(feet.size()) / area;
+  measures[Measure::spacing] = spacing_of(feet, area);
+  measures[Measure::cover] = 100 * crowns / area;
+  plant.measures = measures.take();
 }
 
+// Plants a stand: reads its plan, places the plants on the ground, and adds the ground, trellises and measures as
+// requested.
 Result<Plant> grow(Request& request, const Limits& limits) {
-  request.text("model");
-  const std::uint64_t seed = request.word("seed", 1);
-  const bool meshes = request.wants("meshes"), measures = request.wants("measures"),
-             mesh_fingerprint = request.wants("mesh_fingerprint");
-  request.wants("sky");
-  const std::span<const float> requested = request.floats("parameters");
-  const bool has_text = request.has("plan");
-  const std::string_view text = request.text("plan");
-  if (Diagnostic trouble = request.trouble(); trouble.reason != Reason::none) return trouble;
-  if (!has_text) return Diagnostic{Reason::bad_request, "The request has no plan.", 0, 0};
+  const CommonRequest common = read_common(request);
+  const std::string_view text = request.required_text("plan");
+  if (Diagnostic error = request.trouble(); error.reason != Reason::none) return error;
   Plant plant;
-  const StandValues values(requested, plant.notes);
+  const StandValues values(common.parameters, plant.notes);
   auto plan = read_plan(text, limits);
   if (!plan) return plan.error();
   plan->ground.relief *= values[relief];
-  const Relief ground(plan->ground, seed);
-  const auto plants = place(plan.value(), ground, seed, values.whole(many), plant.notes);
+  const Relief ground(plan->ground, common.seed);
+  const auto plants = place(plan.value(), ground, common.seed, values.whole(many), plant.notes);
   if (!plants) return plants.error();
   const std::vector<const Kind*> kinds = kinds_of(plan.value());
   add_organs(plant, plants.value(), kinds);
-  plant.fingerprint = fingerprint_of(plant);
   add_kinds(plant, kinds);
   add_plants(plant, plants.value(), surroundings_of(plan.value(), plants.value()));
   plant.columns.add("ground.size", std::vector<float>{plan->ground.width, plan->ground.depth, plan->ground.relief}, 3);
@@ -191,8 +198,8 @@ Result<Plant> grow(Request& request, const Limits& limits) {
       {"plants", static_cast<std::uint32_t>(plants->size())}, {"kinds", count_names(kinds)}, {"borne", attached}};
   Trellises trellises = trellises_of(plan.value(), ground, plants.value());
   if (trellises.posts > 0) plant.counts.push_back({"posts", trellises.posts});
-  if (measures) measure(plant, plan.value(), plants.value(), kinds);
-  if (meshes) {
+  if (common.measures) measure(plant, plan.value(), plants.value(), kinds);
+  if (common.meshes) {
     Mesh mesh = ground.mesh();
     Columns columns;
     columns.add("sky", sky_below(plan.value(), plants.value(), mesh.positions));
@@ -202,7 +209,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
       plant.meshes.push_back({"wires", "metal", std::move(trellises.metal), {}, {}});
     }
   }
-  if (meshes && mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
+  set_fingerprints(plant, common.mesh_fingerprint);
   return plant;
 }
 

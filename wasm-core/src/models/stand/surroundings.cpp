@@ -18,17 +18,21 @@ constexpr float far = 3, farthest = 40;
 constexpr float slack = 0.999f;
 constexpr float first_ring = 0.2f;  // as a share of the reach
 
+// A plant's crown: its foot, its radius and its height, all in metres.
 struct Crown {
   glm::vec3 at{0};
   float radius = 0, height = 0;
 };
 
-// The share of a direction that a neighbour's crown covers: all within the half angle that the crown is seen under, and
-// linearly less within 45° beyond, so that a crown between two of the eight directions counts in both.
-float covered(float off, float half) { return std::clamp(1 - (off - half) / 45, 0.0f, 1.0f); }
+// The share of a direction that a neighbour's crown covers. `off` is the angle between the direction and the neighbour,
+// `half` the half angle under which the crown is seen, both in degrees: 1 within `half`, and linearly less to 0 at 45°
+// beyond, so that a crown between two of the eight directions counts in both.
+float covered_share(float off, float half) { return std::clamp(1 - (off - half) / 45, 0.0f, 1.0f); }
 
 }  // namespace
 
+// Computes the surroundings of each plant in eight directions: first the height of the horizon in degrees, then the
+// room up to the neighbours' crowns in metres over the plant's scale. Only plants on the ground count as neighbours.
 std::vector<float> surroundings_of(const Plan& plan, const std::vector<Placement>& plants) {
   std::vector<const Kind*> kinds;
   for (const Layer& layer : plan.layers)
@@ -51,18 +55,19 @@ std::vector<float> surroundings_of(const Plan& plan, const std::vector<Placement
     float* const horizon = &all[surrounding * i];
     float* const room = horizon + azimuths;
     std::fill(room, room + azimuths, no_neighbour);
-    const Crown& own = crowns[i];
+    const Crown& self = crowns[i];
     if (plants[i].parent >= 0) continue;
     float lowest = 0, widest = no_neighbour;
     float from = 0, to = first_ring * reach;
-    const auto see = [&](std::uint32_t j) {
+    // Raises the horizon and reduces the room by the crown j, if it is between `from` and `to` metres away.
+    const auto add_neighbour = [&](std::uint32_t j) {
       const Crown& other = crowns[j];
-      const glm::vec2 way(other.at.x - own.at.x, other.at.z - own.at.z);
+      const glm::vec2 way(other.at.x - self.at.x, other.at.z - self.at.z);
       const float distance = glm::length(way);
       if (j == i || distance <= from || distance > to || distance < 1e-4f) return;
-      const float ends = distance * own.radius / (own.radius + other.radius);
+      const float ends = distance * self.radius / (self.radius + other.radius);
       // Seen from half the plant's own height, to the near side of the other's top.
-      const float above = other.at.y + other.height - own.at.y - 0.5f * own.height;
+      const float above = other.at.y + other.height - self.at.y - 0.5f * self.height;
       const float near = std::max(distance - 0.5f * other.radius, 0.1f);
       const bool within = ends / plants[i].scale < widest;
       if (!within && above <= lowest * near) return;
@@ -70,19 +75,19 @@ std::vector<float> surroundings_of(const Plan& plan, const std::vector<Placement
       const float azimuth = arc_tangent(way.y, way.x) * 180 / pi - plants[i].turn;
       const float half = arc_sine(std::min(other.radius / distance, 1.0f)) * 180 / pi;
       for (std::uint32_t k = 0; k < azimuths; ++k) {
-        float off = azimuth - 45 * static_cast<float>(k);
-        off = std::abs(off - 360 * std::floor(off / 360 + 0.5f));
-        horizon[k] = std::max(horizon[k], high * covered(off, half));
-        if (off < 80) room[k] = std::min(room[k], ends / sincos_degrees(off).cosine / plants[i].scale);
+        float from_axis = azimuth - 45 * static_cast<float>(k);
+        from_axis = std::abs(from_axis - 360 * std::floor(from_axis / 360 + 0.5f));
+        horizon[k] = std::max(horizon[k], high * covered_share(from_axis, half));
+        if (from_axis < 80) room[k] = std::min(room[k], ends / sincos_degrees(from_axis).cosine / plants[i].scale);
       }
       const SinCos least = sincos_degrees(*std::min_element(horizon, room));
       lowest = least.cosine > 0 ? slack * least.sine / least.cosine : 0;
       widest = *std::max_element(room, room + azimuths);
     };
     // The nearest first: they leave little that others change.
-    grid.visit(feet[i], see);
+    grid.visit(feet[i], add_neighbour);
     from = to, to = reach;
-    grid.visit(feet[i], see);
+    grid.visit(feet[i], add_neighbour);
     for (std::uint32_t k = 0; k < azimuths; ++k) {
       horizon[k] = std::floor(horizon[k] + 0.5f);
       room[k] = std::max(std::floor(100 * room[k] + 0.5f) / 100, least_room);
@@ -91,7 +96,8 @@ std::vector<float> surroundings_of(const Plan& plan, const std::vector<Placement
   return all;
 }
 
-// A crown hides most of the sky below it, and linearly less up to its height beside it.
+// Returns the sky at points of the ground, a byte each. A crown hides most of the sky below it, and linearly less up to
+// its height beside it.
 std::vector<std::uint8_t> sky_below(const Plan& plan, const std::vector<Placement>& plants,
                                     const std::vector<float>& points) {
   std::vector<const Kind*> kinds;

@@ -15,6 +15,7 @@ constexpr float billow = 0.24f, spray = 0.09f;
 
 }  // namespace
 
+// The crowns of a row of trees: outer and inner boundaries, the feet of the stems, and noise for a ragged surface.
 Crowns make_crowns(const CrownHabit& habit, std::span<const glm::vec2> profile, const Surface& mesh,
                    const Surface& hollow, const std::shared_ptr<QueryBudget>& budget) {
   const auto crowns = static_cast<float>(habit.crowns), stems = static_cast<float>(habit.stems);
@@ -44,12 +45,14 @@ Crowns make_crowns(const CrownHabit& habit, std::span<const glm::vec2> profile, 
   return made;
 }
 
+// The middle of the crown nearest to a point, along the row.
 glm::vec3 Crowns::middle_of(const glm::vec3& p) const {
   return *std::min_element(middles.begin(), middles.end(), [&](const glm::vec3& one, const glm::vec3& other) {
     return std::fabs(p.x - one.x) < std::fabs(p.x - other.x);
   });
 }
 
+// The region in which particles start; finds the brightest light in it. Without `light` all of it is alike.
 Foliage::Foliage(const Crowns& crowns, const VoxelLight* light, float light_exponent, const Hormone& hormone)
     : crowns_(&crowns), light_(light), hormone_(&hormone), light_exponent_(light_exponent) {
   if (light_ == nullptr) return;
@@ -61,7 +64,8 @@ Foliage::Foliage(const Crowns& crowns, const VoxelLight* light, float light_expo
         brightest_ = std::max(brightest_, light_->at(low() + size * (glm::vec3(x, y, z) / static_cast<float>(probes))));
 }
 
-// Roughens the outer boundary: the place scaled out by noise must still be within it.
+// Whether a point is inside the outer boundary after noise has roughened it: the point, moved away from the crown's
+// middle by noise, must still be inside.
 bool Foliage::leafy(const glm::vec3& p) const {
   const Crowns& crowns = *crowns_;
   if (!(crowns.ragged > 0)) return true;
@@ -71,6 +75,8 @@ bool Foliage::leafy(const glm::vec3& p) const {
   return out(crowns.ragged * std::min(0.7f * crowns.lumps.at(p) + 0.3f * crowns.tufts.at(p), 1.0f));
 }
 
+// Whether none, some or all of a box is in the foliage. A ragged crown contains all of it only if the box is still
+// inside when it is scaled out from the crown's middle by the deepest notch.
 Share Foliage::share_of(const glm::vec3& from, const glm::vec3& to) const {
   const Crowns& crowns = *crowns_;
   Share outer = crowns.outer.share_of(from, to);
@@ -82,6 +88,8 @@ Share Foliage::share_of(const glm::vec3& from, const glm::vec3& to) const {
   return share_between(outer, crowns.inner.share_of(from, to));
 }
 
+// The density of starting places at a point: the light there, as a power of its share of the brightest, times the share
+// that the hormone leaves.
 float Foliage::density(const glm::vec3& p) const {
   if (!(brightest_ > dark)) return 0;
   const float share = light_ ? std::min(light_->at(p) / brightest_, 1.0f) : 1;

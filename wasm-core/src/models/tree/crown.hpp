@@ -58,6 +58,7 @@ class Foliage final : public Region {
   glm::vec3 low() const override { return crowns_->outer.low(); }
   glm::vec3 high() const override { return crowns_->outer.high(); }
   bool contains(const glm::vec3& p) const override { return has_room(p) && leafy(p); }
+  // Whether a point is between the outer and the inner boundary, before the ragged surface is cut out.
   bool has_room(const glm::vec3& p) const override { return crowns_->outer.contains(p) && !crowns_->inner.contains(p); }
   Share share_of(const glm::vec3& from, const glm::vec3& to) const override;
   bool is_exhausted() const override { return crowns_->outer.is_exhausted(); }

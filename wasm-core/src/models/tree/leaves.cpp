@@ -7,6 +7,7 @@
 
 #include "foundation/bits.hpp"
 #include "foundation/easing.hpp"
+#include "foundation/golden_spiral.hpp"
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
 #include "foundation/rotation.hpp"
@@ -16,7 +17,6 @@ namespace {
 
 constexpr std::uint64_t stream_tilt = 0x6c656166, stream_turn = stream_tilt + 1, stream_size = stream_tilt + 2,
                         stream_fall = stream_tilt + 3;
-constexpr float golden_angle = 137.50776f;
 constexpr float outwards = 0.45f;   // how much leaves turn to the direction of their twig, from where light comes, too
 constexpr float tilt = 0.5f;        // greatest random tilt of leaves
 constexpr float droop = 0.25f;      // of their tips
@@ -32,9 +32,12 @@ std::uint64_t address_of(const glm::vec3& p) {
 
 }  // namespace
 
+// Adds the leaves of the twigs at which particles started. `numbers`: the segment of each trail point, −1 for none;
+// `tag`: the organs' tag.
 void add_leaves(Plant& plant, const Trails& trails, std::span<const std::int32_t> numbers, const LeafHabit& habit,
                 std::uint32_t tag) {
   const bool pair = habit.count == 2;  // two are opposite each other at the tip
+  // Buds open from below upwards: by height among all tips.
   float low = std::numeric_limits<float>::max(), high = -low;
   for (std::size_t i = 0; i < trails.size(); ++i)
     if (trails.particle[i] >= 0) {
@@ -56,6 +59,8 @@ void add_leaves(Plant& plant, const Trails& trails, std::span<const std::int32_t
     for (std::uint32_t k = 0; k < habit.count; ++k) {
       const std::uint32_t node = pair ? 0 : k;
       const std::uint64_t address = hash_combine(place, k);
+      // Leaves that fell are left out. The others are placed around the twig: by the golden angle, pairs opposite each
+      // other.
       if (!(random_unit(habit.seed, stream_fall, address) < habit.attached)) continue;
       const float roll = turn + (pair ? 180.0f : golden_angle) * static_cast<float>(k);
       const auto [sine, cosine] = sincos_degrees(roll);
@@ -66,6 +71,7 @@ void add_leaves(Plant& plant, const Trails& trails, std::span<const std::int32_t
         out = way + 0.5f * (cosine * side + sine * across);
       else
         out.y -= droop;
+      // The tip points outwards as nearly as the upper face may look to the light; needles keep their direction.
       glm::vec3 up = habit.needles ? out : out - glm::dot(out, face) * face;
       up = glm::length(up) > 1e-3f ? glm::normalize(up) : any_perpendicular(face);
       const glm::vec3 front = face - glm::dot(face, up) * up;

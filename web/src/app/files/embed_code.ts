@@ -28,7 +28,7 @@ export interface Embedded {
 	/** The link from its `?` on. */
 	readonly link: string;
 	/** Text alternative for the plant. */
-	readonly words: string;
+	readonly description: string;
 	/** Name of the GLB, in the folder of the page. */
 	readonly file: string;
 }
@@ -39,45 +39,49 @@ export const LONGEST_SIDE = 4096;
 /** Address of model-viewer's script, of a release that has been reviewed. */
 export const MODEL_VIEWER = "https://cdn.jsdelivr.net/npm/@google/model-viewer@4.4.0/dist/model-viewer.min.js";
 
-/** The HTML to copy into a page. */
+/** Returns the HTML to copy into a page. */
 export function embedCode(of: Embedded, choice: EmbedChoice): string {
 	return CODE[choice.form](of, choice);
 }
 
-/** The address of the frame that shows the plant. */
+/** Returns the address of the frame that shows the plant. */
 export function frameAddress({ app, link }: Pick<Embedded, "app" | "link">, choice: Partial<EmbedChoice>): string {
 	const { query, fragment } = linkParts(link);
-	const own = OWN.filter((key) => choice[key]).map((key) => `&${key}=`);
-	return `${app}embed.html${query}${own.join("")}${fragment}`;
+	const parameters = BOOLEAN_KEYS.filter((key) => choice[key]).map((key) => `&${key}=`);
+	return `${app}embed.html${query}${parameters.join("")}${fragment}`;
 }
 
 /** Boolean attributes of the element, and keys of the frame's address. */
-const OWN = ["autorotate", "wind", "controls", "handles"] as const;
+const BOOLEAN_KEYS = ["autorotate", "wind", "controls", "handles"] as const;
 
 const CODE: Readonly<Record<EmbedForm, (of: Embedded, choice: EmbedChoice) => string>> = {
 	element: ({ app, link }, choice) => {
-		const own = OWN.filter((key) => choice[key]).map((key) => ` ${key}`);
-		const attributes = `link="${escaped(link)}"${own.join("")}${lazy(choice)} style="${sized(choice)}"`;
-		return `${script(`${app}panicle.js`)}\n<panicle-specimen ${attributes}></panicle-specimen>`;
+		const own = BOOLEAN_KEYS.filter((key) => choice[key]).map((key) => ` ${key}`);
+		const attributes = `link="${escapeAttribute(link)}"${own.join("")}${lazyAttribute(choice)} style="${styleOf(choice)}"`;
+		return `${scriptTag(`${app}panicle.js`)}\n<panicle-specimen ${attributes}></panicle-specimen>`;
 	},
 	frame: (of, choice) => {
 		const { width, height } = choice;
-		const attributes = `title="${escaped(of.words)}" src="${escaped(frameAddress(of, choice))}" width="${width}" height="${height}"`;
-		return `<iframe ${attributes}${lazy(choice)} style="border: 0; max-width: 100%"></iframe>`;
+		const attributes = `title="${escapeAttribute(of.description)}" src="${escapeAttribute(frameAddress(of, choice))}" width="${width}" height="${height}"`;
+		return `<iframe ${attributes}${lazyAttribute(choice)} style="border: 0; max-width: 100%"></iframe>`;
 	},
-	"model-viewer": ({ words, file }, choice) => {
+	"model-viewer": ({ description, file }, choice) => {
 		const turning = choice.autorotate ? " auto-rotate" : "";
 		const turned = choice.controls ? " camera-controls" : "";
-		const attributes = `src="${escaped(encodeURI(file))}" alt="${escaped(words)}"${turned}${turning}${lazy(choice)} style="${sized(choice)}"`;
-		return `${script(MODEL_VIEWER)}\n<model-viewer ${attributes}></model-viewer>`;
+		const attributes = `src="${escapeAttribute(encodeURI(file))}" alt="${escapeAttribute(description)}"${turned}${turning}${lazyAttribute(choice)} style="${styleOf(choice)}"`;
+		return `${scriptTag(MODEL_VIEWER)}\n<model-viewer ${attributes}></model-viewer>`;
 	},
 };
 
-const script = (address: string) => `<script type="module" src="${escaped(address)}"></script>`;
-const lazy = (choice: EmbedChoice) => (choice.lazy ? ' loading="lazy"' : "");
-const sized = ({ width, height }: EmbedChoice) =>
+/** Returns the HTML that loads a script. */
+const scriptTag = (address: string) => `<script type="module" src="${escapeAttribute(address)}"></script>`;
+/** Returns the attribute that delays loading until the plant is near the screen; empty without that choice. */
+const lazyAttribute = (choice: EmbedChoice) => (choice.lazy ? ' loading="lazy"' : "");
+/** Returns the CSS of the plant's size. */
+const styleOf = ({ width, height }: EmbedChoice) =>
 	`display: block; width: ${width}px; max-width: 100%; height: ${height}px`;
 
-function escaped(text: string): string {
+/** Escapes a text for use in an attribute's value. */
+function escapeAttribute(text: string): string {
 	return text.replaceAll("&", "&amp;").replaceAll('"', "&quot;").replaceAll("<", "&lt;");
 }

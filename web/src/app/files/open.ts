@@ -7,26 +7,27 @@ import { modelIn, restore } from "../../specimen/restore";
 import { SPECIMEN_VERSION } from "../../specimen/specimen";
 import { TextError } from "../../specimen/text_error";
 import { FILE_TOPIC } from "../../ui/tool";
+import { text } from "../messages.generated";
 import { EMPTY_MODEL_UI } from "../model_uis";
 import { applying } from "../panel_groups";
 import { SAVED } from "../parts/late_parts";
 import { openPart } from "../parts/open_part";
 import type { SavedDialog } from "../parts/saved_dialog";
 import type { Studio } from "../studio";
-import { TRY_AGAIN } from "../types";
+import { fetchFailed } from "../types";
 import { dropsOf } from "./drops";
 
 /**
- * Opens the specimen of a GLB, a JSON or a picture with a link, of any model. A file of saved specimens goes to the library, a file
- * without a specimen to the tool that takes it. Errors are shown as notices, and the plant stays.
+ * Opens the specimen of a GLB, a JSON or a picture with a link, of any model. A file of saved specimens goes to the
+ * library, a file without a specimen to the tool that takes it. Errors are shown as notices, and the plant stays.
  */
 export async function openFile(studio: Studio, file: File): Promise<void> {
 	if (TEXT_FILE.test(file.name)) return openText(studio, file);
 	const refuse = (details: readonly string[], again?: () => void) =>
-		studio.notify("The file was not opened", details, { topic: FILE_TOPIC, ...(again ? { again } : {}) });
+		studio.notify(text("open_failed"), details, { topic: FILE_TOPIC, ...(again ? { again } : {}) });
 	const reader = await import("../../formats/restore").catch(() => undefined);
 	if (!reader) {
-		refuse(["Part of the page could not be fetched.", TRY_AGAIN], () => void openFile(studio, file));
+		refuse(fetchFailed(), () => void openFile(studio, file));
 		return;
 	}
 	try {
@@ -46,8 +47,9 @@ export async function openFile(studio: Studio, file: File): Promise<void> {
 		const known = error instanceof reader.FileError;
 		const drop = known ? dropsOf(studio).find(({ takes }) => takes(file)) : undefined;
 		if (drop) drop.take(studio, file);
-		else if (known) refuse([error.message, ...here(studio, file), ...(await elsewhere(studio, file))]);
-		else refuse([`${file.name} could not be read; try to drop it again.`]);
+		else if (known)
+			refuse([error.message, ...usesOfThisModel(studio, file), ...(await usesOfOtherModels(studio, file))]);
+		else refuse([text("open_unreadable", { file: file.name })]);
 	}
 }
 
@@ -56,44 +58,42 @@ const TEXT_FILE = /\.(?:lsys|gl3|growth|stand|xml)$/i;
 
 /** Opens a grammar's text in the model that it is written for. */
 async function openText(studio: Studio, file: File): Promise<void> {
-	const refuse = (why: string) => studio.notify("The file was not opened", [why], { topic: FILE_TOPIC });
+	const refuse = (why: string) => studio.notify(text("open_failed"), [why], { topic: FILE_TOPIC });
+	const { name } = file;
 	try {
 		const long = fileLengthProblem(file.size, await file.slice(0, 64).text());
-		if (long) return refuse(`${file.name} is ${long}.`);
+		if (long) return refuse(text("open_too_long", { file: name, problem: long.text }));
 		const decoded = new TextDecoder("utf-8", { fatal: true }).decode(await file.arrayBuffer());
-		if (decoded.trim() === "") return refuse(`${file.name} is empty.`);
-		const { model, text: grammar, specimen } = await readText(decoded, file.name);
+		if (decoded.trim() === "") return refuse(text("open_empty", { file: name }));
+		const { model, text: grammar, specimen } = await readText(decoded, name);
 		// An XML file may be longer than the grammar in it: check the grammar's own length, too.
 		const longText = textLengthProblem(grammar);
-		if (longText) return refuse(`${file.name} is ${longText} as a grammar’s text.`);
+		if (longText) return refuse(text("open_grammar_too_long", { file: name, problem: longText.text }));
 		if (model) studio.take(model, restore(model, { v: SPECIMEN_VERSION, grammar }, specimen), FILE_TOPIC);
 	} catch (error) {
-		if (error instanceof TextError) refuse(`${file.name}: ${error.message}`);
-		else if (error instanceof TypeError) refuse(`${file.name} is not text in UTF-8.`);
-		else refuse(`${file.name} could not be read; try to drop it again.`);
+		if (error instanceof TextError) refuse(text("open_problem", { file: name, problem: error.message }));
+		else if (error instanceof TypeError) refuse(text("open_not_text", { file: name }));
+		else refuse(text("open_unreadable", { file: name }));
 	}
 }
 
-/** Files that the present model takes, for the message about a refused file. */
-function here(studio: Studio, { name }: File): string[] {
+/** Returns the files that the present model takes, for the message about a refused file. */
+function usesOfThisModel(studio: Studio, { name }: File): string[] {
 	// A GLB or JSON was meant to hold a specimen: other kinds do not matter.
 	if (/\.(glb|json)$/i.test(name)) return [];
-	const taken = dropsOf(studio).map(({ words }) => words);
+	const taken = dropsOf(studio).map(({ description }) => description);
 	const { title } = studio.state.model;
-	return [
-		"A grammar as text (.lsys, .gl3, .growth, .stand, .xml) grows, whatever is shown.",
-		...taken.map((words) => `${title}: ${words}.`),
-	];
+	return [text("open_grammars"), ...taken.map((use) => text("open_with_model", { model: title, use }))];
 }
 
-/** Uses of the file by tools of other models: "Tree: a closed mesh (OBJ, GLB) becomes the boundary." */
-async function elsewhere(studio: Studio, file: File): Promise<string[]> {
+/** Returns uses of the file by tools of other models: "Tree: a closed mesh (OBJ, GLB) becomes the boundary." */
+async function usesOfOtherModels(studio: Studio, file: File): Promise<string[]> {
 	const others = modelNames().filter((name) => name !== studio.state.model.name);
 	const taken = others.map(async (name) => {
 		const model = await modelNamed(name);
 		const { tools } = (await model.ui?.()) ?? EMPTY_MODEL_UI;
 		const drop = applying(tools, fromPreset(model)).find((tool) => tool.drop?.takes(file))?.drop;
-		return drop && `${model.title}: ${drop.words}.`;
+		return drop && text("open_with_model", { model: model.title, use: drop.description });
 	});
 	const words = await Promise.all(taken.map((one) => one.catch(() => undefined)));
 	return words.filter((one) => one !== undefined);

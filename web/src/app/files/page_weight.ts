@@ -11,6 +11,7 @@ export interface PageWeight {
 const known = new Map<string, Promise<number>>();
 
 /**
+ * Sums the compressed sizes of fetched files, those of cores separately.
  * @param addresses addresses of the fetched files, of any origin
  * @param origin only files of this origin count
  */
@@ -22,9 +23,10 @@ export async function pageWeight(addresses: Iterable<string>, origin: string): P
 	return { scripts: sum(false), cores: sum(true) };
 }
 
+/** Returns whether an address is that of a core. */
 const isCore = (address: string) => new URL(address).pathname.endsWith(".wasm");
 
-/** Compressed size of a file in bytes; 0 if it cannot be fetched. */
+/** Returns the compressed size of a file in bytes; 0 if it cannot be fetched. */
 function packed(address: string): Promise<number> {
 	const before = known.get(address);
 	if (before) return before;
@@ -36,6 +38,7 @@ function packed(address: string): Promise<number> {
 	return size;
 }
 
+/** Returns the size of a file in bytes after compression by gzip; the file comes from the browser's cache. */
 async function packedSize(address: string): Promise<number> {
 	const { body } = await fetch(address, { cache: "force-cache" });
 	let bytes = 0;

@@ -6,10 +6,12 @@ import { StudioPart } from "./studio_part";
 
 /** The tools' bars below the 3-D view. */
 export class Bars extends StudioPart {
+	/** Returns the values whose change redraws the bars. */
 	protected override shows({ state: { modelUi, specimen, model } }: Studio): readonly unknown[] {
 		return [model, ...applying(modelUi?.tools, specimen)];
 	}
 
+	/** Renders the bar of each tool that has one. */
 	protected override draw(studio: Studio): unknown {
 		const { modelUi, specimen, model } = studio.state;
 		return repeat(

@@ -16,6 +16,7 @@ import { type DownloadFormat, type DownloadRequest, downloadFormats, fileName } 
 import { downloadRequestFor, sizeInWords } from "../files/made_ahead";
 import { type PageWeight, pageWeight } from "../files/page_weight";
 import { plantToSave } from "../files/plant_to_save";
+import { text } from "../messages.generated";
 import type { Studio } from "../studio";
 import { StudioPart } from "./studio_part";
 import "../style/embed.css";
@@ -23,14 +24,10 @@ import "../style/embed.css";
 /** Greatest size of the preview, CSS pixels; larger frames are scaled down. */
 const PREVIEW = { width: 300, height: 320 };
 
-const FORMS: readonly { readonly form: EmbedForm; readonly title: string; readonly about: string }[] = [
-	{ form: "element", title: "Element", about: "One script and one tag: for pages that may have scripts." },
-	{ form: "frame", title: "Frame", about: "One tag: for places that allow frames alone." },
-	{
-		form: "model-viewer",
-		title: "<model-viewer>",
-		about: "A GLB beside your page, shown by Google’s viewer; it does not grow.",
-	},
+const FORMS: readonly { readonly form: EmbedForm; title(): string; about(): string }[] = [
+	{ form: "element", title: () => text("embed_element"), about: () => text("embed_element_about") },
+	{ form: "frame", title: () => text("embed_frame"), about: () => text("embed_frame_about") },
+	{ form: "model-viewer", title: () => "<model-viewer>", about: () => text("embed_viewer_about") },
 ];
 
 /** Keys of the formats that model-viewer opens. */
@@ -70,9 +67,10 @@ export class EmbedDialog extends StudioPart {
 	#failed = false;
 	#message = "";
 
+	/** Renders the dialog, empty while it is closed. */
 	protected override draw(): unknown {
 		return html`<dialog class="help many embed" aria-labelledby=${this.idOf("title")} @close=${this.#closed}>
-			<h2 id=${this.idOf("title")}>Copy embed code</h2>
+			<h2 id=${this.idOf("title")}>${text("embed_title")}</h2>
 			${this.#opened ? this.#body(this.#opened) : nothing}
 		</dialog>`;
 	}
@@ -87,6 +85,10 @@ export class EmbedDialog extends StudioPart {
 		void this.#make();
 	}
 
+	/**
+	 * Renders the choices, a preview, and the code to copy.
+	 * @param opened.lost the parts that the link does not contain
+	 */
 	#body({ of, lost, hasHandles, sways }: Opened): TemplateResult {
 		const choice = this.#choice;
 		const { form } = choice;
@@ -94,32 +96,33 @@ export class EmbedDialog extends StudioPart {
 		const code = embedCode(of, choice);
 		return html`<div class="sides">
 			<form @submit=${(event: Event) => event.preventDefault()}>
-				<fieldset role="radiogroup" aria-label="Form" aria-describedby=${this.idOf("about")}>
-					${FORMS.map(({ form: each, title }) => html`<label><input type="radio" name=${this.idOf("form")} .checked=${each === form} @change=${() => this.#choose({ form: each })}>${title}</label>`)}
+				<fieldset role="radiogroup" aria-label=${text("embed_form")} aria-describedby=${this.idOf("about")}>
+					${FORMS.map(({ form: each, title }) => html`<label><input type="radio" name=${this.idOf("form")} .checked=${each === form} @change=${() => this.#choose({ form: each })}>${title()}</label>`)}
 				</fieldset>
-				<small id=${this.idOf("about")}>${FORMS.find((each) => each.form === form)?.about}</small>
-				<fieldset class="size" aria-label="Size"><span aria-hidden="true">Size</span>${this.#side("width", "Width")} × ${this.#side("height", "Height")} pixels</fieldset>
+				<small id=${this.idOf("about")}>${FORMS.find((each) => each.form === form)?.about()}</small>
+				<fieldset class="size" aria-label=${text("embed_size")}><span aria-hidden="true">${text("embed_size")}</span>${text.pieces("embed_sides", { width: this.#side("width", text("embed_width")), height: this.#side("height", text("embed_height")) })}</fieldset>
 				<fieldset>
-					${this.#switch("autorotate", "Turns by itself")}
-					${isFile || !sways ? nothing : this.#switch("wind", "Sways in the wind")}
-					${this.#switch("controls", isFile ? "Can be turned" : "Controls below it")}
-					${isFile || !hasHandles ? nothing : this.#switch("handles", "Handles to drag")}
-					${this.#switch("lazy", "Waits until it is near the screen")}
+					${this.#switch("autorotate", text("embed_autorotate"))}
+					${isFile || !sways ? nothing : this.#switch("wind", text("embed_wind"))}
+					${this.#switch("controls", text(isFile ? "embed_viewer_controls" : "embed_controls"))}
+					${isFile || !hasHandles ? nothing : this.#switch("handles", text("embed_handles"))}
+					${this.#switch("lazy", text("embed_lazy"))}
 				</fieldset>
 				${isFile ? this.#files() : nothing}
 			</form>
 			${this.#preview(of)}
 		</div>
-		<textarea readonly rows="5" aria-label="Code" spellcheck="false" .value=${code} @focus=${(event: FocusEvent) => (event.target as HTMLTextAreaElement).select()}></textarea>
+		<textarea readonly rows="5" aria-label=${text("embed_code")} spellcheck="false" .value=${code} @focus=${(event: FocusEvent) => (event.target as HTMLTextAreaElement).select()}></textarea>
 		<p class="weight">${this.#weightInWords()}</p>
 		${remarks(of, isFile ? [] : lost, this.context).map((line) => html`<p><small>${line}</small></p>`)}
 		<div class="choices">
 			<p role="status">${this.#message}</p>
-			<button class="button wine" type="button" @click=${() => this.#copy(code)}>Copy code</button>
-			<button class="button quiet" type="button" @click=${() => this.querySelector("dialog")?.close()}>Close</button>
+			<button class="button wine" type="button" @click=${() => this.#copy(code)}>${text("embed_copy")}</button>
+			<button class="button quiet" type="button" @click=${() => this.querySelector("dialog")?.close()}>${text("close")}</button>
 		</div>`;
 	}
 
+	/** Renders the field for width or height. */
 	#side(side: "width" | "height", label: string): TemplateResult {
 		return html`<input
 			type="number" aria-label=${label} min="1" max=${LONGEST_SIDE} step="1" required .value=${String(this.#choice[side])}
@@ -130,34 +133,37 @@ export class EmbedDialog extends StudioPart {
 		>`;
 	}
 
-	#switch(key: Switch, words: string): TemplateResult {
+	/** Renders the checkbox of an option. */
+	#switch(key: Switch, label: string): TemplateResult {
 		return html`<label class="toggle"><input
 			type="checkbox" .checked=${this.#choice[key]} @change=${({ target }: Event) => this.#choose({ [key]: (target as HTMLInputElement).checked })}
-		> ${words}</label>`;
+		> ${label}</label>`;
 	}
 
+	/** Renders the choice of the file for the `model-viewer` form, and a button that saves it. */
 	#files(): TemplateResult {
 		const { request } = this.#opened as Opened;
 		const formats = filesOf(request);
-		return html`<label>File <select @change=${({ target }: Event) => this.#chooseFile((target as HTMLSelectElement).value)}>
+		return html`<label>${text("embed_file")} <select @change=${({ target }: Event) => this.#chooseFile((target as HTMLSelectElement).value)}>
 				${formats.map(({ key, title }) => html`<option value=${key} ?selected=${key === this.#format}>${title}</option>`)}
 			</select></label>
 			<button class="button" type="button" ?disabled=${!this.#file} @click=${() => this.#file && saveFile(this.#file, `${request.name}.glb`)}>
-				Download ${request.name}.glb
+				${text("embed_download", { file: `${request.name}.glb` })}
 			</button>`;
 	}
 
-	/** A live preview of the frame, scaled to fit. */
+	/** Renders a live preview of the frame. */
 	#preview(of: Embedded): TemplateResult {
 		const { form, width, height, autorotate } = this.#choice;
 		// A new address gets a new frame: navigating the old one would add a history entry.
 		const address = frameAddress(of, form === "model-viewer" ? { autorotate } : this.#choice);
 		return html`<figure>
-			<div class="preview">${keyed(address, html`<iframe title="Preview" src=${address} width=${width} height=${height} @load=${this.#loaded}></iframe>`)}</div>
-			<figcaption>${form === "model-viewer" ? "The same plant; model-viewer has a light of its own" : "As it will be"}</figcaption>
+			<div class="preview">${keyed(address, html`<iframe title=${text("embed_preview")} src=${address} width=${width} height=${height} @load=${this.#loaded}></iframe>`)}</div>
+			<figcaption>${text(form === "model-viewer" ? "embed_viewer_preview" : "embed_preview")}</figcaption>
 		</figure>`;
 	}
 
+	/** Scales the preview to fit. */
 	protected override updated(): void {
 		const frame = this.querySelector<HTMLElement>("iframe");
 		if (!frame?.parentElement) return;
@@ -168,6 +174,7 @@ export class EmbedDialog extends StudioPart {
 		frame.parentElement.style.height = `${height * scale}px`;
 	}
 
+	/** Changes options; the form for model-viewer needs a file, which is then made. */
 	#choose(changed: Partial<EmbedChoice>): void {
 		this.#choice = { ...this.#choice, ...changed };
 		this.#message = "";
@@ -175,6 +182,7 @@ export class EmbedDialog extends StudioPart {
 		if (changed.form) void this.#make();
 	}
 
+	/** Chooses the format of the file for model-viewer and makes that file. */
 	#chooseFile(format: string): void {
 		this.#format = format;
 		this.#file = undefined;
@@ -196,15 +204,13 @@ export class EmbedDialog extends StudioPart {
 		new PerformanceObserver(() => void weigh()).observe({ type: "resource", buffered: true });
 	};
 
+	/** Describes how many bytes the plant adds to a page; empty where its file could not be made. */
 	#weightInWords(): string {
 		if (this.#choice.form === "model-viewer" && this.#failed) return "";
 		if (this.#choice.form === "model-viewer")
-			return this.#file
-				? `A visitor downloads the GLB of ${sizeInWords(this.#file.size)}, and model-viewer itself.`
-				: "The GLB is being made.";
+			return this.#file ? text("embed_viewer_adds", { size: sizeInWords(this.#file.size) }) : text("embed_preparing");
 		const { scripts, cores } = this.#weight ?? { scripts: 0, cores: 0 };
-		if (cores === 0) return "What a visitor downloads is being counted.";
-		return `A visitor downloads ${sizeInWords(scripts + cores)} packed, once for all plants of a page: ${sizeInWords(scripts)} of scripts and ${sizeInWords(cores)} of core.`;
+		return cores === 0 ? text("embed_measuring") : text("embed_adds", { size: sizeInWords(scripts + cores) });
 	}
 
 	/** Makes the GLB, if the form needs it and it is missing. */
@@ -221,7 +227,8 @@ export class EmbedDialog extends StudioPart {
 			if (!making.signal.aborted) this.#file = file;
 		} catch (error) {
 			this.#failed = !making.signal.aborted;
-			if (this.#failed) this.#message = `The GLB could not be made: ${error instanceof Error ? error.message : error}`;
+			const problem = error instanceof Error ? error.message : String(error);
+			if (this.#failed) this.#message = text("embed_file_failed", { problem });
 		}
 		this.requestUpdate();
 	}
@@ -230,10 +237,10 @@ export class EmbedDialog extends StudioPart {
 	async #copy(code: string): Promise<void> {
 		try {
 			await navigator.clipboard.writeText(code);
-			this.#message = "Copied";
+			this.#message = text("embed_copied");
 		} catch {
 			this.querySelector("textarea")?.focus();
-			this.#message = "The browser did not let the page copy; the code is selected, copy it by hand.";
+			this.#message = text("embed_copy_blocked");
 		}
 		this.requestUpdate();
 	}
@@ -248,6 +255,7 @@ export class EmbedDialog extends StudioPart {
 	}
 }
 
+/** Collects what the dialog shows of the plant that is at rest when it opens. */
 async function openedOn(studio: Studio): Promise<Opened> {
 	const plant = await plantToSave(studio);
 	const { model, from, grown } = plant;
@@ -255,7 +263,7 @@ async function openedOn(studio: Studio): Promise<Opened> {
 	const of: Embedded = {
 		app: new URL("./", `${location.origin}${location.pathname}`).href,
 		link: await encodeLink(model, from),
-		words: plantInWords({ model, specimen: from, grown }),
+		description: plantInWords({ model, specimen: from, grown }),
 		file: `${name}.glb`,
 	};
 	return {
@@ -267,16 +275,18 @@ async function openedOn(studio: Studio): Promise<Opened> {
 	};
 }
 
+/** Returns the formats of the plant that model-viewer opens. */
 const filesOf = ({ plant }: DownloadRequest): DownloadFormat[] =>
 	downloadFormats(plant, undefined).filter(({ key }) => FILES.includes(key));
 
-/** Remarks for the user who copies the code. */
+/**
+ * Returns remarks for users of the code.
+ * @param lost parts that the link does not contain, a sentence each
+ */
 function remarks({ app }: Embedded, lost: readonly string[], { state: { model } }: Studio): string[] {
 	const { hostname } = new URL(app);
-	const local = /^(localhost|127\.|\[::1\])/.test(hostname)
-		? [`The code names ${hostname}, which nobody else can reach: put the app on a host, and copy it there.`]
-		: [];
-	const preview = model.preview ? [`The ${model.noun} is a preview: what its links mean may still change.`] : [];
+	const local = /^(localhost|127\.|\[::1\])/.test(hostname) ? [text("embed_local", { host: hostname })] : [];
+	const preview = model.preview ? [text("preview_remark")] : [];
 	return [...local, ...preview, ...lost];
 }
 

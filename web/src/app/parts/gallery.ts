@@ -4,82 +4,79 @@ import type { PageModel } from "../../models/page_model";
 import type { Preset } from "../../specimen/presets";
 import { icon } from "../../ui/icons";
 import { rove, stopAt } from "../../ui/roving";
-import { findPresets, kindKey, type PresetSection, sectionsOf } from "../preset_search";
+import { familyTitle } from "../home/families";
+import { text } from "../messages.generated";
+import { cardContent, described, familyOf, kindOf, modelsOf, sectionsOfFamily } from "../preset_cards";
+import { kindKey, type PresetSection, sectionsOf } from "../preset_sections";
 import type { Studio } from "../studio";
-import { SAVED } from "./late_parts";
+import { familyList } from "./family_switch";
+import { BROWSE, SAVED } from "./late_parts";
 import { openPart } from "./open_part";
 import { StudioPart } from "./studio_part";
 
-/** Address of a preset's picture, rendered by the app for each theme (`npm run pictures -- gallery`). */
-const pictureOf = (model: PageModel, { name }: Preset, dark: boolean) =>
-	`${import.meta.env.BASE_URL}gallery/${model.name}/${name}-${dark ? "dark" : "light"}.webp`;
-
-const picture = (src: string) =>
-	html`<img src=${src} alt="" width="60" height="75" loading="lazy" fetchpriority="low" decoding="async">`;
-
 /**
- * The presets of every model as small pictures, by kind, with a search and a filter; choosing one is one undo step. The strip is one
- * stop of the Tab key: arrow keys move between presets.
+ * The presets of the shown plant's family as a strip of small pictures; choosing one is one undo step. Presets that
+ * reproduce figures of papers are left out, except next to one that is shown. The strip is one stop of the Tab key:
+ * arrow keys move between presets.
  */
 export class Gallery extends StudioPart {
-	#query = "";
-	/** Key of the kind shown; empty for all. */
-	#kind = "";
+	/** The name of the model whose presets are shown; empty for all of the family. */
+	#method = "";
 	/** The preset last scrolled into view, with the number of models then. */
 	#revealed: string | undefined;
 
+	/** Returns the values whose change redraws the strip. */
 	protected override shows({ state: { catalogue, dark, specimen } }: Studio): readonly unknown[] {
 		return [catalogue, dark, specimen.model, specimen.preset];
 	}
 
+	/** Renders the buttons, the filter, and the strip of presets. */
 	protected override draw(studio: Studio): unknown {
-		const { catalogue } = studio.state;
-		const sections = sectionsOf(catalogue);
-		const found = findPresets(sections, this.#query, this.#kind);
-		return html`<div class="find" role="search" aria-label="Presets" @keydown=${this.#findKey}>
+		const { catalogue, model, specimen } = studio.state;
+		const family = familyOf(model, specimen);
+		const own = kindOf(model, specimen);
+		const all = sectionsOfFamily(sectionsOf(catalogue), family);
+		const methods = modelsOf(all);
+		const isListed = (section: PresetSection) =>
+			(!section.kind.fromPaper || section.kind === own) && (this.#method === "" || section.model.name === this.#method);
+		if (this.#method !== "" && !methods.some(({ name }) => name === this.#method)) this.#method = "";
+		return html`<h2 class="unseen">${text("page_presets")}</h2>
+			<div class="find">
+				<span class="phone-only">${familyList(studio, family)}</span>
+				<button class="button" type="button" title=${text("browse_title")} @click=${() => openPart(studio, BROWSE)}>
+					${icon("search")}<span class="words">${text("browse")}</span>
+				</button>
 				<button
-					class="button" type="button" aria-label="Saved…" title="Save this ${studio.state.model.noun}, and what you have saved (Ctrl+S)"
+					class="button" type="button" aria-label=${text("saved")} title=${text("saved_title")}
 					@click=${() => openPart(studio, SAVED)}
-				>${icon("saved")}<span class="words">Saved…</span></button>
-				<input
-					type="search" aria-label="Search presets" placeholder="Search presets" autocomplete="off" spellcheck="false"
-					.value=${this.#query} @input=${(event: Event) => this.#look({ query: (event.target as HTMLInputElement).value })}
-				>
-				<select
-					aria-label="Kind of preset" .value=${this.#kind}
-					@change=${(event: Event) => this.#look({ kind: (event.target as HTMLSelectElement).value })}
-				>
-					<option value="">All kinds</option>
-					${catalogue.map((model) => this.#kinds(model, sections, catalogue.length > 1))}
-				</select>
-				<p class="found" role="status">${inWords(found)}</p>
+				>${icon("saved")}<span class="words">${text("saved")}</span></button>
+				${methods.length > 1 ? this.#methods(methods) : nothing}
 			</div>
-			<div class="strip" @keydown=${this.#stripKey}>
-				${repeat(found, kindKey, (section) => this.#section(studio, section, catalogue.length > 1))}
-				${
-					found.length === 0
-						? html`<p class="none">No preset has that in its name or description.
-							<button class="button" type="button" @click=${this.#clear}>Show all</button></p>`
-						: nothing
-				}
+			<div class="strip" role="group" @keydown=${this.#stripKey} aria-label=${familyTitle(family)} @wheel=${scrollSideways}>
+				${repeat(all.filter(isListed), kindKey, (section) => this.#section(studio, section))}
 			</div>`;
 	}
 
-	#kinds(model: PageModel, sections: readonly PresetSection[], many: boolean): unknown {
-		const options = sections
-			.filter((section) => section.model === model)
-			.map((section) => {
-				const key = kindKey(section);
-				return html`<option value=${key} ?selected=${key === this.#kind}>${section.kind.title}</option>`;
-			});
-		return many ? html`<optgroup label=${model.shelf ?? model.title}>${options}</optgroup>` : options;
+	/** Renders the filter by method, for families that several models grow. */
+	#methods(methods: readonly PageModel[]): unknown {
+		return html`<select
+			class="method-list" aria-label=${text("gallery_method")} .value=${this.#method}
+			@change=${(event: Event) => {
+				this.#method = (event.target as HTMLSelectElement).value;
+				this.requestUpdate();
+			}}
+		>
+			<option value="">${text("gallery_all_methods")}</option>
+			${methods.map(({ name, shelf, title }) => html`<option value=${name} ?selected=${name === this.#method}>${shelf ?? title}</option>`)}
+		</select>`;
 	}
 
-	#section(studio: Studio, section: PresetSection, many: boolean): unknown {
+	/** Renders a section: its title and the list of its presets. */
+	#section(studio: Studio, section: PresetSection): unknown {
 		const { model, kind, presets } = section;
 		const id = this.idOf(`kind-${kindKey(section).replace(" ", "-")}`);
-		return html`<section aria-labelledby=${id} data-model=${model.name}>
-			<h2 id=${id}>${many ? html`<b>${model.shelf ?? model.title}</b> ${model.preview ? html`<small>preview</small> ` : nothing}` : nothing}${kind.title}</h2>
+		return html`<section role="group" aria-labelledby=${id} data-model=${model.name}>
+			<h3 id=${id}>${kind.title}</h3>
 			<ul>${repeat(
 				presets,
 				({ name }) => name,
@@ -88,6 +85,7 @@ export class Gallery extends StudioPart {
 		</section>`;
 	}
 
+	/** Renders a preset as a button. */
 	#item(studio: Studio, model: PageModel, preset: Preset): unknown {
 		const { specimen, dark } = studio.state;
 		const chosen = model.name === specimen.model && preset.name === specimen.preset;
@@ -95,16 +93,14 @@ export class Gallery extends StudioPart {
 			<button
 				class="preset" type="button" aria-current=${chosen} title=${described(preset)} data-preset=${preset.name} tabindex="-1"
 				@click=${() => studio.choosePreset(preset.name, model)}
-			>
-				${model.pictures === false ? html`<span class="no-picture"></span>` : picture(pictureOf(model, preset, dark))}${preset.title}
-				${preset.figure === undefined ? nothing : html`<small aria-hidden="true">Fig. ${preset.figure}</small>`}
-			</button>
+			>${cardContent(model, preset, dark)}</button>
 		</li>`;
 	}
 
 	/** Scrolls the chosen preset into view, also when a link or a file has chosen it. */
 	protected override updated(_changed: PropertyValues): void {
 		const { specimen, catalogue } = this.context.state;
+		this.dataset.models = `${catalogue.length}`;
 		const wanted = `${catalogue.length} ${specimen.model} ${specimen.preset}`;
 		const strip = this.querySelector<HTMLElement>(".strip");
 		const chosen = this.querySelector<HTMLElement>("[aria-current=true]");
@@ -115,54 +111,28 @@ export class Gallery extends StudioPart {
 		reveal(strip, chosen);
 	}
 
-	#look({ query = this.#query, kind = this.#kind }: { query?: string; kind?: string }): void {
-		this.#query = query;
-		this.#kind = kind;
-		this.#revealed = undefined;
-		const strip = this.querySelector(".strip");
-		if (strip) strip.scrollLeft = 0;
-		this.requestUpdate();
-	}
-
-	readonly #clear = (): void => {
-		this.#look({ query: "", kind: "" });
-		this.querySelector<HTMLElement>("input[type=search]")?.focus();
-	};
-
-	#findKey(event: KeyboardEvent): void {
-		const field = event.target as HTMLElement;
-		if (event.key === "Escape" && (this.#query !== "" || this.#kind !== "")) {
-			event.preventDefault();
-			this.#clear();
-		} else if (field instanceof HTMLInputElement && (event.key === "ArrowDown" || event.key === "Enter")) {
-			event.preventDefault();
-			const [first] = this.#items();
-			if (event.key === "ArrowDown") first?.focus();
-			else if (this.#query !== "") first?.click();
-		}
-	}
-
+	/** Moves the focus among the presets by a key; Escape leaves the strip. */
 	#stripKey(event: KeyboardEvent): void {
 		if (event.key === "Escape") {
 			event.preventDefault();
-			this.querySelector<HTMLElement>("input[type=search]")?.focus();
+			this.querySelector<HTMLElement>(".find button")?.focus();
 		} else rove(event, this.#items());
 	}
 
+	/** Returns the presets' buttons. */
 	#items(): HTMLElement[] {
 		return [...this.querySelectorAll<HTMLElement>(".preset")];
 	}
 }
 
-/** "31 presets". */
-function inWords(sections: readonly PresetSection[]): string {
-	const count = sections.reduce((sum, { presets }) => sum + presets.length, 0);
-	if (count === 0) return "No preset found";
-	return count === 1 ? "1 preset" : `${count} presets`;
-}
-
-function described({ about, figure }: Preset): string {
-	return figure === undefined ? about : `${about} (figure ${figure})`;
+/** Scrolls the strip sideways with a wheel that turns up and down; at an end of the strip the page gets the wheel. */
+function scrollSideways(event: WheelEvent): void {
+	if (event.ctrlKey || Math.abs(event.deltaY) <= Math.abs(event.deltaX)) return;
+	const strip = event.currentTarget as HTMLElement;
+	const before = strip.scrollLeft;
+	const direction = getComputedStyle(strip).direction === "rtl" ? -1 : 1;
+	strip.scrollLeft += direction * event.deltaY;
+	if (strip.scrollLeft !== before) event.preventDefault();
 }
 
 /** Visible part of a neighbour, which shows that the strip goes on; CSS pixels. */

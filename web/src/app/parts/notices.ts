@@ -1,22 +1,26 @@
 import { html, nothing } from "lit";
 import { icon } from "../../ui/icons";
+import { text } from "../messages.generated";
 import type { Studio } from "../studio";
 import type { Notice } from "../types";
 import { StudioPart } from "./studio_part";
 
 /** The notices, one below the other. */
 export class Notices extends StudioPart {
+	/** Returns the values whose change redraws the notices. */
 	protected override shows({ state }: Studio): readonly unknown[] {
 		return [state.notices];
 	}
 
+	/** Renders all notices. */
 	protected override draw(studio: Studio): unknown {
 		return html`<div class="notices" role="status">${studio.state.notices.map((notice) => drawNotice(studio, notice))}</div>`;
 	}
 }
 
-function drawNotice(studio: Studio, { id, title, details, copy, again, act }: Notice): unknown {
-	const offered = act ?? (again && { words: "Try again", run: again });
+/** Renders a notice. Its button runs `act`, or else tries again; both dismiss the notice. */
+function drawNotice(studio: Studio, { id, title, details, again, act }: Notice): unknown {
+	const offered = act ?? (again && { label: text("try_again"), run: again });
 	const take = () => {
 		studio.dismiss(id);
 		offered?.run();
@@ -25,14 +29,9 @@ function drawNotice(studio: Studio, { id, title, details, copy, again, act }: No
 		<div>
 			${title}
 			${details.length > 0 ? html`<ul>${details.map((line) => html`<li>${line}</li>`)}</ul>` : nothing}
-			${
-				copy === undefined
-					? nothing
-					: html`<input readonly aria-label="Link to copy" .value=${copy} @focus=${(event: Event) => (event.target as HTMLInputElement).select()}>`
-			}
 		</div>
-		${offered ? html`<button class="button" type="button" @click=${take}>${offered.words}</button>` : nothing}
-		<button class="button quiet icon" type="button" aria-label="Dismiss" @click=${() => studio.dismiss(id)}>${icon("close")}</button>
+		${offered ? html`<button class="button" type="button" @click=${take}>${offered.label}</button>` : nothing}
+		<button class="button quiet icon" type="button" aria-label=${text("notice_dismiss")} @click=${() => studio.dismiss(id)}>${icon("close")}</button>
 	</section>`;
 }
 

@@ -2,16 +2,21 @@ import { html, nothing, type TemplateResult } from "lit";
 import { encodeLink } from "../../specimen/link";
 import { chooseFile } from "../../ui/choose_file";
 import { saveFile } from "../../ui/save_file";
-import { formatCount } from "../../ui/thousands";
 import { notInLink } from "../address";
+import { text } from "../messages.generated";
+import { text as recentText } from "../recent/messages.generated";
+import { openRecent } from "../recent/open_recent";
+import { RecentList } from "../recent/recent_list";
+import type { RecentPlant } from "../recent/recent_plant";
+import { ownRecents } from "../recent/recents";
 import type { LibraryStep } from "../saved/library";
 import { type Brought, broughtInWords, readLibrary, writeLibrary } from "../saved/library_file";
 import { openSaved, savedOf } from "../saved/on_screen";
 import { ownLibrary, requestPersistence } from "../saved/own_library";
-import { LONGEST_NAME, type Saved, tidyName, uniqueName } from "../saved/saved";
+import { countAndName, LONGEST_NAME, type Saved, tidyName, uniqueName } from "../saved/saved";
 import type { Studio } from "../studio";
 import { titleOf } from "../title";
-import { TRY_AGAIN } from "../types";
+import { fetchFailed } from "../types";
 import type { SavedList } from "./saved_list";
 import { StudioPart } from "./studio_part";
 import "./saved_list";
@@ -19,15 +24,25 @@ import "../style/saved.css";
 
 /** The dialog's last message, with the lines below it. */
 interface DialogMessage {
-	readonly words: string;
+	readonly text: string;
 	readonly lines: readonly string[];
 }
 
-const NO_MESSAGE: DialogMessage = { words: "", lines: [] };
+/** The longest time that the dialog waits for the recent plants before it opens; milliseconds. */
+const LONGEST_WAIT = 100;
 
-/** The dialog of the saved specimens: saves the current one; lists, opens, renames, deletes, exports and imports saved ones. */
+const NO_MESSAGE: DialogMessage = { text: "", lines: [] };
+
+/**
+ * The dialog of the saved specimens: saves the current one; lists, opens, renames, deletes, exports and imports saved
+ * ones.
+ */
 export class SavedDialog extends StudioPart {
 	readonly #library = ownLibrary();
+	readonly #recent = new RecentList(ownRecents(), () => {
+		this.requestUpdate();
+		return this.updateComplete;
+	});
 	#isOpen = false;
 	/** The link of the current specimen, and the parts that the link does not hold. */
 	#link = "";
@@ -38,23 +53,27 @@ export class SavedDialog extends StudioPart {
 	#message = NO_MESSAGE;
 	#follow: (() => void) | undefined;
 
+	/** Returns the values whose change redraws the dialog. */
 	protected override shows({ state: { specimen, shown } }: Studio): readonly unknown[] {
 		return this.#isOpen ? [specimen, shown] : [];
 	}
 
+	/** Starts to follow the library. */
 	override connectedCallback(): void {
 		super.connectedCallback();
 		this.#follow = this.#library.subscribe(() => this.requestUpdate());
 	}
 
+	/** Stops following the library. */
 	override disconnectedCallback(): void {
 		super.disconnectedCallback();
 		this.#follow?.();
 	}
 
+	/** Renders the dialog, empty while it is closed. */
 	protected override draw(studio: Studio): unknown {
 		return html`<dialog class="help many saved" aria-labelledby=${this.idOf("title")} @close=${this.#closed} @keydown=${this.#key}>
-			<h2 id=${this.idOf("title")}>Saved</h2>
+			<h2 id=${this.idOf("title")}>${text("saved")}</h2>
 			${this.#isOpen ? this.#body(studio) : nothing}
 		</dialog>`;
 	}
@@ -65,15 +84,21 @@ export class SavedDialog extends StudioPart {
 		const { model, specimen } = this.context.state;
 		this.#isOpen = true;
 		this.#message = NO_MESSAGE;
+		this.#recent.reset();
+		const recent = this.#recent.read();
 		this.#lost = notInLink(model, specimen);
 		this.#link = await encodeLink(model, specimen);
 		this.#suggest();
+		// Read within a few milliseconds: with them at once, the form below need not move.
+		await Promise.race([recent, new Promise((resolve) => setTimeout(resolve, LONGEST_WAIT))]);
+		this.requestUpdate();
 		await this.updateComplete;
 		this.querySelector("dialog")?.showModal();
 		this.querySelector<HTMLInputElement>(".save input")?.select();
 		const suggested = this.#name;
-		await this.#library.read();
+		await Promise.all([this.#library.read(), recent]);
 		if (this.#name === suggested) this.#suggest();
+		this.requestUpdate();
 	}
 
 	/** Imports the specimens of a library's file, and shows the result. */
@@ -81,13 +106,15 @@ export class SavedDialog extends StudioPart {
 		return this.#take(file, async () => readLibrary(document));
 	}
 
+	/** Renders the form that saves, the messages, the list of saved plants, and buttons for files. */
 	#body(studio: Studio): TemplateResult {
 		const { all, lastStep } = this.#library;
 		const twin = all.find(({ link }) => link === this.#link);
-		return html`${this.#form(studio)}
+		return html`${this.#recentPlants()}
+			${this.#form(studio)}
 			<div class="said">
 				<div role="status">
-					<p>${this.#message.words || (twin ? `This ${studio.state.model.noun} is saved already, as “${twin.name}”.` : nothing)}</p>
+					<p>${this.#message.text || (twin ? text("saved_already", { name: twin.name }) : nothing)}</p>
 					${this.#message.lines.length > 0 ? html`<ul>${this.#message.lines.map((line) => html`<li>${line}</li>`)}</ul>` : nothing}
 				</div>
 				${
@@ -97,24 +124,32 @@ export class SavedDialog extends StudioPart {
 				}
 			</div>
 			${this.#trouble()}
-			${all.length > 0 ? this.#list(studio) : emptiness(studio)}
-			<p class="where">Kept in this browser only; nothing is sent anywhere. Who clears the browser’s data deletes it too: export it now and then.</p>
+			${all.length > 0 ? this.#list(studio) : html`<p class="empty">${text("saved_empty")}</p>`}
+			<p class="where">${text("saved_where")}</p>
 			<div class="choices">
-				<button class="button" type="button" ?disabled=${all.length === 0} @click=${() => this.#export(all)}>Export all</button>
-				${chooseFile({ accept: ".json,application/json", label: "File to import", words: "Import…", take: (file) => void this.#import(file) })}
-				<button class="button quiet" type="button" @click=${this.#close}>Close</button>
+				<button class="button" type="button" ?disabled=${all.length === 0} @click=${() => this.#export(all)}>${text("saved_export")}</button>
+				${chooseFile({ accept: ".json,application/json", label: text("saved_import_field"), caption: text("saved_import"), take: (file) => void this.#import(file) })}
+				<button class="button quiet" type="button" @click=${this.#close}>${text("close")}</button>
 			</div>`;
 	}
 
-	#form({ state: { model, shown } }: Studio): TemplateResult {
+	/** Renders the recent plants without the one on the controls, which is open already. */
+	#recentPlants(): unknown {
+		const title = recentText("recent");
+		const open = (plant: RecentPlant) => void this.#openRecent(plant);
+		return this.#recent.draw({ title, element: html`<h3>${title}</h3>` }, open, ({ link }) => link !== this.#link);
+	}
+
+	/** Renders the form that saves the current plant, and what the link of the plant does not contain. */
+	#form({ state: { shown } }: Studio): TemplateResult {
 		return html`<form class="save" @submit=${this.#save}>
-				<label>Name <input
+				<label>${text("saved_name")} <input
 					name="name" required autocomplete="off" maxlength=${LONGEST_NAME} .value=${this.#name}
 					@input=${({ target }: Event) => {
 						this.#name = (target as HTMLInputElement).value;
 					}}
 				></label>
-				<button class="button wine" ?disabled=${this.#busy || !shown}>Save this ${model.noun}</button>
+				<button class="button wine" ?disabled=${this.#busy || !shown}>${text("saved_save")}</button>
 			</form>
 			${this.#lost.length > 0 ? html`<p class="lost">${this.#lost.join(" ")}</p>` : nothing}`;
 	}
@@ -123,26 +158,27 @@ export class SavedDialog extends StudioPart {
 	#trouble(): unknown {
 		const { trouble, unstored } = this.#library;
 		if (!trouble && unstored.length === 0) return nothing;
-		const count = unstored.length === 1 ? `“${unstored[0].name}” is` : `${unstored.length} are`;
 		return html`<div class="trouble" role="alert">
-			<p>${trouble ?? nothing} ${unstored.length > 0 ? html`<b>${count} here only until the page is closed:</b> export what you want to keep, or make room and try again.` : nothing}</p>
+			<p>${trouble ?? nothing} ${unstored.length > 0 ? html`<b>${text("saved_unstored", countAndName(unstored))}</b>` : nothing}</p>
 			${
 				unstored.length > 0
-					? html`<button class="button" type="button" @click=${() => this.#export(unstored)}>Export what is not kept</button>
-						<button class="button" type="button" @click=${() => this.#library.keep()}>Try again</button>`
+					? html`<button class="button" type="button" @click=${() => this.#export(unstored)}>${text("saved_export_unstored")}</button>
+						<button class="button" type="button" @click=${() => this.#library.keep()}>${text("try_again")}</button>`
 					: nothing
 			}
 		</div>`;
 	}
 
+	/** Renders the list of saved plants. */
 	#list(studio: Studio): TemplateResult {
 		return html`<panicle-saved-list
 			.context=${studio} .library=${this.#library}
 			@open-saved=${({ detail }: CustomEvent<Saved>) => void this.#openOne(detail)}
-			@message=${({ detail }: CustomEvent<string>) => this.#showMessage({ words: detail })}
+			@message=${({ detail }: CustomEvent<string>) => this.#showMessage({ text: detail })}
 		></panicle-saved-list>`;
 	}
 
+	/** Suggests a name for the current plant that no saved one has. */
 	#suggest(): void {
 		const { specimen, model, modelUi } = this.context.state;
 		const names = this.#library.all.map(({ name }) => name);
@@ -150,11 +186,13 @@ export class SavedDialog extends StudioPart {
 		this.requestUpdate();
 	}
 
+	/** Shows a message in place of the last one. */
 	#showMessage(message: Partial<DialogMessage>): void {
 		this.#message = { ...NO_MESSAGE, ...message };
 		this.requestUpdate();
 	}
 
+	/** Saves the current plant under the typed name, or its title. */
 	async #save(event: SubmitEvent): Promise<void> {
 		event.preventDefault();
 		if (this.#busy) return;
@@ -166,19 +204,26 @@ export class SavedDialog extends StudioPart {
 			if (this.#library.isStored(added)) await this.#reportSaved(added, requestedName);
 			this.#suggest();
 		} catch (error) {
-			this.#showMessage({ words: `It was not saved: ${error instanceof Error ? error.message : error}` });
+			const problem = error instanceof Error ? error.message : String(error);
+			this.#showMessage({ text: text("saved_not_saved", { problem }) });
 		} finally {
 			this.#busy = false;
 			this.requestUpdate();
 		}
 	}
 
+	/**
+	 * Reports under which name a plant was saved, and requests persistent storage.
+	 * @param requestedName the typed name, which may have been taken
+	 */
 	async #reportSaved({ name }: Saved, requestedName: string): Promise<void> {
-		const why = name === requestedName ? "" : `: there is a “${requestedName}” already`;
-		this.#showMessage({ words: `Saved as “${name}”${why}.` });
+		const line =
+			name === requestedName ? text("saved_as", { name }) : text("saved_as_taken", { name, taken: requestedName });
+		this.#showMessage({ text: line });
 		await requestPersistence();
 	}
 
+	/** Opens a saved plant and closes the dialog; a failure is reported as a notice that tries again. */
 	async #openOne(saved: Saved): Promise<void> {
 		const opening = openSaved(this.context, saved);
 		this.#close();
@@ -186,16 +231,27 @@ export class SavedDialog extends StudioPart {
 			await opening;
 		} catch {
 			const again = () => void this.#openOne(saved);
-			this.context.notify(`“${saved.name}” was not opened`, ["Part of the page could not be fetched.", TRY_AGAIN], {
-				again,
-			});
+			this.context.notify(text("saved_not_opened", { name: saved.name }), fetchFailed(), { again });
 		}
 	}
 
+	/** Opens a recent plant and closes the dialog; a failure is reported as a notice that tries again. */
+	async #openRecent(plant: RecentPlant): Promise<void> {
+		const opening = openRecent(this.context, plant);
+		this.#close();
+		try {
+			await opening;
+		} catch {
+			const again = () => void this.#openRecent(plant);
+			this.context.notify(recentText("not_opened", { title: plant.title }), fetchFailed(), { again });
+		}
+	}
+
+	/** Undoes the last step in the list, and moves the focus to a restored plant, since the pressed button disappears. */
 	readonly #undo = async (): Promise<void> => {
 		const step = await this.#library.undo();
 		if (!step) return;
-		this.#showMessage({ words: undoneInWords(step) });
+		this.#showMessage({ text: undoneInWords(step) });
 		this.#suggest();
 		await this.updateComplete;
 		const list = this.querySelector<SavedList>("panicle-saved-list");
@@ -204,21 +260,27 @@ export class SavedDialog extends StudioPart {
 		else this.querySelector<HTMLElement>(".choices .button")?.focus();
 	};
 
+	/** Saves a file with some saved plants and their pictures. */
 	async #export(several: readonly Saved[]): Promise<void> {
 		const saved = await this.#library.withPictures(several);
 		const now = Date.now();
 		saveFile(writeLibrary(saved, now), `saved-${new Date(now).toISOString().slice(0, 10)}.panicle.json`);
 	}
 
+	/** Imports the saved plants of a file. */
 	#import(file: File): Promise<void> {
 		return this.#take(file.name, async () => {
 			const reader = await import("../../formats/restore");
 			const found = await reader.foundInFile(file.name, file);
 			if ("library" in found) return readLibrary(found.library);
-			throw new reader.FileError(`${file.name} is one plant: Open… opens it.`);
+			throw new reader.FileError(text.message("saved_import_single", { file: file.name }));
 		});
 	}
 
+	/**
+	 * Adds saved plants that `read` returns to the library, and reports how many and which problems there were.
+	 * @param file name for messages
+	 */
 	async #take(file: string, read: () => Promise<Brought>): Promise<void> {
 		try {
 			const brought = await read();
@@ -226,13 +288,13 @@ export class SavedDialog extends StudioPart {
 			this.#suggest();
 		} catch (error) {
 			this.#showMessage({
-				words: `${file} was not imported.`,
+				text: text("saved_import_failed", { file }),
 				lines: [error instanceof Error ? error.message : String(error)],
 			});
 		}
 	}
 
-	/** Ctrl+Z undoes the library's last step, not the document's; text fields handle the key themselves. */
+	/** Undoes the library's last step by Ctrl+Z, not the document's; text fields handle the key themselves. */
 	#key(event: KeyboardEvent): void {
 		if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z") return;
 		if (event.target instanceof HTMLInputElement && event.target.type !== "checkbox") return;
@@ -240,33 +302,28 @@ export class SavedDialog extends StudioPart {
 		void this.#undo();
 	}
 
+	/** Closes the dialog. */
 	#close(): void {
 		this.querySelector("dialog")?.close();
 	}
 
+	/** Empties the dialog after it has been closed. */
 	#closed(): void {
 		this.#isOpen = false;
 		this.requestUpdate();
 	}
 }
 
-/** The label of the undo button. */
+/** Returns the label of the undo button. */
 function undoLabel({ kind, specimens }: LibraryStep): string {
-	if (kind === "import") return `Undo the import of ${formatCount(specimens.length)}`;
-	return specimens.length === 1 ? `Bring “${specimens[0].name}” back` : `Bring ${formatCount(specimens.length)} back`;
+	if (kind === "import") return text("saved_undo_import", { count: specimens.length });
+	return text("saved_undo_delete", countAndName(specimens));
 }
 
+/** Describes the step that was undone. */
 function undoneInWords({ kind, specimens }: LibraryStep): string {
-	const count = formatCount(specimens.length);
-	if (kind === "import") return `The import is undone: ${count} removed.`;
-	return specimens.length === 1 ? `“${specimens[0].name}” is back.` : `${count} are back.`;
-}
-
-function emptiness({ state: { model } }: Studio): TemplateResult {
-	return html`<p class="empty">
-		Nothing is saved yet. Here you keep the plants you want to come back to: each under its name, with a picture and its link.
-		Save the ${model.noun} on screen, or import what you have exported elsewhere.
-	</p>`;
+	if (kind === "import") return text("saved_undone_import", { count: specimens.length });
+	return text("saved_undone_delete", countAndName(specimens));
 }
 
 customElements.define("panicle-saved", SavedDialog);

@@ -1,12 +1,13 @@
 import { html, nothing, type PropertyValues, svg, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
 import { repeat } from "lit/directives/repeat.js";
+import { formatDate } from "../../locale/format";
 import { icon } from "../../ui/icons";
-import { formatCount } from "../../ui/thousands";
 import { VirtualRows } from "../../ui/virtual_rows";
+import { text } from "../messages.generated";
 import { findSaved, ORDERS, type SavedOrder } from "../saved/found";
 import type { Library } from "../saved/library";
-import { LONGEST_NAME, modelOf, presetOf, type Saved, tidyName } from "../saved/saved";
+import { countAndName, LONGEST_NAME, modelOf, presetOf, type Saved, tidyName } from "../saved/saved";
 import type { Studio } from "../studio";
 import { StudioPart } from "./studio_part";
 import "./saved_picture";
@@ -20,9 +21,9 @@ const CARD = { width: 124, gap: 12, height: 250 };
 const PAGE = 3;
 
 /**
- * The specimens of a library as cards, with search, order and selection; only visible rows are in the page. The cards are one stop of the
- * Tab key with the buttons of the active card: arrow keys move between cards, F2 renames, Delete deletes. Dispatches `open-saved` with a
- * specimen and `message` with a text.
+ * The specimens of a library as cards, with search, order and selection; only visible rows are in the page. The cards
+ * are one stop of the Tab key with the buttons of the active card: arrow keys move between cards, F2 renames, Delete
+ * deletes. Dispatches `open-saved` with a specimen and `message` with a text.
  */
 export class SavedList extends StudioPart {
 	static override properties = { ...StudioPart.properties, library: { attribute: false } };
@@ -47,6 +48,7 @@ export class SavedList extends StudioPart {
 	readonly #resized = new ResizeObserver(([{ contentRect }]) => this.#fit(contentRect.width));
 	#unsubscribe: (() => void) | undefined;
 
+	/** Follows another library before drawing its specimens. */
 	protected override willUpdate(changed: PropertyValues): void {
 		super.willUpdate(changed);
 		if (!changed.has("library")) return;
@@ -55,33 +57,36 @@ export class SavedList extends StudioPart {
 		this.#unsubscribe = this.library.subscribe(() => this.#search());
 	}
 
+	/** Stops following library and size. */
 	override disconnectedCallback(): void {
 		super.disconnectedCallback();
 		this.#unsubscribe?.();
 		this.#resized.disconnect();
 	}
 
+	/** Returns the values whose change redraws the list. */
 	protected override shows({ state: { catalogue } }: Studio): readonly unknown[] {
 		return [catalogue];
 	}
 
+	/** Renders search, order, selection and the visible rows of cards. */
 	protected override draw(): TemplateResult {
 		const found = this.#found();
 		const active = Math.max(0, this.#indexOf(this.#at));
 		const rows = this.#rows.rows(Math.ceil(found.length / this.#columns), [Math.floor(active / this.#columns)]);
 		const { height } = this.#rows;
-		return html`<div class="find" role="search" aria-label="Saved">
+		return html`<div class="find" role="search" aria-label=${text("saved")}>
 				<input
-					type="search" aria-label="Search what is saved" placeholder="Search" autocomplete="off" spellcheck="false" .value=${this.#query}
-					@input=${(event: Event) => this.#look({ query: (event.target as HTMLInputElement).value })}
+					type="search" aria-label=${text("saved_search")} placeholder=${text("saved_search_placeholder")} autocomplete="off" spellcheck="false" .value=${this.#query}
+					@input=${(event: Event) => this.#setFilter({ query: (event.target as HTMLInputElement).value })}
 				>
-				<select aria-label="Order" @change=${(event: Event) => this.#look({ order: (event.target as HTMLSelectElement).value as SavedOrder })}>
-					${Object.entries(ORDERS).map(([key, words]) => html`<option value=${key} ?selected=${key === this.#order}>${words}</option>`)}
+				<select aria-label=${text("saved_order")} @change=${(event: Event) => this.#setFilter({ order: (event.target as HTMLSelectElement).value as SavedOrder })}>
+					${ORDERS.map((key) => html`<option value=${key} ?selected=${key === this.#order}>${text(`saved_order_${key}`)}</option>`)}
 				</select>
 				<p class="found" role="status">${countInWords(found.length, this.library.all.length)}</p>
 			</div>
 			${this.#selection(found)}
-			<div class="cards" role="list" aria-label="Saved specimens" .style=${`height: ${height}px; --columns: ${this.#columns}`} @keydown=${this.#key} @focusin=${this.#focused}>${repeat(
+			<div class="cards" role="list" aria-label=${text("saved_list")} .style=${`height: ${height}px; --columns: ${this.#columns}`} @keydown=${this.#key} @focusin=${this.#focused}>${repeat(
 				rows,
 				({ index }) => index,
 				(row) =>
@@ -93,48 +98,54 @@ export class SavedList extends StudioPart {
 			)}</div>`;
 	}
 
-	/** The checkbox that selects all results, and the actions on the selected cards. */
+	/** Renders the checkbox that selects all results, and the actions on the selected cards. */
 	#selection(found: readonly Saved[]): TemplateResult {
 		const count = this.#selected.size;
 		const all = count > 0 && count === found.length;
-		return html`<div class="selection" role="group" aria-label="Selection">
+		return html`<div class="selection" role="group" aria-label=${text("saved_selection")}>
 			<label class="toggle"><input
 				type="checkbox" .checked=${live(all)} .indeterminate=${live(count > 0 && !all)} ?disabled=${found.length === 0}
 				@change=${() => this.#select(all ? [] : found.map(({ id }) => id))}
-			>Select all</label>
-			<p role="status">${count > 0 ? `${formatCount(count)} selected` : nothing}</p>
-			${count > 0 ? html`<button class="button" type="button" title="Delete the selected specimens" @click=${() => this.#delete([...this.#selected])}>${icon(BIN)} Delete ${formatCount(count)}</button>` : nothing}
+			>${text("saved_select_all")}</label>
+			<p role="status">${count > 0 ? text("saved_selected", { count }) : nothing}</p>
+			${count > 0 ? html`<button class="button" type="button" title=${text("saved_delete_selected_title")} @click=${() => this.#delete([...this.#selected])}>${icon(BIN)} ${text("saved_delete_selected", { count })}</button>` : nothing}
 		</div>`;
 	}
 
+	/**
+	 * Renders a saved plant.
+	 * @param index position among the found ones
+	 * @param count number of found ones
+	 */
 	#card(saved: Saved, index: number, count: number): TemplateResult {
 		const { id, name } = saved;
 		const about = this.idOf(`about-${id}`);
 		const isStored = this.library.isStored(saved);
 		return html`<div role="listitem" data-saved=${id} aria-posinset=${index + 1} aria-setsize=${count}>
 			<button
-				class="open" type="button" tabindex="-1" aria-label="Open ${name}" aria-describedby=${about} title="Open ${name}"
+				class="open" type="button" tabindex="-1" aria-label=${text("saved_open", { name })} aria-describedby=${about} title=${text("saved_open", { name })}
 				@click=${() => this.dispatchEvent(new CustomEvent("open-saved", { detail: saved }))}
 			><panicle-saved-picture .library=${this.library} .saved=${saved} aria-hidden="true"></panicle-saved-picture></button>
-			<label class="pick" title="Select (Ctrl+A selects all)"><input
-				type="checkbox" tabindex="-1" aria-label="Select ${name}" .checked=${live(this.#selected.has(id))}
+			<label class="pick" title=${text("saved_select_title")}><input
+				type="checkbox" tabindex="-1" aria-label=${text("saved_select", { name })} .checked=${live(this.#selected.has(id))}
 				@click=${(event: MouseEvent) => this.#pick(id, event)}
 			></label>
 			${id === this.#renaming ? this.#nameField(saved) : html`<p class="name" title=${name}>${name}</p>`}
-			<p class="about" id=${about}>${this.#modelTitle(saved)}${isStored ? nothing : html`<b> not kept</b>`}<br>${dayOf(saved)}</p>
+			<p class="about" id=${about}>${this.#modelTitle(saved)}${isStored ? nothing : html` <b>${text("saved_not_stored")}</b>`}<br>${dayOf(saved)}</p>
 			<div class="of-one">
-				<button class="button quiet icon" type="button" tabindex="-1" aria-label="Rename ${name}" title="Rename (F2)" @click=${() => this.#rename(id)}>${icon(PEN)}</button>
-				<button class="button quiet icon" type="button" tabindex="-1" aria-label="Delete ${name}" title="Delete" @click=${() => this.#delete([id])}>${icon(BIN)}</button>
+				<button class="button quiet icon" type="button" tabindex="-1" aria-label=${text("saved_rename", { name })} title=${text("saved_rename_title")} @click=${() => this.#rename(id)}>${icon(PEN)}</button>
+				<button class="button quiet icon" type="button" tabindex="-1" aria-label=${text("saved_delete", { name })} title=${text("saved_delete_title")} @click=${() => this.#delete([id])}>${icon(BIN)}</button>
 			</div>
 		</div>`;
 	}
 
+	/** Renders the field that renames a plant: Enter or leaving it stores the name, Escape leaves the old one. */
 	#nameField({ id, name }: Saved): TemplateResult {
 		return html`<form @submit=${(event: Event) => {
 			event.preventDefault();
 			this.#named(id, (event.target as HTMLFormElement).querySelector("input")?.value ?? "");
 		}}><input
-			aria-label="New name of ${name}" required autocomplete="off" maxlength=${LONGEST_NAME} .value=${name}
+			aria-label=${text("saved_rename_field", { name })} required autocomplete="off" maxlength=${LONGEST_NAME} .value=${name}
 			@keydown=${(event: KeyboardEvent) => {
 				event.stopPropagation();
 				if (event.key !== "Escape") return;
@@ -161,11 +172,13 @@ export class SavedList extends StudioPart {
 		await this.goTo(this.#found().find(({ id }) => ids.includes(id))?.id);
 	}
 
+	/** Starts to follow the width of the list. */
 	protected override firstUpdated(): void {
 		const cards = this.querySelector(".cards");
 		if (cards) this.#resized.observe(cards);
 	}
 
+	/** Measures the rows and updates the stop of the Tab key. */
 	protected override updated(): void {
 		this.#rows.measure();
 		this.#stop();
@@ -191,6 +204,7 @@ export class SavedList extends StudioPart {
 		}
 	}
 
+	/** Returns the result of the search, in order; computed once after each change. */
 	#found(): readonly Saved[] {
 		this.#result ??= findSaved(this.library.all, this.#query, this.#order, (saved) => {
 			const preset = presetOf(saved) ?? "";
@@ -199,10 +213,12 @@ export class SavedList extends StudioPart {
 		return this.#result;
 	}
 
+	/** Returns the specimens of a row. */
 	#inRow(found: readonly Saved[], row: number): readonly Saved[] {
 		return found.slice(row * this.#columns, (row + 1) * this.#columns);
 	}
 
+	/** Returns the position of a specimen in the result; −1 where it is not found. */
 	#indexOf(id: string | undefined): number {
 		return id === undefined ? -1 : this.#found().findIndex((saved) => saved.id === id);
 	}
@@ -216,6 +232,7 @@ export class SavedList extends StudioPart {
 		this.requestUpdate();
 	}
 
+	/** Selects cards in place of those that were selected. */
 	#select(ids: Iterable<string>): void {
 		this.#selected = new Set(ids);
 		this.requestUpdate();
@@ -236,20 +253,24 @@ export class SavedList extends StudioPart {
 		this.#select(next);
 	}
 
+	/** Returns the model of a specimen; undefined before its presets are loaded. */
 	#modelOf(saved: Saved) {
 		const { catalogue } = this.context.state;
 		const name = modelOf(saved);
 		return catalogue.find((model) => (name === undefined ? model.unnamed : model.name === name));
 	}
 
+	/** Returns the title of a specimen's model, or the model's name before it is loaded. */
 	#modelTitle = (saved: Saved): string => this.#modelOf(saved)?.title ?? modelOf(saved) ?? "";
 
-	#look({ query = this.#query, order = this.#order }: { query?: string; order?: SavedOrder }): void {
+	/** Changes the search or the order. */
+	#setFilter({ query = this.#query, order = this.#order }: { query?: string; order?: SavedOrder }): void {
 		this.#query = query;
 		this.#order = order;
 		this.#search();
 	}
 
+	/** Shows the field that renames a specimen, with its name selected. */
 	async #rename(id: string): Promise<void> {
 		this.#renaming = id;
 		this.requestUpdate();
@@ -266,7 +287,7 @@ export class SavedList extends StudioPart {
 		const before = this.library.all.find((saved) => saved.id === id)?.name;
 		if (name !== "" && name !== before) {
 			await this.library.rename(id, name);
-			this.#announce(`“${before}” is “${name}” now.`);
+			this.#announce(text("saved_renamed", { before: before ?? "", name }));
 		}
 		this.requestUpdate();
 		await this.updateComplete;
@@ -282,17 +303,20 @@ export class SavedList extends StudioPart {
 		const next = found.slice(place).find(stays) ?? found.slice(0, place).findLast(stays);
 		const deleted = await this.library.remove(ids);
 		if (deleted.length === 0) return;
-		this.#announce(
-			deleted.length === 1 ? `“${deleted[0].name}” is deleted.` : `${formatCount(deleted.length)} are deleted.`,
-		);
+		this.#announce(text("saved_deleted", countAndName(deleted)));
 		await this.updateComplete;
 		await this.goTo(next?.id);
 	}
 
-	#announce(words: string): void {
-		this.dispatchEvent(new CustomEvent("message", { detail: words }));
+	/** Sends a message for screen readers to the dialog. */
+	#announce(text: string): void {
+		this.dispatchEvent(new CustomEvent("message", { detail: text }));
 	}
 
+	/**
+	 * Handles a key on a card: F2 renames, Delete deletes the card or the selection it is in, Ctrl+A selects all found
+	 * ones, others move the focus.
+	 */
 	#key(event: KeyboardEvent): void {
 		const button = event.target as HTMLElement;
 		const id = button.closest<HTMLElement>("[data-saved]")?.dataset.saved;
@@ -330,22 +354,26 @@ export class SavedList extends StudioPart {
 		if (next) void this.goTo(next.id);
 	}
 
+	/** Makes the card that has received the focus the active one. */
 	readonly #focused = (event: Event): void => {
 		this.#at = (event.target as HTMLElement).closest<HTMLElement>("[data-saved]")?.dataset.saved;
 		this.#stop();
 	};
 
+	/** Returns the visible cards. */
 	#cards(): HTMLElement[] {
 		return [...this.querySelectorAll<HTMLElement>("[data-saved]")];
 	}
 }
 
+/** Describes the number of specimens found, of all. */
 function countInWords(found: number, all: number): string {
-	return found === all ? `${formatCount(all)} saved` : `${formatCount(found)} of ${formatCount(all)}`;
+	return found === all ? text("saved_count", { count: all }) : text("saved_found", { found, count: all });
 }
 
+/** Returns the day on which a specimen was saved; empty where it is unknown. */
 function dayOf({ at }: Saved): string {
-	return at === 0 ? "" : new Date(at).toLocaleDateString("en-GB", { dateStyle: "medium" });
+	return at === 0 ? "" : formatDate(new Date(at));
 }
 
 customElements.define("panicle-saved-list", SavedList);

@@ -1,11 +1,14 @@
+import { drawnJpeg } from "../saved/drawn_jpeg";
 import type { Library } from "../saved/library";
-import { readPicture, type Saved } from "../saved/saved";
-import { THUMBNAIL } from "../saved/thumbnail";
+import type { Saved } from "../saved/saved";
 
 /** Distance from the viewport within which a picture is decoded. */
 const NEAR = "200px";
 
-/** The picture of a saved specimen, drawn on a canvas: the page's content security policy forbids blob and data addresses. */
+/**
+ * The picture of a saved specimen, drawn on a canvas: the page's content security policy forbids blob and data
+ * addresses.
+ */
 export class SavedPicture extends HTMLElement {
 	#saved: Saved | undefined;
 	/** The library that has the picture; set before `saved`. */
@@ -19,24 +22,22 @@ export class SavedPicture extends HTMLElement {
 		inSight.observe(this);
 	}
 
+	/** Waits until the picture is near the viewport, if it is not drawn yet. */
 	connectedCallback(): void {
 		if (this.#saved && !this.firstChild) inSight.observe(this);
 	}
 
+	/** Stops waiting. */
 	disconnectedCallback(): void {
 		inSight.unobserve(this);
 	}
 
+	/** Decodes the picture and draws it, unless another plant has been set meanwhile. */
 	async draw(): Promise<void> {
 		if (!this.#saved) return;
 		const [{ id, picture }] = (await this.library?.withPictures([this.#saved])) ?? [this.#saved];
-		if (!picture || !("value" in readPicture(picture))) return;
-		const bitmap = await createImageBitmap(new Blob([picture], { type: "image/jpeg" })).catch(() => undefined);
-		if (!bitmap || id !== this.#saved?.id) return;
-		const canvas = Object.assign(document.createElement("canvas"), THUMBNAIL);
-		canvas.getContext("2d")?.drawImage(bitmap, 0, 0, canvas.width, canvas.height);
-		bitmap.close();
-		this.replaceChildren(canvas);
+		const canvas = picture && (await drawnJpeg(picture));
+		if (canvas && id === this.#saved?.id) this.replaceChildren(canvas);
 	}
 }
 

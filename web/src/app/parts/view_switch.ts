@@ -1,4 +1,5 @@
 import { html, nothing } from "lit";
+import { text } from "../messages.generated";
 import type { Studio } from "../studio";
 import { SOLID } from "../ui_state";
 import { editorsOf, viewOf } from "./editors";
@@ -6,17 +7,22 @@ import { StudioPart } from "./studio_part";
 
 /** Chooses the view that a phone shows. */
 export class ViewSwitch extends StudioPart {
+	/** Returns the values whose change redraws the switch. */
 	protected override shows({ state }: Studio): readonly unknown[] {
 		return [state.modelUi, viewOf(state), ...editorsOf(state)];
 	}
 
+	/** Renders the choice between the flat editors and the 3-D view; nothing for models without editors. */
 	protected override draw(studio: Studio): unknown {
 		const editors = editorsOf(studio.state);
 		if (editors.length === 0) return nothing;
 		const shown = viewOf(studio.state);
-		const views = [...editors.map(({ name, editor }) => [name, editor?.title] as const), [SOLID, "3-D"] as const];
+		const views = [
+			...editors.map(({ name, editor }) => [name, editor?.title] as const),
+			[SOLID, text("view_3d")] as const,
+		];
 		return html`<fieldset class="switch">
-			<legend class="unseen">View</legend>
+			<legend class="unseen">${text("view")}</legend>
 			${views.map(
 				([name, words]) => html`<label>
 					<input
@@ -27,6 +33,7 @@ export class ViewSwitch extends StudioPart {
 		</fieldset>`;
 	}
 
+	/** Marks the page with the view that a phone shows. */
 	protected override updated(): void {
 		const { state } = this.context;
 		const page = this.closest<HTMLElement>(".studio");

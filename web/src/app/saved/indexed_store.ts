@@ -1,3 +1,5 @@
+import type { Message } from "../../locale/texts";
+import { text } from "../messages.generated";
 import { isSaved, type Saved } from "./saved";
 import { type Edit, edited, type Pictures, type SavedStore, StoreError, withoutPicture } from "./saved_store";
 
@@ -8,38 +10,43 @@ const LAYOUT = 2;
 const [SPECIMENS, PICTURES] = ["specimens", "pictures"];
 
 /**
- * Stores specimens in the browser's IndexedDB of this origin. Opens the database for each step and closes it afterwards: a later version of
- * the page in another tab never waits for this one, and a database that was deleted with the browser's data is created anew.
+ * Stores specimens in the browser's IndexedDB of this origin. Opens the database for each step and closes it
+ * afterwards: a later version of the page in another tab never waits for this one, and a database that was deleted with
+ * the browser's data is created anew.
  */
 export class IndexedStore implements SavedStore {
+	/** Reads all specimens, without pictures. */
 	all(): Promise<readonly Saved[]> {
-		return inOneStep((database) => changed(database, "readonly", () => ({})));
+		return inOneStep((database) => applyEdit(database, "readonly", () => ({})));
 	}
 
+	/** Reads the pictures of specimens by their ids. */
 	pictures(ids: readonly string[]): Promise<Pictures> {
 		return inOneStep((database) => picturesOf(database, ids));
 	}
 
+	/** Changes the store in one transaction. */
 	change(decide: (stored: readonly Saved[]) => Edit): Promise<readonly Saved[]> {
-		return inOneStep((database) => changed(database, "readwrite", decide));
+		return inOneStep((database) => applyEdit(database, "readwrite", decide));
 	}
 }
 
 /** Opens the database for one step. Browsers serialise writing transactions, across tabs, too. */
 async function inOneStep<T>(step: (database: IDBDatabase) => Promise<T>): Promise<T> {
 	try {
-		const database = await opened();
+		const database = await openStoreDatabase();
 		try {
 			return await step(database);
 		} finally {
 			database.close();
 		}
 	} catch (error) {
-		throw new StoreError(sentenceFor(error));
+		throw new StoreError(messageFor(error));
 	}
 }
 
-function opened(): Promise<IDBDatabase> {
+/** Opens the database, and converts that of version 1, whose records held their pictures. */
+function openStoreDatabase(): Promise<IDBDatabase> {
 	return new Promise((resolve, reject) => {
 		const request = indexedDB.open(DATABASE, LAYOUT);
 		request.onupgradeneeded = ({ oldVersion }) => {
@@ -55,9 +62,9 @@ function opened(): Promise<IDBDatabase> {
 
 /** Migrates from the first layout to the second, record by record; other records are left unchanged. */
 function takeOutPictures(specimens: IDBObjectStore, pictures: IDBObjectStore): void {
-	const reading = specimens.openCursor();
-	reading.onsuccess = () => {
-		const cursor = reading.result;
+	const cursorRequest = specimens.openCursor();
+	cursorRequest.onsuccess = () => {
+		const cursor = cursorRequest.result;
 		if (!cursor) return;
 		if (isSaved(cursor.value) && cursor.value.picture) {
 			pictures.put(cursor.value.picture, cursor.value.id);
@@ -67,7 +74,12 @@ function takeOutPictures(specimens: IDBObjectStore, pictures: IDBObjectStore): v
 	};
 }
 
-function changed(
+/**
+ * Applies an edit in one transaction: `decide` receives the stored records and returns the records to put and remove. If it
+ * throws, or the disk is full, nothing is changed.
+ * @returns the records after the edit, without pictures
+ */
+function applyEdit(
 	database: IDBDatabase,
 	mode: IDBTransactionMode,
 	decide: (stored: readonly Saved[]) => Edit,
@@ -102,6 +114,7 @@ function changed(
 	});
 }
 
+/** Reads pictures by the ids of their records; those without a picture are missing from the result. */
 function picturesOf(database: IDBDatabase, ids: readonly string[]): Promise<Pictures> {
 	return new Promise((resolve, reject) => {
 		const transaction = database.transaction(PICTURES, "readonly");
@@ -118,10 +131,10 @@ function picturesOf(database: IDBDatabase, ids: readonly string[]): Promise<Pict
 	});
 }
 
-function sentenceFor(error: unknown): string {
+/** Returns the message for an error of the database: full, newer, or forbidden. */
+function messageFor(error: unknown): Message {
 	const name = error instanceof Error ? error.name : String(error);
-	if (name === "QuotaExceededError") return "The disk, or the part of it that the browser grants this page, is full.";
-	if (name === "VersionError")
-		return "A newer version of this page, in another tab, has taken over what is saved: load this page again.";
-	return `The browser does not let this page keep anything, as in some private windows (${name}).`;
+	if (name === "QuotaExceededError") return text.message("store_full");
+	if (name === "VersionError") return text.message("store_newer");
+	return text.message("store_forbidden", { error: name });
 }

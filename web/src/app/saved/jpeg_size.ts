@@ -1,4 +1,7 @@
-/** Width and height in the header of a JPEG (ITU-T T.81, annex B), read without decoding; undefined for other data. */
+/**
+ * Reads width and height from the header of a JPEG (ITU-T T.81, annex B), without decoding; undefined for other data.
+ * Skips from segment to segment until a start of frame, which has the size as 16-bit big-endian numbers.
+ */
 export function jpegSize(bytes: Uint8Array): { width: number; height: number } | undefined {
 	if (bytes[0] !== 0xff || bytes[1] !== 0xd8) return undefined;
 	for (let at = 2; at + 9 <= bytes.length && bytes[at] === 0xff; ) {
@@ -10,4 +13,15 @@ export function jpegSize(bytes: Uint8Array): { width: number; height: number } |
 		at += 2 + ((bytes[at + 2] << 8) | bytes[at + 3]);
 	}
 	return undefined;
+}
+
+/** Greatest size of a picture, bytes; ten times that of a usual one. */
+export const LARGEST_PICTURE = 96 * 1024;
+/** Greatest width and height of a picture, pixels: a small file may decode to an image that fills the memory. */
+export const LONGEST_SIDE = 1024;
+
+/** Returns whether bytes are a JPEG that is safe to decode. */
+export function isSmallJpeg(picture: Uint8Array): boolean {
+	const size = picture.length <= LARGEST_PICTURE ? jpegSize(picture) : undefined;
+	return size !== undefined && Math.max(size.width, size.height) <= LONGEST_SIDE;
 }

@@ -25,11 +25,11 @@ type Step =
 	| { readonly kind: "import"; readonly ids: ReadonlySet<string> };
 
 /** Number of pictures read at once. */
-const MOST_PICTURES = 500;
+const MAX_PICTURES = 500;
 
 /**
- * The user's saved specimens, in a store. Specimens that could not be stored stay in memory until the page is closed, marked as such, so
- * that they can be exported or stored again.
+ * The user's saved specimens, in a store. Specimens that could not be stored stay in memory until the page is closed,
+ * marked as such, so that they can be exported or stored again.
  */
 export class Library {
 	readonly #store: SavedStore;
@@ -58,6 +58,7 @@ export class Library {
 		return [...this.#unstored.values()];
 	}
 
+	/** Returns whether a specimen is stored. */
 	isStored({ id }: Pick<Saved, "id">): boolean {
 		return !this.#unstored.has(id);
 	}
@@ -80,7 +81,7 @@ export class Library {
 		return () => this.#listeners.delete(listener);
 	}
 
-	/** The given specimens with their pictures, if the store can be read. */
+	/** Returns specimens with their pictures, if the store can be read. */
 	async withPictures(several: readonly Saved[]): Promise<readonly Saved[]> {
 		const missing = several.flatMap(({ id, picture }) => (picture ? [] : [id]));
 		const found = missing.length > 0 ? await this.#store.pictures(missing).catch(() => undefined) : undefined;
@@ -106,16 +107,16 @@ export class Library {
 
 	/** Adds the specimens that are new by name and link, as one step of `undo`. @returns their number */
 	async bring(several: readonly Saved[]): Promise<number> {
-		const fresh = await this.#put((all) => {
-			const known = new Set(all.map(sameness));
+		const added = await this.#put((all) => {
+			const existing = new Set(all.map(sameness));
 			return several.filter((each) => {
-				const come = !known.has(sameness(each));
-				known.add(sameness(each));
-				return come;
+				const isNew = !existing.has(sameness(each));
+				existing.add(sameness(each));
+				return isNew;
 			});
 		});
-		if (fresh.length > 0) this.#done({ kind: "import", ids: new Set(fresh.map(({ id }) => id)) });
-		return fresh.length;
+		if (added.length > 0) this.#addStep({ kind: "import", ids: new Set(added.map(({ id }) => id)) });
+		return added.length;
 	}
 
 	/** Renames a specimen; does nothing if another tab has deleted it. */
@@ -125,21 +126,21 @@ export class Library {
 
 	/** Deletes specimens as one step of `undo`. @returns the deleted ones */
 	async remove(ids: readonly string[]): Promise<readonly Saved[]> {
-		const wanted = new Set(ids);
+		const idSet = new Set(ids);
 		// A picture never changes, so it can be read before the step.
-		const pictures = await this.#picturesOf(this.all.filter(({ id }) => wanted.has(id)));
-		const gone = await this.#remove(wanted);
-		const deleted = gone.map(({ picture, ...saved }) => ({
+		const pictures = await this.#picturesOf(this.all.filter(({ id }) => idSet.has(id)));
+		const removed = await this.#remove(idSet);
+		const deleted = removed.map(({ picture, ...saved }) => ({
 			saved,
 			picture: picture ? new Blob([picture]) : pictures.get(saved.id),
 		}));
-		if (deleted.length > 0) this.#done({ kind: "deletion", deleted });
-		return gone;
+		if (deleted.length > 0) this.#addStep({ kind: "deletion", deleted });
+		return removed;
 	}
 
 	/** Reverts the last step: adds deleted specimens, deletes imported ones. @returns the step if it was reverted */
 	async undo(): Promise<LibraryStep | undefined> {
-		const [step, described] = [this.#steps.at(-1), this.lastStep];
+		const [step, stepInList] = [this.#steps.at(-1), this.lastStep];
 		if (!step) return undefined;
 		this.#steps = this.#steps.slice(0, -1);
 		if (step.kind === "deletion") {
@@ -147,10 +148,10 @@ export class Library {
 			await this.#put(() => specimens);
 			return { kind: step.kind, specimens };
 		}
-		const gone = await this.#remove(step.ids);
-		if (gone.length > 0 || described?.specimens.length === 0) return { kind: step.kind, specimens: gone };
+		const removed = await this.#remove(step.ids);
+		if (removed.length > 0 || stepInList?.specimens.length === 0) return { kind: step.kind, specimens: removed };
 		// The store failed: the step can be reverted later.
-		this.#done(step);
+		this.#addStep(step);
 		return undefined;
 	}
 
@@ -163,31 +164,33 @@ export class Library {
 	async #remove(ids: ReadonlySet<string>): Promise<readonly Saved[]> {
 		const stored = new Set(this.#stored.map(({ id }) => id));
 		// Specimens that were never stored are deleted without the store.
-		const here = this.unstored.filter(({ id }) => ids.has(id) && !stored.has(id));
-		let gone: readonly Saved[] = here;
-		if (here.length < ids.size) {
-			const done = await this.#change((stored) => {
-				gone = edited(stored, { put: this.unstored }).filter(({ id }) => ids.has(id));
-				return { remove: gone.map(({ id }) => id) };
+		const unstored = this.unstored.filter(({ id }) => ids.has(id) && !stored.has(id));
+		let removed: readonly Saved[] = unstored;
+		if (unstored.length < ids.size) {
+			const isStored = await this.#change((stored) => {
+				removed = edited(stored, { put: this.unstored }).filter(({ id }) => ids.has(id));
+				return { remove: removed.map(({ id }) => id) };
 			});
-			if (!done) gone = here;
+			if (!isStored) removed = unstored;
 		}
-		for (const { id } of gone) this.#unstored.delete(id);
+		for (const { id } of removed) this.#unstored.delete(id);
 		this.#notifyListeners();
-		return gone;
+		return removed;
 	}
 
+	/** Reads the pictures of specimens, some at a time. */
 	async #picturesOf(several: readonly Saved[]): Promise<ReadonlyMap<string, Blob>> {
-		const found = new Map<string, Blob>();
-		for (let from = 0; from < several.length; from += MOST_PICTURES) {
-			for (const { id, picture } of await this.withPictures(several.slice(from, from + MOST_PICTURES))) {
-				if (picture) found.set(id, new Blob([picture]));
+		const pictures = new Map<string, Blob>();
+		for (let from = 0; from < several.length; from += MAX_PICTURES) {
+			for (const { id, picture } of await this.withPictures(several.slice(from, from + MAX_PICTURES))) {
+				if (picture) pictures.set(id, new Blob([picture]));
 			}
 		}
-		return found;
+		return pictures;
 	}
 
-	#done(step: Step): void {
+	/** Adds a step that `undo` can revert. */
+	#addStep(step: Step): void {
 		this.#steps = [...this.#steps, step];
 		this.#notifyListeners();
 	}
@@ -198,21 +201,22 @@ export class Library {
 	 * @returns the specimens of the last call of `make`
 	 */
 	async #put(make: (all: readonly Saved[]) => readonly Saved[]): Promise<readonly Saved[]> {
-		let made: readonly Saved[] = [];
+		let specimens: readonly Saved[] = [];
 		const decide = (stored: readonly Saved[]) => {
-			made = make(edited(stored, { put: this.unstored }));
-			return { put: made };
+			specimens = make(edited(stored, { put: this.unstored }));
+			return { put: specimens };
 		};
-		const done = await this.#change(decide);
-		if (!done) decide(this.#stored);
-		for (const each of made) {
-			if (done) this.#unstored.delete(each.id);
+		const isStored = await this.#change(decide);
+		if (!isStored) decide(this.#stored);
+		for (const each of specimens) {
+			if (isStored) this.#unstored.delete(each.id);
 			else this.#unstored.set(each.id, each);
 		}
 		this.#notifyListeners();
-		return made;
+		return specimens;
 	}
 
+	/** Changes the store and notifies the other tabs; returns whether that succeeded. */
 	async #change(decide: (stored: readonly Saved[]) => Edit): Promise<boolean> {
 		const done = await this.#try(() => this.#store.change(decide));
 		if (done) this.#tabs?.postMessage("changed");
@@ -233,11 +237,13 @@ export class Library {
 		}
 	}
 
+	/** Calls all listeners of `subscribe`. */
 	#notifyListeners(): void {
 		for (const listener of this.#listeners) listener();
 	}
 }
 
+/** Returns a deleted specimen with its picture. */
 async function withItsPicture({ saved, picture }: Deleted): Promise<Saved> {
 	return picture ? { ...saved, picture: new Uint8Array(await picture.arrayBuffer()) } : saved;
 }

@@ -3,6 +3,7 @@ import { modelNamed } from "../../models/index";
 import { decodeLink, encodeLink, linkParts } from "../../specimen/link";
 import { growsAlike } from "../../specimen/same";
 import { caughtUp, plantToSave } from "../files/plant_to_save";
+import { text } from "../messages.generated";
 import type { Studio } from "../studio";
 import { VERSION } from "../version";
 import { modelOf, type Saved } from "./saved";
@@ -11,7 +12,7 @@ import { thumbnailOf } from "./thumbnail";
 const TOPIC = "saved specimen";
 
 /**
- * The plant in view as a saved specimen; without a picture if there is no 3-D view.
+ * Returns the plant in view as a saved specimen; without a picture if there is no 3-D view.
  * @throws Error if nothing has grown
  */
 export async function savedOf(studio: Studio, name: string): Promise<Saved> {
@@ -30,7 +31,8 @@ export async function savedOf(studio: Studio, name: string): Promise<Saved> {
 }
 
 /**
- * Opens a saved specimen, as one undo step. Compares the grown plant's fingerprint with the saved one, and notifies of a difference.
+ * Opens a saved specimen, as one undo step. Compares the grown plant's fingerprint with the saved one, and notifies of
+ * a difference.
  * @throws errors of modelNamed, if its model cannot be fetched
  */
 export async function openSaved(studio: Studio, saved: Saved): Promise<void> {
@@ -43,10 +45,11 @@ export async function openSaved(studio: Studio, saved: Saved): Promise<void> {
 	const { shown } = studio.state;
 	// If the document has changed meanwhile, or could not grow, there is nothing to compare.
 	if (!shown || !growsAlike(shown.from, restored.specimen) || shown.grown.fingerprint === saved.fingerprint) return;
-	const made = saved.app === "" ? "It was saved" : `It was saved with version ${saved.app}`;
-	studio.notify(
-		`“${saved.name}” grows otherwise than when it was saved`,
-		[`${made}, fingerprint ${saved.fingerprint}; it is ${shown.grown.fingerprint} here.`],
-		{ topic: `${TOPIC} grown`, untouched: true },
-	);
+	const fingerprints = { saved: saved.fingerprint, grown: shown.grown.fingerprint };
+	const details =
+		saved.app === ""
+			? text("saved_differs_details", fingerprints)
+			: text("saved_differs_version", { ...fingerprints, version: saved.app });
+	const options = { topic: `${TOPIC} grown`, untouched: true };
+	studio.notify(text("saved_differs", { name: saved.name }), [details], options);
 }

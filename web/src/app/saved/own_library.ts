@@ -3,7 +3,10 @@ import { Library } from "./library";
 
 let own: Library | undefined;
 
-/** The page's library, stored in this browser and shared by all tabs. Leaving the page with specimens not stored needs confirmation. */
+/**
+ * Returns the page's library, stored in this browser and shared by all tabs. Leaving the page with specimens not stored
+ * needs confirmation.
+ */
 export function ownLibrary(): Library {
 	if (own) return own;
 	const library = new Library(new IndexedStore(), new BroadcastChannel("panicle.saved"));
@@ -14,7 +17,10 @@ export function ownLibrary(): Library {
 	return library;
 }
 
-/** Requests persistent storage, which the browser does not clear on a full disk. Most browsers decide by themselves; some show a prompt. */
+/**
+ * Requests persistent storage, which the browser does not clear on a full disk. Most browsers decide by themselves;
+ * some show a prompt.
+ */
 export async function requestPersistence(): Promise<void> {
 	await navigator.storage?.persist?.().catch(() => false);
 }

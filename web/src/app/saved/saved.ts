@@ -1,6 +1,7 @@
 /** Specimens saved under a name, and checks of such specimens from files and storage. */
 import { LONGEST_FRAGMENT, LONGEST_QUERY, linkParts, modelInQuery } from "../../specimen/link";
-import { jpegSize } from "./jpeg_size";
+import { text } from "../messages.generated";
+import { jpegSize, LARGEST_PICTURE, LONGEST_SIDE } from "./jpeg_size";
 
 export interface Saved {
 	/** A UUID, unique across browsers. */
@@ -21,17 +22,15 @@ export interface Saved {
 
 /** Greatest length of a name, characters. */
 export const LONGEST_NAME = 120;
-/** Greatest size of a picture, bytes; ten times that of a usual one. */
-export const LARGEST_PICTURE = 96 * 1024;
-/** Greatest width and height of a picture, pixels: a small file may decode to an image that fills the memory. */
-const LONGEST_SIDE = 1024;
 /** The last time that `Date` can represent, milliseconds since 1970. */
 const LAST_DAY = 8.64e15;
 
-/** A checked value, or its problem as the end of a sentence: "has no name". */
+/** A checked value, or its problem, a sentence. */
 type Read<T> = { readonly value: T } | { readonly problem: string };
 
-/** The name as shown: one line, without characters that change the writing direction, truncated. May be empty. */
+/**
+ * Returns a name as shown: one line, without characters that change the writing direction, truncated. May be empty.
+ */
 export function tidyName(name: string): string {
 	const line = name
 		.slice(0, 16 * LONGEST_NAME)
@@ -41,29 +40,36 @@ export function tidyName(name: string): string {
 	return Array.from(line).slice(0, LONGEST_NAME).join("").trim();
 }
 
-/** Query and fragment of a link of any address; the address itself is dropped and never opened. */
+/** Returns query and fragment of a link of any address; the address itself is dropped and never opened. */
 export function readLink(link: unknown): Read<string> {
-	if (typeof link !== "string") return { problem: "its link is not text" };
+	if (typeof link !== "string") return { problem: text("library_link_not_text") };
 	const { query, fragment } = linkParts(link);
-	if (query === "") return { problem: "its link has no “?”" };
-	if (query.length > LONGEST_QUERY || fragment.length > LONGEST_FRAGMENT) return { problem: "its link is too long" };
+	if (query === "") return { problem: text("library_link_no_query") };
+	if (query.length > LONGEST_QUERY || fragment.length > LONGEST_FRAGMENT)
+		return { problem: text("library_link_too_long") };
 	return { value: `${query}${fragment}` };
 }
 
 /** Checks the size of a picture, so that decoding it is safe. */
 export function readPicture(picture: Uint8Array<ArrayBuffer>): Read<Uint8Array<ArrayBuffer>> {
-	if (picture.length > LARGEST_PICTURE) return { problem: `its picture is larger than ${LARGEST_PICTURE / 1024} kB` };
+	if (picture.length > LARGEST_PICTURE) return { problem: pictureTooLarge() };
 	const size = jpegSize(picture);
-	if (!size) return { problem: "its picture is no JPEG" };
+	if (!size) return { problem: text("library_picture_not_jpeg") };
 	const { width, height } = size;
-	if (Math.max(width, height) > LONGEST_SIDE) return { problem: `its picture is larger than ${LONGEST_SIDE} pixels` };
+	if (Math.max(width, height) > LONGEST_SIDE)
+		return { problem: text("library_picture_wide", { pixels: LONGEST_SIDE }) };
 	return { value: picture };
 }
 
+/** Returns the problem of a picture with too many bytes. */
+export const pictureTooLarge = (): string => text("library_picture_large", { kilobytes: LARGEST_PICTURE / 1024 });
+
+/** Returns whether a value is a time that `Date` can represent. */
 export const isTime = (at: unknown): at is number => typeof at === "number" && Math.abs(at) <= LAST_DAY;
+/** Returns whether a value is a fingerprint: 16 hexadecimal digits. */
 export const isFingerprint = (text: unknown): text is string => typeof text === "string" && /^[0-9a-f]{16}$/.test(text);
 
-/** Whether a stored value is a saved specimen: another version of the page may have written it. */
+/** Returns whether a stored value is a saved specimen: another version of the page may have written it. */
 export function isSaved(value: unknown): value is Saved {
 	if (typeof value !== "object" || value === null) return false;
 	const { id, name, link, at, app, fingerprint, picture } = value as Partial<Record<keyof Saved, unknown>>;
@@ -75,10 +81,16 @@ export function isSaved(value: unknown): value is Saved {
 	);
 }
 
-/** Key of a specimen for the import: the same for specimens of the same name and link. */
+/** Returns a key for the import, the same for specimens of the same name and link. */
 export const sameness = ({ name, link }: Pick<Saved, "name" | "link">): string => JSON.stringify([name, link]);
 
-/** The name, with a number appended if it is taken: "Merlot", "Merlot 2". */
+/** Returns the number of specimens and the first one’s name, for messages that name a single one. */
+export const countAndName = (several: readonly Saved[]): { count: number; name: string } => ({
+	count: several.length,
+	name: several[0]?.name ?? "",
+});
+
+/** Returns the name, with a number appended if it is taken: "Merlot", "Merlot 2". */
 export function uniqueName(name: string, taken: Iterable<string>): string {
 	const names = new Set(taken);
 	for (let count = 2, unique = name; ; count++) {
@@ -87,8 +99,8 @@ export function uniqueName(name: string, taken: Iterable<string>): string {
 	}
 }
 
-/** The name of the specimen's model; undefined for the default. */
+/** Returns the name of the specimen's model; undefined for the default. */
 export const modelOf = ({ link }: Saved): string | undefined => modelInQuery(linkParts(link).query);
-/** The name of the specimen's preset; undefined for the model's default. */
+/** Returns the name of the specimen's preset; undefined for the model's default. */
 export const presetOf = ({ link }: Saved): string | undefined =>
 	new URLSearchParams(linkParts(link).query).get("preset") ?? undefined;

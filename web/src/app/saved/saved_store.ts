@@ -1,4 +1,5 @@
 /** The interface of a store of specimens; indexed_store.ts implements it in the browser. */
+import { MessageError } from "../../locale/message_error";
 import type { Saved } from "./saved";
 
 /** An edit of the store. */
@@ -27,18 +28,18 @@ export interface SavedStore {
 	change(decide: (stored: readonly Saved[]) => Edit): Promise<readonly Saved[]>;
 }
 
-/** The store cannot be used; the message is a sentence with the reason. */
-export class StoreError extends Error {
+/** The store cannot be used; the message has the reason. */
+export class StoreError extends MessageError {
 	override name = "StoreError";
 }
 
-/** The stored specimens after an edit. */
+/** Returns the stored specimens after an edit. */
 export function edited(stored: readonly Saved[], { put = [], remove = [] }: Edit): readonly Saved[] {
 	const gone = new Set([...remove, ...put.map(({ id }) => id)]);
 	return [...stored.filter(({ id }) => !gone.has(id)), ...put];
 }
 
-/** A specimen without its picture. */
+/** Returns a specimen without its picture. */
 export function withoutPicture({ picture: _, ...saved }: Saved): Saved {
 	return saved;
 }

@@ -7,7 +7,7 @@ const FINER = 2;
 const QUALITY = 0.85;
 
 /**
- * The middle of the view, as a JPEG of some ten kilobytes.
+ * Returns the middle of the view, as a JPEG of some ten kilobytes.
  * @param take takes a picture of the given height, in pixels
  * @throws errors of `take`, and an Error if the browser makes no JPEG
  */

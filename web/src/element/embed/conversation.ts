@@ -1,14 +1,17 @@
 /**
- * The message protocol between a host page and the plant in its frame (docs/embed.md). Every message is validated; a response goes only to
- * the origin of the request. Messages of other programs are ignored.
+ * The message protocol between a host page and the plant in its frame (docs/embed.md). Every message is validated; a
+ * response goes only to the origin of the request. Messages of other programs are ignored.
  */
 import {
 	type FileOptions,
-	fileOptionRange,
+	fileOptionProblem,
 	isFileOptionValue,
 	type NumericFileOptionKey,
 } from "../../formats/file_options";
+import { MessageError, messageOf } from "../../locale/message_error";
+import { isRecord } from "../../specimen/read_values";
 import type { GrownDetail } from "../grown_detail";
+import { text } from "../messages.generated";
 
 /** Name and version of the protocol, in every message. */
 export const PROTOCOL = "panicle/1";
@@ -39,13 +42,13 @@ type Values = Readonly<Record<string, unknown>>;
 type Method = (plant: EmbeddedPlant, values: Values, message: IncomingMessage) => unknown;
 
 /** An invalid request; the message is the response's error. */
-class RequestError extends Error {}
+class RequestError extends MessageError {}
 
-const MOST_VALUES = 200;
+const MAX_VALUES = 200;
 const LONGEST_ID = 200;
 const LONGEST_TEXT = 512 * 1024;
 /** Greatest number of listening windows: a page may create any number of frames. */
-const MOST_LISTENERS = 64;
+const MAX_LISTENERS = 64;
 
 export class Conversation {
 	readonly #plant: EmbeddedPlant;
@@ -69,7 +72,8 @@ export class Conversation {
 		try {
 			answer({ result: await this.#handleRequest(data, message) });
 		} catch (error) {
-			answer({ error: error instanceof Error ? error.message : String(error) });
+			const { code, args, text: message } = messageOf(error);
+			answer({ error: message, code, args });
 		}
 	}
 
@@ -78,11 +82,15 @@ export class Conversation {
 		for (const [source, origin] of this.#listeners) send(source, origin, { event, detail });
 	}
 
+	/**
+	 * Answers a request: checks its origin, then calls the method with the request's values.
+	 * @throws RequestError for origins, methods and values that are not allowed
+	 */
 	async #handleRequest(data: Values, message: IncomingMessage): Promise<unknown> {
 		const { origin, source } = message;
 		// A page with the origin "null" (a sandbox, a file) cannot be addressed, so it gets no response.
 		if (origin === "null" || (this.#allowed && !this.#allowed.includes(origin)))
-			throw new RequestError(`pages of ${origin} may not ask this frame`);
+			throw new RequestError(text.message("embed_origin_refused", { origin }));
 		const { method } = data;
 		if (method === "listen" && source) {
 			this.#listen(source, origin);
@@ -91,17 +99,24 @@ export class Conversation {
 		const known = typeof method === "string" && Object.hasOwn(METHODS, method) ? METHODS[method] : undefined;
 		if (!known)
 			throw new RequestError(
-				`there is no method ${JSON.stringify(method)?.slice(0, 60)}; there are ${NAMES.join(", ")}`,
+				text.message("embed_method_unknown", {
+					method: String(JSON.stringify(method)).slice(0, 60),
+					methods: NAMES.join(", "),
+				}),
 			);
 		const { values = {} } = data;
-		if (!isRecord(values)) throw new RequestError("values: an object is wanted");
+		if (!isRecord(values)) throw new RequestError(text.message("embed_values_not_object"));
 		return known(this.#plant, values, message);
 	}
 
+	/**
+	 * Adds a window that receives events, in place of closed ones.
+	 * @throws RequestError if too many windows listen
+	 */
 	#listen(source: NonNullable<IncomingMessage["source"]>, origin: string): void {
 		for (const listener of this.#listeners.keys()) if (listener.closed) this.#listeners.delete(listener);
-		if (!this.#listeners.has(source) && this.#listeners.size >= MOST_LISTENERS)
-			throw new RequestError(`${MOST_LISTENERS} windows listen already; close one, or remove its frame, and try again`);
+		if (!this.#listeners.has(source) && this.#listeners.size >= MAX_LISTENERS)
+			throw new RequestError(text.message("embed_too_many_listeners", { most: MAX_LISTENERS }));
 		this.#listeners.set(source, origin);
 	}
 }
@@ -110,9 +125,9 @@ const METHODS: Readonly<Record<string, Method>> = {
 	specimen: (plant) => plant.specimen ?? null,
 	grow: (plant) => plant.grow(),
 	set: (plant, values) => plant.set(settings(values)),
-	open: (plant, { link }) => plant.open(text("link", link)),
+	open: (plant, { link }) => plant.open(textOf("link", link)),
 	file: (plant, { format, triangles, thickness, points, translucent, textures }) =>
-		plant.toFile(text("format", format), {
+		plant.toFile(textOf("format", format), {
 			...numericOption("triangles", triangles),
 			...numericOption("thickness", thickness),
 			...numericOption("points", points),
@@ -128,43 +143,59 @@ const METHODS: Readonly<Record<string, Method>> = {
 };
 const NAMES = ["listen", ...Object.keys(METHODS)];
 
+/**
+ * Checks the values of a request `set`: at most `MAX_VALUES` texts and finite numbers.
+ * @throws RequestError
+ */
 function settings(values: Values): Record<string, number | string> {
 	const entries = Object.entries(values);
-	if (entries.length > MOST_VALUES) throw new RequestError(`values: more than ${MOST_VALUES}`);
+	if (entries.length > MAX_VALUES) throw new RequestError(text.message("embed_too_many_values", { most: MAX_VALUES }));
 	return Object.fromEntries(
-		entries.map(([key, value]) => [key, typeof value === "number" ? number(key, value) : text(key, value)]),
+		entries.map(([key, value]) => [key, typeof value === "number" ? number(key, value) : textOf(key, value)]),
 	);
 }
 
-function text(key: string, value: unknown): string {
+/**
+ * Returns a value that must be a text of limited length.
+ * @throws RequestError
+ */
+function textOf(key: string, value: unknown): string {
 	if (typeof value !== "string" || value.length > LONGEST_TEXT)
-		throw new RequestError(`${key.slice(0, 60)}: a text is wanted`);
+		throw new RequestError(text.message("embed_not_text", { key: key.slice(0, 60) }));
 	return value;
 }
 
+/**
+ * Returns a value that must be a finite number.
+ * @throws RequestError
+ */
 function number(key: string, value: unknown): number {
 	if (typeof value !== "number" || !Number.isFinite(value))
-		throw new RequestError(`${key.slice(0, 60)}: a number is wanted`);
+		throw new RequestError(text.message("embed_not_a_number", { key: key.slice(0, 60) }));
 	return value;
 }
 
-/** A numeric option of a file, where the message has it. */
+/**
+ * Returns a numeric option of a file, where the message has it; else no option.
+ * @throws RequestError where the option does not accept the value
+ */
 function numericOption(key: NumericFileOptionKey, value: unknown): FileOptions {
 	if (value === undefined) return {};
-	if (!isFileOptionValue(key, value)) throw new RequestError(`${key}: ${fileOptionRange(key)}`);
+	if (!isFileOptionValue(key, value)) throw new RequestError(fileOptionProblem(key));
 	return { [key]: value };
 }
 
+/**
+ * Returns the side of a picture, 1 to 8192 pixels.
+ * @throws RequestError
+ */
 function side(key: string, value: unknown): number {
 	const pixels = number(key, value);
-	if (pixels < 1 || pixels > 8192) throw new RequestError(`${key}: 1 to 8192 pixels`);
+	if (pixels < 1 || pixels > 8192) throw new RequestError(text.message("embed_pixels", { key, least: 1, most: 8192 }));
 	return Math.round(pixels);
 }
 
-function isRecord(value: unknown): value is Values {
-	return typeof value === "object" && value !== null && !Array.isArray(value);
-}
-
+/** Sends a message of the protocol to a window, if it still shows a page of that origin. */
 function send(source: NonNullable<IncomingMessage["source"]>, origin: string, message: object): void {
 	// Only a page of that origin receives it, even if the window shows another page now.
 	if (origin !== "null") source.postMessage({ panicle: PROTOCOL, ...message }, { targetOrigin: origin });

@@ -1,4 +1,6 @@
-/** The script of `embed.html?v=2&…`: shows the plant of a link in a frame, and exchanges messages with the host page. */
+/**
+ * The script of `embed.html?v=2&…`: shows the plant of a link in a frame, and exchanges messages with the host page.
+ */
 import { PanicleSpecimen } from "../panicle";
 import { Conversation } from "./conversation";
 import { frameSettings } from "./frame_settings";
@@ -6,6 +8,8 @@ import { frameSettings } from "./frame_settings";
 const { link, attributes, allowed } = frameSettings(location);
 const plant = new PanicleSpecimen();
 plant.setAttribute("link", link);
+// In a window of its own there is no page to scroll.
+if (window.parent === window) plant.setAttribute("capture", "");
 for (const [name, value] of attributes) plant.setAttribute(name, value);
 
 const conversation = new Conversation(

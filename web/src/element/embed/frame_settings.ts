@@ -10,8 +10,12 @@ export interface FrameSettings {
 }
 
 /** Keys of the frame's query that become attributes of the element; no parameter has such a name. */
-export const FRAME_KEYS = ["autorotate", "wind", "controls", "handles", "theme", "alt", "loading"] as const;
+export const FRAME_KEYS = ["autorotate", "wind", "controls", "handles", "capture", "theme", "alt", "loading"] as const;
 
+/**
+ * Splits an address: keys in FRAME_KEYS are attributes, `allow` lists origins that may send messages (undefined: all),
+ * and the rest is the specimen's link. The last of repeated keys counts.
+ */
 export function frameSettings({ search, hash }: { search: string; hash: string }): FrameSettings {
 	const query = new URLSearchParams(search);
 	const attributes = FRAME_KEYS.flatMap((key) => {
@@ -24,7 +28,7 @@ export function frameSettings({ search, hash }: { search: string; hash: string }
 	return { link: `?${query}${hash}`, attributes, allowed: allowed?.flatMap(originOf) };
 }
 
-/** The origin of an address, as in MessageEvent; none for invalid addresses. */
+/** Returns the origin of an address, as in MessageEvent, in a list; an empty list for invalid addresses. */
 function originOf(address: string): string[] {
 	return URL.canParse(address) ? [new URL(address).origin] : [];
 }

@@ -1,11 +1,17 @@
-/** The bar below a plant: turning, age, seed, download, and the link to the app. Every control has a label, keyboard access and a part name. */
+/**
+ * The bar below a plant: turning, age, seed, download, and the link to the app. Every control has a label, keyboard
+ * access and a part name.
+ */
+
 import { ageOf } from "../../generate/files/aged";
 import { plantInWords } from "../../generate/plant_in_words";
+import { messageOf } from "../../locale/message_error";
 import { withParameters, withSeed } from "../../specimen/edit";
 import { SEED } from "../../specimen/limits";
 import { encodeLink } from "../../specimen/link";
 import { appAddress } from "../app_address";
 import type { GrownDocument } from "../grown_detail";
+import { text } from "../messages.generated";
 import type { SpecimenView } from "../specimen_view";
 import { BAR_STYLE } from "./bar_style";
 import type { Extra, ExtrasHost } from "./extras";
@@ -23,13 +29,13 @@ export class Bar implements Extra {
 	readonly #host: ExtrasHost;
 	readonly #view: SpecimenView;
 	readonly #bar = document.createElement("div");
-	readonly #turn = button("Turn", "turn");
-	readonly #age = field("range", "Age");
-	readonly #seed = field("number", "Seed");
-	readonly #download = button("Download GLB", "download");
-	readonly #app = drawn(
+	readonly #turn = button(text("turn"), "turn");
+	readonly #age = field("range", text("age"));
+	readonly #seed = field("number", text("seed"));
+	readonly #download = button(text("download_glb"), "download");
+	readonly #app = withIcon(
 		Object.assign(document.createElement("a"), { target: "_blank", rel: "noopener" }),
-		"Open in the app",
+		text("open_in_app"),
 		"app",
 	);
 	readonly #status = Object.assign(document.createElement("p"), { className: "unseen", role: "status" });
@@ -43,6 +49,7 @@ export class Bar implements Extra {
 	/** The value of `autorotate` when it was last switched off. */
 	#speed = "";
 
+	/** Adds the bar and its style to the element's shadow root. */
 	constructor(host: ExtrasHost, view: SpecimenView) {
 		this.#host = host;
 		this.#view = view;
@@ -51,7 +58,7 @@ export class Bar implements Extra {
 		const space = Object.assign(document.createElement("span"), { className: "space" });
 		this.#bar.className = "bar";
 		this.#bar.role = "group";
-		this.#bar.ariaLabel = "Controls";
+		this.#bar.ariaLabel = text("bar");
 		this.#bar.part.add("controls");
 		this.#bar.append(this.#turn, this.#age, space, this.#seed, this.#download, this.#app, this.#status);
 		Object.assign(this.#seed, { min: `${SEED.min}`, max: `${SEED.max}`, step: "1" });
@@ -61,6 +68,7 @@ export class Bar implements Extra {
 		this.follow();
 	}
 
+	/** Follows a grown plant: sets age, seed and link, and announces plants that the bar's controls caused. */
 	show(shown: GrownDocument): void {
 		this.#shown = shown;
 		const { model, specimen } = shown;
@@ -87,6 +95,7 @@ export class Bar implements Extra {
 		void this.#updateAppLink(shown);
 	}
 
+	/** Follows a changed attribute: the state of the turning switch, and the address of the app. */
 	follow(): void {
 		const { element } = this.#host;
 		// Without automatic turning the button is no switch.
@@ -95,6 +104,7 @@ export class Bar implements Extra {
 		if (this.#shown) void this.#updateAppLink(this.#shown);
 	}
 
+	/** Removes the bar, which gives its height back to the picture. */
 	dispose(): void {
 		this.#ended.abort();
 		const { root } = this.#host;
@@ -103,6 +113,7 @@ export class Bar implements Extra {
 		this.#view.resize();
 	}
 
+	/** Connects the controls to the document. The bar's own `input` and `change` events do not leave it. */
 	#listen(): void {
 		const { interaction } = this.#host;
 		this.#turn.addEventListener("click", () => {
@@ -144,6 +155,7 @@ export class Bar implements Extra {
 		}
 	}
 
+	/** Ends a change by the bar's controls, whose plant is then announced. */
 	#settle(): void {
 		this.#touched = true;
 		this.#host.interaction.settle();
@@ -155,6 +167,7 @@ export class Bar implements Extra {
 		this.#status.classList.toggle("unseen", !seen);
 	}
 
+	/** Sets the link that opens the plant in the app; hides it where there is no app. */
 	async #updateAppLink({ model, specimen }: GrownDocument): Promise<void> {
 		const app = appAddress(this.#host.element.getAttribute("app"));
 		this.#app.hidden = app === undefined;
@@ -162,6 +175,7 @@ export class Bar implements Extra {
 		if (app !== undefined) this.#app.href = `${app}${link}`;
 	}
 
+	/** Saves the plant as GLB; errors are shown in the bar. */
 	async #save(): Promise<void> {
 		this.#download.ariaBusy = "true";
 		this.#announce("");
@@ -175,27 +189,30 @@ export class Bar implements Extra {
 			// By then the download has its own reference to the data.
 			setTimeout(() => URL.revokeObjectURL(anchor.href), 60_000);
 		} catch (error) {
-			this.#announce(`The GLB could not be made: ${error instanceof Error ? error.message : error}`, "seen");
+			this.#announce(text("glb_failed", { problem: messageOf(error).text }), "seen");
 		} finally {
 			this.#download.ariaBusy = null;
 		}
 	}
 }
 
+/** Creates an input with its name for screen readers, and the part `control` for style sheets. */
 function field(type: "range" | "number", label: string): HTMLInputElement {
-	const made = Object.assign(document.createElement("input"), { type, ariaLabel: label, title: label });
-	made.part.add("control");
-	return made;
+	const input = Object.assign(document.createElement("input"), { type, ariaLabel: label, title: label });
+	input.part.add("control");
+	return input;
 }
 
-const button = (label: string, drawing: keyof typeof DRAWINGS) =>
-	drawn(Object.assign(document.createElement("button"), { type: "button" }), label, drawing);
+/** Creates a button with an icon. */
+const button = (label: string, icon: keyof typeof DRAWINGS) =>
+	withIcon(Object.assign(document.createElement("button"), { type: "button" }), label, icon);
 
-function drawn<E extends HTMLElement>(control: E, label: string, drawing: keyof typeof DRAWINGS): E {
+/** Gives a control its icon, its name for screen readers and hints, and the part `control` for style sheets. */
+function withIcon<E extends HTMLElement>(control: E, label: string, icon: keyof typeof DRAWINGS): E {
 	const [svg, path] = ["svg", "path"].map((tag) => document.createElementNS("http://www.w3.org/2000/svg", tag));
 	svg.setAttribute("viewBox", "0 0 20 20");
 	svg.setAttribute("aria-hidden", "true");
-	path.setAttribute("d", DRAWINGS[drawing]);
+	path.setAttribute("d", DRAWINGS[icon]);
 	svg.append(path);
 	control.append(svg);
 	control.ariaLabel = label;

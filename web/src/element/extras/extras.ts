@@ -41,12 +41,12 @@ export class ElementExtras {
 			if (wanted && !this.#made.has(name)) this.#make(name);
 			else if (!wanted) this.#drop(name);
 		}
-		this.#all((extra) => extra.follow?.());
+		this.#forEach((extra) => extra.follow?.());
 	}
 
 	show(shown: GrownDocument): void {
 		this.#shown = shown;
-		this.#all((extra) => extra.show(shown));
+		this.#forEach((extra) => extra.show(shown));
 		this.follow();
 	}
 
@@ -71,13 +71,15 @@ export class ElementExtras {
 		this.#made.set(name, making);
 	}
 
+	/** Removes a part, also if its script is still loading. */
 	#drop(name: string): void {
 		const making = this.#made.get(name);
 		this.#made.delete(name);
 		void making?.then((extra) => extra?.dispose());
 	}
 
-	#all(work: (extra: Extra) => void): void {
+	/** Calls a function with each part that is wanted, once it is loaded. */
+	#forEach(work: (extra: Extra) => void): void {
 		for (const making of this.#made.values()) void making.then((extra) => extra && work(extra));
 	}
 }

@@ -25,6 +25,7 @@ export class HandlesLayer implements Extra {
 	#before: Specimen | undefined;
 	#disposed = false;
 
+	/** Creates the layer over the element's canvas; a cancelled drag restores the specimen from before it. */
 	constructor(host: ExtrasHost, view: SpecimenView) {
 		this.#host = host;
 		this.#layer = new PlantHandleLayer({
@@ -41,6 +42,7 @@ export class HandlesLayer implements Extra {
 		this.#stopFollowingDraws = view.onDrawn(() => this.#layer.place());
 	}
 
+	/** Follows a grown plant: sets its handles, unless one is being dragged. */
 	show(shown: GrownDocument): void {
 		const another = shown.model !== this.#shown?.model;
 		this.#shown = shown;
@@ -48,13 +50,14 @@ export class HandlesLayer implements Extra {
 		else if (!this.#layer.held) this.#setHandles(shown.specimen);
 	}
 
+	/** Removes the handles. */
 	dispose(): void {
 		this.#disposed = true;
 		this.#stopFollowingDraws();
 		this.#layer.dispose();
 	}
 
-	/** Loads the handles of another model. */
+	/** Loads the handles of another model, and shows those of the plant in view then. */
 	async #use({ model }: GrownDocument): Promise<void> {
 		this.#layer.cancel();
 		this.#handlesOf = undefined;
@@ -76,6 +79,7 @@ export class HandlesLayer implements Extra {
 		this.#layer.set(specimen && model && this.#handlesOf?.(specimen, fromPreset(model, specimen.preset)));
 	}
 
+	/** Applies a change by a handle: the handles move at once, the plant follows. */
 	#change(change: Change): void {
 		const { model } = this.#shown ?? {};
 		if (!model || !this.#specimen) return;
@@ -83,6 +87,7 @@ export class HandlesLayer implements Extra {
 		this.#host.interaction.edit((now) => (now.model === model.name ? apply(model, now, change) : now));
 	}
 
+	/** Restores the specimen from before the drag. */
 	#cancel(): void {
 		const before = this.#before;
 		if (!before) return;

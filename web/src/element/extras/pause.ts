@@ -1,5 +1,6 @@
 /** The button that pauses the wind (WCAG 2.2, success criterion 2.2.2). */
 import type { GrownDocument } from "../grown_detail";
+import { text } from "../messages.generated";
 import type { SpecimenView } from "../specimen_view";
 import type { Extra, ExtrasHost } from "./extras";
 
@@ -36,6 +37,7 @@ export class Pause implements Extra {
 	#sways = false;
 	#paused = false;
 
+	/** Adds the button and its style to the element's shadow root. */
 	constructor({ root }: Pick<ExtrasHost, "root">, view: SpecimenView) {
 		this.#root = root;
 		this.#view = view;
@@ -46,7 +48,7 @@ export class Pause implements Extra {
 		svg.setAttribute("aria-hidden", "true");
 		svg.append(this.#drawing);
 		this.#button.append(svg);
-		this.#button.ariaLabel = "Pause the wind";
+		this.#button.ariaLabel = text("pause_wind");
 		this.#button.part.add("pause");
 		this.#button.addEventListener("click", () => {
 			this.#paused = !this.#paused;
@@ -58,11 +60,13 @@ export class Pause implements Extra {
 		this.#follow();
 	}
 
+	/** Follows a grown plant: there is a button where wind moves its model. */
 	show({ model }: Pick<GrownDocument, "model">): void {
 		this.#sways = model.still !== true;
 		this.#follow();
 	}
 
+	/** Removes the button; the wind goes on. */
 	dispose(): void {
 		this.#ended.abort();
 		this.#view.setPaused(false);
@@ -75,7 +79,7 @@ export class Pause implements Extra {
 		this.#view.setPaused(this.#paused);
 		this.#button.hidden = !this.#sways || !this.#view.turnsByItself;
 		this.#button.ariaPressed = `${this.#paused}`;
-		this.#button.title = this.#paused ? "Let the wind blow" : "Pause the wind";
+		this.#button.title = text(this.#paused ? "resume_wind" : "pause_wind");
 		this.#drawing.setAttribute("d", this.#paused ? GO_ON : PAUSE);
 	}
 }

@@ -13,20 +13,20 @@ import type { NumberEntry } from "../../specimen/table";
 const AGE = "age";
 const STEPS = 24;
 
-/** The entry of a specimen's age; undefined where it has none, or the plant does not depend on it. */
+/** Returns the entry of a specimen's age; undefined where it has none, or the plant does not depend on it. */
 export function ageOf({ table, ages }: Pick<Model, "table" | "ages">, specimen: Specimen): NumberEntry | undefined {
 	const entry = table.entry(AGE);
 	if (!entry || entry.kind === "colour" || entry.kind === "choice") return undefined;
 	return table.isActive(specimen, entry) && (ages?.(specimen) ?? true) ? entry : undefined;
 }
 
-/** Whether a specimen has ages; some models know that only after `prepare`. */
+/** Returns whether a specimen has ages; some models know that only after `prepare`. */
 export function hasAges(model: Pick<Model, "table" | "ages">, specimen: Specimen): boolean {
 	return ageOf(model, specimen) !== undefined;
 }
 
 /**
- * The plant from its beginning until it is grown up; undefined where it has no ages.
+ * Returns the plant from its beginning until it is grown up; undefined where it has no ages.
  * @param grow grows a specimen with its meshes
  */
 export function agedOf(

@@ -3,15 +3,17 @@
  * that failed to load is fetched again with the next file.
  */
 import { startWorker } from "../../core/spawn";
+import { MessageError, translatedMessage } from "../../locale/message_error";
 import type { Model } from "../../models/model";
+import { text } from "../messages.generated";
 import address from "./file_worker.ts?worker&url";
 import type { FileRequest, FromExporter } from "./messages";
 
 /** A script of the page could not be fetched; trying again may succeed. */
-export class NotFetched extends Error {
+export class NotFetched extends MessageError {
 	override name = "NotFetched";
 	constructor() {
-		super("Part of the page could not be fetched.");
+		super(text.message("not_loaded"));
 	}
 }
 
@@ -25,16 +27,17 @@ export interface ExportOptions {
 /**
  * Makes a file in a worker. The worker does not know models that the page has added (`addModel`): their files are made
  * here.
- * @throws NotFetched, or an Error with the message of the failure
+ * @throws NotFetched, or a MessageError with the message of the failure
  */
 export async function exportFile(model: Model, request: FileRequest, options: ExportOptions = {}): Promise<Blob> {
 	const answer = await postRequest(request, options);
 	if (answer.type === "made") return answer.file;
-	if (answer.type === "failed") throw new Error(answer.message);
+	if (answer.type === "failed") throw new MessageError(translatedMessage(answer.message));
 	const { makeFile } = answer.type === "unknown" ? await import("./make").catch(notFetched) : notFetched();
 	return makeFile(model, request);
 }
 
+/** Sends a request to a new worker and resolves with its answer; the worker ends in any case. */
 function postRequest(request: FileRequest, { signal, spawn = spawnExporter }: ExportOptions): Promise<FromExporter> {
 	return new Promise<FromExporter>((resolve, reject) => {
 		signal?.throwIfAborted();
@@ -47,7 +50,7 @@ function postRequest(request: FileRequest, { signal, spawn = spawnExporter }: Ex
 		const abort = () => end(() => reject(signal?.reason));
 		signal?.addEventListener("abort", abort);
 		worker.onmessage = ({ data }: MessageEvent<FromExporter>) => end(() => resolve(data));
-		worker.onmessageerror = () => end(() => reject(new Error("The file could not be handed over.")));
+		worker.onmessageerror = () => end(() => reject(new MessageError(text.message("file_not_sent"))));
 		worker.onerror = (event) => {
 			event.preventDefault(); // Handled here; keep it out of the console.
 			// A running script answers its failures: an error without a message means that it could not be fetched.
@@ -62,10 +65,12 @@ function postRequest(request: FileRequest, { signal, spawn = spawnExporter }: Ex
 	});
 }
 
+/** Starts a worker that runs generate/files/file_worker.ts. */
 function spawnExporter(): Worker {
 	return startWorker(new URL(address, import.meta.url));
 }
 
+/** Throws the error of a script that could not be fetched. */
 function notFetched(): never {
 	throw new NotFetched();
 }

@@ -7,7 +7,7 @@ import type { Specimen } from "../../specimen/specimen";
 /** Grows a specimen, with its meshes by default. */
 export type GrowSpecimen = (specimen: Specimen, wanted?: GrowthOptions) => Promise<Plant>;
 
-/** Undefined for models without levels. */
+/** Returns a function that grows a specimen's levels of detail; undefined for models without levels. */
 export function levelledOf(model: Model, specimen: Specimen, grow: GrowSpecimen): Levels | undefined {
 	const { levels } = model;
 	if (!levels) return undefined;

@@ -3,7 +3,9 @@ import { aboutPlant } from "../../formats/about_plant";
 import { writeJson } from "../../formats/json";
 import { writeObj } from "../../formats/obj";
 import { PLANT_FILES } from "../../formats/plant_files";
+import { MessageError } from "../../locale/message_error";
 import type { Model } from "../../models/model";
+import { text } from "../messages.generated";
 import { agedOf } from "./aged";
 import { type GrowSpecimen, levelledOf } from "./levelled";
 import type { FileRequest } from "./messages";
@@ -31,7 +33,7 @@ export async function makeFile(model: Model, request: FileRequest, grow?: GrowSp
 		const further = { aged, levels, sway: swayed(model, grown) };
 		return new Blob([await file.make(parts, about, options ?? {}, further)], { type: file.type });
 	}
-	if (format !== "obj") throw new RangeError(`There is no file “${format}” of a ${model.noun}.`);
+	if (format !== "obj") throw new MessageError(text.message("format_unknown", { format }));
 	const { obj, mtl, pictures } = writeObj(parts, about, name);
 	const all = [
 		{ name: `${name}.obj`, bytes: obj.bytes() },
@@ -41,6 +43,7 @@ export async function makeFile(model: Model, request: FileRequest, grow?: GrowSp
 	return new Blob([zip(all)], { type: "application/zip" });
 }
 
+/** Makes the JSON file of a plant, indented with tabs. */
 function json(model: Model, { grown, specimen }: FileRequest): Blob {
 	return new Blob([...writeJson(model, grown, specimen, "\t").chunks(), "\n"], { type: "application/json" });
 }

@@ -1,5 +1,6 @@
 /** Messages between the page and the worker that makes files: one request, one answer. */
 import type { FileOptions } from "../../formats/file_options";
+import type { Message } from "../../locale/texts";
 import type { Plant } from "../../plant/plant";
 import type { Specimen } from "../../specimen/specimen";
 
@@ -31,4 +32,4 @@ export type FromExporter =
 	| { readonly type: "unknown" }
 	/** The model's script could not be fetched. */
 	| { readonly type: "unfetched" }
-	| { readonly type: "failed"; readonly message: string };
+	| { readonly type: "failed"; readonly message: Message };

@@ -16,7 +16,7 @@ export interface ZipEntry {
  */
 const LEVEL = 1;
 
-/** The archive of all entries, as bytes. */
+/** Returns the archive of all entries, as bytes. */
 export function zip(entries: readonly ZipEntry[]): Uint8Array<ArrayBuffer> {
 	const files: Zippable = {};
 	for (const { name, bytes } of entries) files[name] = bytes;
@@ -46,6 +46,7 @@ export class ZipStream {
 		entry.push(bytes, true);
 	}
 
+	/** Ends the archive and returns it. */
 	end(): Blob {
 		this.#zip.end();
 		return new Blob(this.#chunks, { type: "application/zip" });

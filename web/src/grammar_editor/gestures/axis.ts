@@ -58,10 +58,12 @@ export class Axes {
 		return { parameters, ...(given ? withValues(this.#source, this.#context.state.specimen, constants) : {}) };
 	}
 
+	/** The document's text; undefined while it loads, or without a text. */
 	get #text(): string | undefined {
 		return this.#source && textOf(this.#source, this.#context.state.specimen, this.#later);
 	}
 
+	/** Constants of the text as axes, without those that a parameter governs. */
 	get #constants(): readonly Axis[] {
 		const text = this.#text;
 		if (text === undefined || !this.#source) return [];
@@ -74,6 +76,7 @@ export class Axes {
 	}
 }
 
+/** Returns the numeric parameters that have an effect on the specimen; look parameters are left out. */
 function parametersOf({ model, specimen }: EditorState): readonly Axis[] {
 	return model.table.entries.flatMap((entry) => {
 		if (entry.look || (entry.kind !== "number" && entry.kind !== "integer")) return [];
@@ -96,6 +99,7 @@ export function atShare({ min, max }: Axis, share: number): number {
 	return min + (max - min) * Math.min(Math.max(share, 0), 1);
 }
 
+/** Returns the value on the nearest step from `min`, within the range. */
 function onSteps(value: number, min: number, max: number, step: number): number {
 	return Math.min(Math.max(min + Math.round((value - min) / step) * step, min), max);
 }

@@ -2,6 +2,8 @@
  * Hand tracking by @mediapipe/hands. The library's files are next to the app, in `hands/`, and load when the camera is
  * chosen. The camera's picture never leaves the page.
  */
+
+import { text } from "../messages.generated";
 import type { Driver, DriverEvents } from "./driver";
 import { HandReader, type Landmark } from "./hand";
 
@@ -40,6 +42,7 @@ export class CameraDriver implements Driver {
 		void this.#start();
 	}
 
+	/** Ends hand tracking and releases the camera. */
 	stop(): void {
 		this.#stopped = true;
 		for (const track of this.#stream?.getTracks() ?? []) track.stop();
@@ -51,8 +54,9 @@ export class CameraDriver implements Driver {
 		void finder?.close().catch(() => {});
 	}
 
+	/** Opens the camera and follows hands in its picture; each step ends if the driver was stopped meanwhile. */
 	async #start(): Promise<void> {
-		this.#events.report("The browser asks whether the camera may be used.");
+		this.#events.report(text("camera_asks"));
 		try {
 			const stream = await requestCamera();
 			this.#stream = stream;
@@ -62,7 +66,7 @@ export class CameraDriver implements Driver {
 			this.#video.srcObject = stream;
 			await this.#video.play();
 			if (this.#stopped) return;
-			this.#events.report("What finds hands is being fetched.");
+			this.#events.report(text("hands_loading"));
 			const finder = await findHands((landmarks) => this.#handleLandmarks(landmarks));
 			this.#finder = finder;
 			if (this.#stopped) return this.stop();
@@ -72,6 +76,7 @@ export class CameraDriver implements Driver {
 		}
 	}
 
+	/** Stops and reports the error, unless the driver was stopped already. */
 	#fail(error: unknown): void {
 		if (this.#stopped) return;
 		this.stop();
@@ -88,15 +93,14 @@ export class CameraDriver implements Driver {
 		}
 	}
 
+	/** Reports that hands come, go, pinch and move; trembling at rest counts as no movement. */
 	#handleLandmarks(landmarks: readonly Landmark[] | undefined): void {
 		if (this.#stopped) return;
 		const now = performance.now() / 1000;
 		const hand = this.#reader.read(landmarks, now);
 		if ((hand !== undefined) !== this.#seen) {
 			this.#seen = hand !== undefined;
-			this.#events.report(
-				hand ? "A hand is seen. Pinch for the next two." : "No hand is seen: hold one before the camera.",
-			);
+			this.#events.report(text(hand ? "hand_seen" : "hand_missing"));
 			if (!hand) this.#events.rest();
 		}
 		if (!hand) return;
@@ -114,6 +118,10 @@ export class CameraDriver implements Driver {
 	}
 }
 
+/**
+ * Opens the user's camera.
+ * @throws DOMException if there is none, or the user refuses
+ */
 async function requestCamera(): Promise<MediaStream> {
 	// Pages without HTTPS have no `mediaDevices`.
 	const { mediaDevices } = navigator as { readonly mediaDevices?: MediaDevices };
@@ -121,18 +129,26 @@ async function requestCamera(): Promise<MediaStream> {
 	return mediaDevices.getUserMedia({ video: { facingMode: "user", ...SIZE }, audio: false });
 }
 
+/**
+ * Loads the library and starts it.
+ * @param found receives the landmarks of one hand in each picture, or undefined if there is none
+ */
 async function findHands(found: (landmarks: readonly Landmark[] | undefined) => void): Promise<HandsFinder> {
-	const at = (file: string) => new URL(FOLDER + file, document.baseURI).href;
-	await script(at("hands.js"));
+	const addressOf = (file: string) => new URL(FOLDER + file, document.baseURI).href;
+	await loadScript(addressOf("hands.js"));
 	const { Hands } = globalThis as unknown as { readonly Hands: HandsMaker };
-	const finder = new Hands({ locateFile: at });
+	const finder = new Hands({ locateFile: addressOf });
 	finder.setOptions({ maxNumHands: 1, modelComplexity: 0, minDetectionConfidence: 0.6 });
 	finder.onResults(({ multiHandLandmarks }) => found(multiHandLandmarks?.[0]));
 	await finder.initialize();
 	return finder;
 }
 
-function script(address: string): Promise<void> {
+/**
+ * Loads a classic script once; a script that failed is loaded again.
+ * @throws Error if it cannot be fetched
+ */
+function loadScript(address: string): Promise<void> {
 	const before = document.querySelector<HTMLScriptElement>(`script[src="${address}"]`);
 	if (before?.dataset.loaded) return Promise.resolve();
 	before?.remove();
@@ -147,12 +163,12 @@ function script(address: string): Promise<void> {
 	});
 }
 
+/** Returns the message on an error of the camera or of loading the library. */
 function reasonOf(error: unknown): string {
 	const { name } = error as Partial<DOMException>;
-	if (name === "NotAllowedError")
-		return "The camera may not be used: allow it in the browser’s settings of this page, and choose it again.";
-	if (name === "NotFoundError" || name === "OverconstrainedError") return "There is no camera here.";
-	if (name === "AbortError") return "The camera has gone.";
-	if (name === "NotReadableError") return "The camera is in use by another program.";
-	return "What finds hands could not be fetched; check the connection and choose the camera again.";
+	if (name === "NotAllowedError") return text("camera_refused");
+	if (name === "NotFoundError" || name === "OverconstrainedError") return text("camera_none");
+	if (name === "AbortError") return text("camera_gone");
+	if (name === "NotReadableError") return text("camera_busy");
+	return text("hands_not_loaded");
 }

@@ -12,9 +12,9 @@ export interface DriverEvents {
 	/** Selects the next pair of axes. */
 	next(): void;
 	/** Message to the user, a sentence. */
-	report(words: string): void;
+	report(message: string): void;
 	/** The driver failed, with a message: the pointer replaces it. */
-	fail(words: string): void;
+	fail(message: string): void;
 }
 
 export interface Driver {

@@ -1,3 +1,4 @@
+import { text } from "../messages.generated";
 import type { Driver, DriverEvents } from "./driver";
 
 /**
@@ -14,9 +15,9 @@ export interface Pad {
 	readonly buttons: readonly { readonly pressed: boolean }[];
 }
 
-/** Returns the direction of a gamepad: to the right and down, −1 … 1. */
+/** Returns the direction of a gamepad, from its left stick and its directional pad: to the right and down, −1 … 1. */
 export function pushOf({ axes, buttons }: Pad): { readonly x: number; readonly y: number } {
-	const pressed = (at: number) => Number(buttons[at]?.pressed ?? false);
+	const pressed = (button: number) => Number(buttons[button]?.pressed ?? false);
 	const stick = (value = 0) => (Math.abs(value) < SLACK ? 0 : (value - Math.sign(value) * SLACK) / (1 - SLACK));
 	const clamped = (value: number) => Math.min(Math.max(value, -1), 1);
 	return {
@@ -43,31 +44,39 @@ export class GamepadDriver implements Driver {
 	#before = 0;
 	#pushed = false;
 	#pressed = false;
-	#there: boolean | undefined;
+	#connected: boolean | undefined;
 
 	constructor(events: DriverEvents) {
 		this.#events = events;
-		this.#frame = requestAnimationFrame((now) => this.#look(now));
+		this.#frame = requestAnimationFrame((now) => this.#readPad(now));
 	}
 
+	/** Ends reading the gamepad. */
 	stop(): void {
 		cancelAnimationFrame(this.#frame);
 	}
 
-	#look(now: number): void {
-		this.#frame = requestAnimationFrame((next) => this.#look(next));
+	/**
+	 * Reads the first gamepad in every frame. After a pause, such as in a hidden tab, at most 0.1 s of movement is
+	 * applied.
+	 * @param now time of the frame, ms
+	 */
+	#readPad(now: number): void {
+		this.#frame = requestAnimationFrame((next) => this.#readPad(next));
 		const pad = firstPad();
-		const passed = Math.min((now - this.#before) / 1000, 0.1);
+		const seconds = Math.min((now - this.#before) / 1000, 0.1);
 		this.#before = now;
-		if ((pad !== undefined) !== this.#there) {
-			this.#there = pad !== undefined;
-			this.#events.report(
-				pad ? "The left stick moves the circle." : "No gamepad is heard yet: connect one and press a button on it.",
-			);
+		if ((pad !== undefined) !== this.#connected) {
+			this.#connected = pad !== undefined;
+			this.#events.report(text(pad ? "gamepad_ready" : "gamepad_missing"));
 		}
-		if (pad) this.#handleInput(pad, passed);
+		if (pad) this.#handleInput(pad, seconds);
 	}
 
+	/**
+	 * Moves the circle by the stick, whose tilt sets the speed, and reports when it comes to rest; a button selects the
+	 * next pair.
+	 */
 	#handleInput(pad: Pad, seconds: number): void {
 		const { x, y } = pushOf(pad);
 		const next = pad.buttons[NEXT]?.pressed ?? false;
@@ -75,8 +84,8 @@ export class GamepadDriver implements Driver {
 		this.#pressed = next;
 		if (x !== 0 || y !== 0) {
 			const { x: left, y: top } = this.#events.where();
-			const on = (at: number, by: number) => Math.min(Math.max(at + by * SPEED * seconds, 0), 1);
-			this.#events.move({ x: on(left, x), y: on(top, y) });
+			const shifted = (at: number, by: number) => Math.min(Math.max(at + by * SPEED * seconds, 0), 1);
+			this.#events.move({ x: shifted(left, x), y: shifted(top, y) });
 		} else if (this.#pushed) this.#events.rest();
 		this.#pushed = x !== 0 || y !== 0;
 	}

@@ -4,6 +4,7 @@ import { ARROWS } from "../../ui/handles/point";
 import { KeyRuns } from "../../ui/key_runs";
 import type { ToolInteraction, ToolView } from "../../ui/tool";
 import type { DrivenBy, GestureState, Gestures } from "../gesture_tool";
+import { text } from "../messages.generated";
 import { Axes, type Axis, atShare, shareOf } from "./axis";
 import { CameraDriver } from "./camera_driver";
 import type { Driver, DriverEvents } from "./driver";
@@ -43,16 +44,17 @@ export class GestureInteraction implements ToolInteraction {
 	#placedFor = 1;
 	readonly #endDrawn: () => void;
 
+	/** Adds the layer with the circle after the view's canvas; it is hidden until the tool is opened. */
 	constructor(view: ToolView, gestures: Gestures) {
 		this.#view = view;
 		this.#gestures = gestures;
 		this.#axes = new Axes(gestures.context, gestures.source, () => this.update());
 		this.#layer.className = "gestures";
-		this.#circle.ariaRoleDescription = "two-way slider";
+		this.#circle.ariaRoleDescription = text("two_way_slider");
 		this.#circle.addEventListener("keydown", (event) => this.#press(event));
 		this.#words.ariaHidden = "true";
 		this.#hand.ariaHidden = "true";
-		this.#video.ariaLabel = "What the camera sees";
+		this.#video.ariaLabel = text("camera_picture");
 		this.#layer.append(this.#video, this.#hand, this.#circle, this.#words, this.#status);
 		this.#layer.hidden = true;
 		view.canvas.after(this.#layer);
@@ -62,25 +64,31 @@ export class GestureInteraction implements ToolInteraction {
 		});
 	}
 
+	/**
+	 * Shows or hides the circle, starts the device of the tool's state, and moves the circle to the document's numbers.
+	 */
 	update(): void {
 		const { open, by } = this.#state;
 		this.#layer.hidden = !open;
 		this.#view.keepWhole(open);
-		this.#drive(open ? by : undefined);
+		this.#useDriver(open ? by : undefined);
 		if (open) this.#placeCircle();
 	}
 
+	/** Stops the device and removes the circle. */
 	dispose(): void {
-		this.#drive(undefined);
+		this.#useDriver(undefined);
 		this.#view.keepWhole(false);
 		this.#endDrawn();
 		this.#layer.remove();
 	}
 
+	/** State of the tool: whether it is open, its axes and its device. */
 	get #state(): GestureState {
 		return this.#gestures.context.toolState(this.#gestures.tool);
 	}
 
+	/** The two axes; absent ones if the document has too few. */
 	get #pair(): { readonly across?: Axis; readonly up?: Axis } {
 		return pairOf(this.#axes.all, this.#state);
 	}
@@ -90,8 +98,11 @@ export class GestureInteraction implements ToolInteraction {
 		return toTheRight(this.#view.camera.matrixWorld);
 	}
 
-	/** Converts between the share of the number and the horizontal position of the circle, in both directions. */
-	#mirrored(across: Axis, share: number): number {
+	/**
+	 * Converts a share of the horizontal axis's range to the circle's horizontal position, or back; only an axis that
+	 * bends a stem, seen from behind, is mirrored.
+	 */
+	#toScreen(across: Axis, share: number): number {
 		const { leans } = this.#gestures.source ?? {};
 		return across.id === `constant ${leans}` ? acrossScreen(share, this.#right) : share;
 	}
@@ -101,74 +112,86 @@ export class GestureInteraction implements ToolInteraction {
 		const { across, up } = this.#pair;
 		const { offsetLeft, offsetTop, clientWidth, clientHeight } = this.#view.canvas;
 		this.#placedFor = this.#right;
-		this.#place = { x: across ? this.#mirrored(across, shareOf(across)) : 0.5, y: up ? 1 - shareOf(up) : 0.5 };
+		this.#place = { x: across ? this.#toScreen(across, shareOf(across)) : 0.5, y: up ? 1 - shareOf(up) : 0.5 };
 		const { style } = this.#layer;
 		style.translate = `${offsetLeft}px ${offsetTop}px`;
 		style.width = `${clientWidth}px`;
 		style.height = `${clientHeight}px`;
-		putAt(this.#circle, this.#place);
-		putAt(this.#words, this.#place);
-		const words = [across, up].flatMap((axis) => (axis ? `${axis.label} ${axis.read}` : [])).join(", ");
-		this.#circle.ariaLabel = words || "Nothing to drive";
+		placeElement(this.#circle, this.#place);
+		placeElement(this.#words, this.#place);
+		// At the top of the picture the words are below the circle, at its bottom above: they stay inside.
+		this.#words.style.setProperty("--up", `${(-100 * this.#place.y).toFixed(2)}%`);
+		const words = [across, up]
+			.flatMap((axis) => (axis ? text("axis_value", { label: axis.label, value: axis.read }) : []))
+			.join(", ");
+		this.#circle.ariaLabel = words || text("nothing_to_control");
 		this.#words.textContent = words;
 		this.#words.classList.toggle("left", this.#place.x > 0.6);
 	}
 
-	#drive(by: DrivenBy | undefined): void {
-		if (by === this.#by) return;
+	/** Replaces the driver; undefined stops gestures. Dragging turns the plant only while the pointer does not drive. */
+	#useDriver(device: DrivenBy | undefined): void {
+		if (device === this.#by) return;
 		this.#driver?.stop();
-		this.#rest();
-		this.#by = by;
+		this.#settle();
+		this.#by = device;
 		this.#awaited = false;
 		this.#hand.hidden = true;
-		this.#video.hidden = by !== "camera";
-		this.#view.orbiting = by !== "pointer";
-		this.#driver = by && this.#made(by);
+		this.#video.hidden = device !== "camera";
+		this.#view.orbiting = device !== "pointer";
+		this.#driver = device && this.#createDriver(device);
 	}
 
-	#made(by: DrivenBy): Driver {
+	/** Creates the driver of a device. */
+	#createDriver(device: DrivenBy): Driver {
 		// Events of a stopped driver are ignored.
-		const mine = () => this.#by === by;
+		const isCurrent = () => this.#by === device;
 		const events: DriverEvents = {
 			where: () => this.#place,
-			move: (place) => mine() && this.#move(place),
-			rest: () => mine() && this.#rest(),
-			next: () => mine() && this.#next(),
-			report: (words) => queueMicrotask(() => mine() && this.#set({ words })),
-			fail: (words) => queueMicrotask(() => mine() && this.#set({ words, by: "pointer" })),
+			move: (place) => isCurrent() && this.#move(place),
+			rest: () => isCurrent() && this.#settle(),
+			next: () => isCurrent() && this.#next(),
+			report: (message) => queueMicrotask(() => isCurrent() && this.#setState({ message })),
+			fail: (message) => queueMicrotask(() => isCurrent() && this.#setState({ message, by: "pointer" })),
 		};
-		if (by === "camera") return new CameraDriver(this.#video, events);
-		return by === "gamepad" ? new GamepadDriver(events) : new PointerDriver(this.#view.canvas, events);
+		if (device === "camera") return new CameraDriver(this.#video, events);
+		return device === "gamepad" ? new GamepadDriver(events) : new PointerDriver(this.#view.canvas, events);
 	}
 
-	/** Limits growth to one request per frame. */
+	/** Moves the circle with the next frame, which limits growth to one request per frame. */
 	#move(to: Position): void {
 		if (!this.#to) this.#frame = requestAnimationFrame(() => this.#follow());
 		this.#to = to;
 	}
 
+	/**
+	 * Moves the circle to the latest place that the driver reported. While the circle waits for the hand, it stays until
+	 * the hand comes near it.
+	 */
 	#follow(): void {
 		const to = this.#to;
 		this.#to = undefined;
 		cancelAnimationFrame(this.#frame);
 		if (!to) return;
-		putAt(this.#hand, to);
+		placeElement(this.#hand, to);
 		if (this.#awaited && Math.hypot(to.x - this.#place.x, to.y - this.#place.y) > NEAR) return;
 		this.#awaited = false;
 		this.#hand.hidden = true;
-		this.#go(to);
+		this.#setNumbers(to);
 	}
 
-	#go({ x, y }: Position): void {
+	/** Sets the two numbers to a position of the circle. */
+	#setNumbers({ x, y }: Position): void {
 		const { across, up } = this.#pair;
 		const values = new Map<string, number>();
-		if (across) values.set(across.id, atShare(across, this.#mirrored(across, x)));
+		if (across) values.set(across.id, atShare(across, this.#toScreen(across, x)));
 		if (up) values.set(up.id, atShare(up, 1 - y));
 		this.#moved = true;
 		this.#gestures.context.edit(this.#axes.to(values), GESTURE);
 	}
 
-	#rest(): void {
+	/** Ends the gesture as one undo step, and announces the values. */
+	#settle(): void {
 		this.#follow();
 		if (!this.#moved) return;
 		this.#moved = false;
@@ -176,19 +199,21 @@ export class GestureInteraction implements ToolInteraction {
 		this.#announce();
 	}
 
+	/** Announces the values to screen readers. */
 	#announce(): void {
 		this.#status.textContent = this.#words.textContent;
 	}
 
 	/** Selects the next two numbers. They keep their values until the driver comes near the circle. */
 	#next(): void {
-		this.#rest();
+		this.#settle();
 		const { across, up } = this.#pair;
-		this.#set(nextPair(this.#axes.all, { across: across?.id, up: up?.id }));
+		this.#setState(nextPair(this.#axes.all, { across: across?.id, up: up?.id }));
 		this.#awaited = true;
 		this.#hand.hidden = false;
 	}
 
+	/** Changes the numbers by arrow keys, and goes to the next two by Page Down. */
 	#press(event: KeyboardEvent): void {
 		const { key, shiftKey, ctrlKey, metaKey, altKey } = event;
 		const arrow = ARROWS[key];
@@ -199,7 +224,7 @@ export class GestureInteraction implements ToolInteraction {
 			const axis = arrow.x === 0 ? up : across;
 			if (!axis) return;
 			const by = (arrow.x + arrow.y) * axis.step * (shiftKey ? 10 : 1);
-			const mirrored = axis === across && this.#mirrored(axis, 0) === 1;
+			const mirrored = axis === across && this.#toScreen(axis, 0) === 1;
 			const change = this.#axes.to(new Map([[axis.id, axis.value + (mirrored ? -by : by)]]));
 			this.#gestures.context.edit({ ...change, run: this.#runs.press(axis.id) }, GESTURE);
 			this.#gestures.context.settle(GESTURE);
@@ -209,13 +234,15 @@ export class GestureInteraction implements ToolInteraction {
 		event.stopPropagation();
 	}
 
-	#set(change: Partial<GestureState>): void {
+	/** Changes the tool's state. */
+	#setState(change: Partial<GestureState>): void {
 		const { context, tool } = this.#gestures;
 		context.setToolState(tool, { ...context.toolState(tool), ...change });
 	}
 }
 
-function putAt({ style }: HTMLElement, { x, y }: Position): void {
+/** Moves an element to a position, in shares of its parent. */
+function placeElement({ style }: HTMLElement, { x, y }: Position): void {
 	style.left = `${(100 * x).toFixed(2)}%`;
 	style.top = `${(100 * y).toFixed(2)}%`;
 }

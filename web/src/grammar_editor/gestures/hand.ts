@@ -1,6 +1,6 @@
 /**
- * Reads position and pinch of the user's hand from the 21 landmarks of @mediapipe/hands, in shares of the camera's picture: x
- * to the right and y down as the camera sees them.
+ * Reads position and pinch of the user's hand from the 21 landmarks of @mediapipe/hands, in shares of the camera's
+ * picture: x to the right and y down as the camera sees them.
  */
 
 export interface Landmark {
@@ -38,6 +38,7 @@ export class HandReader {
 	#y: Smoothed | undefined;
 
 	/**
+	 * Reads one picture; positions are smoothed over time.
 	 * @param seconds time of the picture
 	 * @returns undefined if the landmarks are not those of one hand
 	 */
@@ -51,23 +52,29 @@ export class HandReader {
 		}
 		const palm = [WRIST, INDEX_KNUCKLE, LITTLE_KNUCKLE].map((at) => landmarks[at]);
 		const mean = (of: (point: Landmark) => number) => palm.reduce((sum, point) => sum + of(point), 0) / palm.length;
-		this.#x = smoothed(this.#x, within(1 - mean(({ x }) => x)), seconds);
-		this.#y = smoothed(this.#y, within(mean(({ y }) => y)), seconds);
+		this.#x = smooth(this.#x, withoutMargin(1 - mean(({ x }) => x)), seconds);
+		this.#y = smooth(this.#y, withoutMargin(mean(({ y }) => y)), seconds);
 		return { x: this.#x.at, y: this.#y.at, pinched: this.#pinches(landmarks) };
 	}
 
+	/**
+	 * Returns whether thumb and index finger have come together since the last picture. They must part farther than they
+	 * come together, so that noise does not pinch twice.
+	 */
 	#pinches(landmarks: readonly Landmark[]): boolean {
-		const apart = between(landmarks[THUMB_TIP], landmarks[INDEX_TIP]);
-		const size = between(landmarks[WRIST], landmarks[MIDDLE_KNUCKLE]);
+		const gap = distance(landmarks[THUMB_TIP], landmarks[INDEX_TIP]);
+		const size = distance(landmarks[WRIST], landmarks[MIDDLE_KNUCKLE]);
 		const before = this.#held;
-		this.#held = apart < (before ? APART : TOGETHER) * size;
+		this.#held = gap < (before ? APART : TOGETHER) * size;
 		return this.#held && !before;
 	}
 }
 
-const between = (one: Landmark, other: Landmark) => Math.hypot(one.x - other.x, one.y - other.y);
+/** Returns the distance between two landmarks. */
+const distance = (one: Landmark, other: Landmark) => Math.hypot(one.x - other.x, one.y - other.y);
 
-function within(share: number): number {
+/** Maps a share of the picture so that its margins count as 0 and 1. */
+function withoutMargin(share: number): number {
 	return Math.min(Math.max((share - MARGIN) / (1 - 2 * MARGIN), 0), 1);
 }
 
@@ -78,17 +85,23 @@ interface Smoothed {
 	readonly seconds: number;
 }
 
-function smoothed(before: Smoothed | undefined, at: number, seconds: number): Smoothed {
-	if (!before || seconds <= before.seconds) return { at: before?.at ?? at, speed: before?.speed ?? 0, seconds };
-	const passed = seconds - before.seconds;
-	const speed = mix(before.speed, (at - before.at) / passed, shareIn(passed, REST));
-	const share = shareIn(passed, REST + HASTE * Math.abs(speed));
-	return { at: mix(before.at, at, share), speed, seconds };
+/** Returns the next state of the one euro filter (Casiez, Roussel and Vogel 2012). */
+function smooth(before: Smoothed | undefined, value: number, seconds: number): Smoothed {
+	if (!before || seconds <= before.seconds) return { at: before?.at ?? value, speed: before?.speed ?? 0, seconds };
+	const elapsed = seconds - before.seconds;
+	const speed = mix(before.speed, (value - before.at) / elapsed, shareIn(elapsed, REST));
+	const share = shareIn(elapsed, REST + HASTE * Math.abs(speed));
+	return { at: mix(before.at, value, share), speed, seconds };
 }
 
+/** Interpolates between two values. */
 const mix = (one: number, other: number, share: number) => one + (other - one) * share;
 
-/** Returns the weight of a new value in a low-pass filter of a cut-off frequency, after a time. */
+/**
+ * Returns the weight of a new value in a low-pass filter: 2π f t / (2π f t + 1).
+ * @param seconds time t since the last value
+ * @param hertz cut-off frequency f
+ */
 function shareIn(seconds: number, hertz: number): number {
 	const turns = 2 * Math.PI * hertz * seconds;
 	return turns / (turns + 1);

@@ -5,11 +5,12 @@ export class PointerDriver implements Driver {
 	readonly #ended = new AbortController();
 	#held: number | undefined;
 
+	/** Listens in the capturing phase, before the camera controls. Places are shares of the canvas (0 … 1). */
 	constructor(canvas: HTMLCanvasElement, events: DriverEvents) {
 		const options = { signal: this.#ended.signal, capture: true };
 		const go = ({ clientX, clientY }: PointerEvent) => {
 			const { left, top, width, height } = canvas.getBoundingClientRect();
-			events.move({ x: share(clientX - left, width), y: share(clientY - top, height) });
+			events.move({ x: shareOf(clientX - left, width), y: shareOf(clientY - top, height) });
 		};
 		canvas.addEventListener(
 			"pointerdown",
@@ -35,11 +36,13 @@ export class PointerDriver implements Driver {
 			);
 	}
 
+	/** Stops listening to the pointer. */
 	stop(): void {
 		this.#ended.abort();
 	}
 }
 
-function share(at: number, of: number): number {
-	return Math.min(Math.max(at / Math.max(of, 1), 0), 1);
+/** Returns a position as a share of a size, 0 … 1. */
+function shareOf(position: number, size: number): number {
+	return Math.min(Math.max(position / Math.max(size, 1), 0), 1);
 }

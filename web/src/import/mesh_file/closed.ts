@@ -2,7 +2,8 @@
  * Converts a file's triangles into a boundary: welded, simplified and scaled to height 1, with its base in the middle
  * of the ground.
  */
-import { type ClosedMesh, MOST_TRIANGLES } from "../../specimen/closed_mesh";
+import { type ClosedMesh, MAX_TRIANGLES } from "../../specimen/closed_mesh";
+import { text } from "../messages.generated";
 import { MeshFileError, type Soup } from "./soup";
 
 /** Larger than any number of points; its square is an exact number. */
@@ -20,32 +21,40 @@ const DECIMALS = 1e4;
 /** Least volume, as a share of the height's cube: less than a needle as thin as the rounding. */
 const LEAST_VOLUME = 1e-9;
 
-/** @throws MeshFileError if the mesh has no inside: it is empty, flat, open or encloses nothing */
+/**
+ * Welds, simplifies and scales a file's triangles, and turns them so that they face outwards.
+ * @throws MeshFileError if the mesh has no inside: it is empty, flat, open or encloses nothing
+ */
 export function closedMesh(soup: Soup): ClosedMesh {
-	if (soup.triangles.length === 0) throw new MeshFileError("The file holds no triangles.");
+	if (soup.triangles.length === 0) throw new MeshFileError(text.message("mesh_without_triangles"));
 	const size = sizeOf(soup);
-	if (!(size > 0)) throw new MeshFileError("The mesh has no size.");
-	if (!(farthestOf(soup) < FARTHEST)) throw new MeshFileError("The mesh reaches beyond 10³⁰ units: scale it down.");
+	if (!(size > 0)) throw new MeshFileError(text.message("mesh_without_size"));
+	if (!(farthestOf(soup) < FARTHEST)) throw new MeshFileError(text.message("mesh_too_far"));
 	heightOf(soup);
-	const mesh = framed(simplified(weldedShut(soup, size), size));
+	const mesh = normalise(simplify(weldedShut(soup, size), size));
 	const volume = volumeOf(mesh);
-	if (Math.abs(volume) < LEAST_VOLUME) throw new MeshFileError("The mesh encloses nothing: it has no inside.");
-	return volume > 0 ? mesh : turned(mesh);
+	if (Math.abs(volume) < LEAST_VOLUME) throw new MeshFileError(text.message("mesh_encloses_nothing"));
+	return volume > 0 ? mesh : reverseTriangles(mesh);
 }
 
+/**
+ * Merges points that nearly coincide, by the first of the `WELDS` distances that leaves no open edge.
+ * @param size longest side of the mesh
+ * @throws MeshFileError with the number of open edges, if every distance leaves some
+ */
 function weldedShut(soup: Soup, size: number): Soup {
 	for (const share of WELDS) {
-		const welded = merged(soup, share * size);
+		const welded = mergeCells(soup, share * size);
 		if (openEdges(welded) === 0) return welded;
 	}
-	const open = openEdges(merged(soup, WELDS[0] * size));
-	const edges = open === 1 ? "1 of its edges has" : `${open.toLocaleString("en")} of its edges have`;
-	throw new MeshFileError(
-		`The mesh is not closed: ${edges} a triangle at one side only. Fill its holes where it was made, and bring it again.`,
-	);
+	const count = openEdges(mergeCells(soup, WELDS[0] * size));
+	throw new MeshFileError(text.message("mesh_open", { count }));
 }
 
-/** Counts edges with an odd number of triangles; without any, the mesh has an inside. */
+/**
+ * Counts edges with an odd number of triangles; a mesh without any has an inside. An edge's key is a · EDGE + b, with a
+ * and b the indices of its points, the smaller one first.
+ */
 function openEdges({ triangles }: Soup): number {
 	const odd = new Set<number>();
 	triangles.forEach((a, i) => {
@@ -56,6 +65,7 @@ function openEdges({ triangles }: Soup): number {
 	return odd.size;
 }
 
+/** Returns the least and the greatest coordinate of a mesh along each axis. */
 function boxOf({ points }: Soup): { low: number[]; high: number[] } {
 	const low = [Infinity, Infinity, Infinity];
 	const high = [-Infinity, -Infinity, -Infinity];
@@ -66,12 +76,13 @@ function boxOf({ points }: Soup): { low: number[]; high: number[] } {
 	return { low, high };
 }
 
+/** Returns the longest side of the bounding box. */
 function sizeOf(soup: Soup): number {
 	const { low, high } = boxOf(soup);
 	return Math.max(...high.map((value, k) => value - low[k]));
 }
 
-/** The largest coordinate, of either sign. */
+/** Returns the largest absolute value of any coordinate. */
 function farthestOf(soup: Soup): number {
 	const { low, high } = boxOf(soup);
 	return Math.max(...low.map(Math.abs), ...high.map(Math.abs));
@@ -80,15 +91,16 @@ function farthestOf(soup: Soup): number {
 /**
  * Merges the points of each grid cell into their mean and removes degenerate triangles. A closed mesh stays closed:
  * every edge keeps as many triangles on one side as on the other.
+ * @param cell side of a grid cell, in the mesh's units
  */
-function merged({ points, triangles }: Soup, cell: number): Soup {
+function mergeCells({ points, triangles }: Soup, cell: number): Soup {
 	const first = boxOf({ points, triangles }).low.map((value) => Math.round(value / cell));
-	const along = (i: number, k: number) => Math.round(points[3 * i + k] / cell) - first[k];
+	const cellAlong = (i: number, k: number) => Math.round(points[3 * i + k] / cell) - first[k];
 	const cells = new Map<number, number>();
 	const sums: number[] = [];
 	const counts: number[] = [];
-	const into = Array.from({ length: points.length / 3 }, (_, i) => {
-		const key = (along(i, 0) * ALONG + along(i, 1)) * ALONG + along(i, 2);
+	const newIndex = Array.from({ length: points.length / 3 }, (_, i) => {
+		const key = (cellAlong(i, 0) * ALONG + cellAlong(i, 1)) * ALONG + cellAlong(i, 2);
 		const index = cells.get(key) ?? counts.length;
 		if (index === counts.length) {
 			cells.set(key, index);
@@ -101,21 +113,28 @@ function merged({ points, triangles }: Soup, cell: number): Soup {
 	});
 	const remaining: number[] = [];
 	for (let i = 0; i < triangles.length; i += 3) {
-		const [a, b, c] = [into[triangles[i]], into[triangles[i + 1]], into[triangles[i + 2]]];
+		const [a, b, c] = [newIndex[triangles[i]], newIndex[triangles[i + 1]], newIndex[triangles[i + 2]]];
 		if (a !== b && b !== c && c !== a) remaining.push(a, b, c);
 	}
 	return { points: sums.map((sum, i) => sum / counts[Math.floor(i / 3)]), triangles: remaining };
 }
 
-function simplified(mesh: Soup, size: number): Soup {
+/**
+ * Merges the points of ever larger cells until at most MAX_TRIANGLES triangles are left.
+ * @param size longest side of the mesh
+ */
+function simplify(mesh: Soup, size: number): Soup {
 	let simple = mesh;
-	for (let cells = FINEST; simple.triangles.length > 3 * MOST_TRIANGLES; cells *= 0.75) {
-		simple = merged(mesh, size / cells);
+	for (let cells = FINEST; simple.triangles.length > 3 * MAX_TRIANGLES; cells *= 0.75) {
+		simple = mergeCells(mesh, size / cells);
 	}
 	return simple;
 }
 
-/** Signed volume; negative if the triangles face inwards. */
+/**
+ * Returns the signed volume, the sum of the tetrahedra between the origin and each triangle; negative if the triangles
+ * face inwards.
+ */
 function volumeOf({ points, triangles }: Soup): number {
 	let volume = 0;
 	for (let i = 0; i < triangles.length; i += 3) {
@@ -126,21 +145,23 @@ function volumeOf({ points, triangles }: Soup): number {
 	return volume / 6;
 }
 
-/** Reverses the triangles' orientation. */
-function turned({ points, triangles }: Soup): Soup {
+/** Reverses the triangles' orientation: swaps the second and the third corner of each. */
+function reverseTriangles({ points, triangles }: Soup): Soup {
 	return { points, triangles: triangles.map((_, i) => triangles[i % 3 === 1 ? i + 1 : i % 3 === 2 ? i - 1 : i]) };
 }
 
+/** Returns the height of a mesh; throws a MeshFileError if it is flat. */
 function heightOf(soup: Soup): number {
 	const { low, high } = boxOf(soup);
 	if (high[1] > low[1]) return high[1] - low[1];
-	throw new MeshFileError("The mesh is flat: it has no inside.");
+	throw new MeshFileError(text.message("mesh_flat"));
 }
 
-function framed({ points, triangles }: Soup): ClosedMesh {
+/** Moves a mesh onto the ground, its middle over the origin, and scales it to a height of 1. */
+function normalise({ points, triangles }: Soup): ClosedMesh {
 	const { low, high } = boxOf({ points, triangles });
 	const height = heightOf({ points, triangles });
-	const from = [(low[0] + high[0]) / 2, low[1], (low[2] + high[2]) / 2];
-	const place = (value: number, k: number) => Math.round(((value - from[k]) / height) * DECIMALS) / DECIMALS + 0;
-	return { points: points.map((value, i) => place(value, i % 3)), triangles };
+	const origin = [(low[0] + high[0]) / 2, low[1], (low[2] + high[2]) / 2];
+	const coordinate = (value: number, k: number) => Math.round(((value - origin[k]) / height) * DECIMALS) / DECIMALS + 0;
+	return { points: points.map((value, i) => coordinate(value, i % 3)), triangles };
 }

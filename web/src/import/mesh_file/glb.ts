@@ -1,4 +1,5 @@
 /** Reads binary glTF: the triangles of its scene, placed by its nodes. */
+import { text } from "../messages.generated";
 import { type Mat4, Matrix } from "./matrix";
 import { bounded, MeshFileError, type Soup } from "./soup";
 
@@ -42,33 +43,33 @@ interface Gltf {
 }
 
 /** Largest number of mesh parts placed by nodes; more would take too long to read. */
-const MOST_PARTS = 100_000;
+const MAX_PARTS = 100_000;
 
 /**
- * Counts, strides and offsets are checked against the buffer before reading; only points used by triangles are read.
+ * Reads the triangles of all meshes of a binary glTF 2.0 file, placed by its nodes. Counts, strides and offsets are checked against the buffer before reading; only points used by triangles are read.
  * @throws MeshFileError if the file is damaged or uses an unsupported compression
  */
 export function readGlb(bytes: ArrayBuffer): Soup {
 	try {
 		const { gltf, binary } = chunksOf(bytes);
 		const packed = gltf.extensionsRequired?.filter((name) => !/^KHR_(materials|texture)/.test(name)) ?? [];
-		if (packed.length > 0) {
-			throw new MeshFileError(`The GLB is packed by ${packed.join(", ")}: export it again without compression.`);
-		}
-		return gather(gltf, binary);
+		if (packed.length > 0) throw new MeshFileError(text.message("glb_compressed", { extensions: packed.join(", ") }));
+		return collectTriangles(gltf, binary);
 	} catch (error) {
 		if (error instanceof MeshFileError) throw error;
 		throw damaged();
 	}
 }
 
-const damaged = () => new MeshFileError("The GLB is damaged or unfinished: export it again.");
+/** Returns the error of a file that does not follow the format. */
+const damaged = () => new MeshFileError(text.message("glb_damaged"));
 
+/** Splits the file into its JSON and its binary chunk, which is empty if the file has none. */
 function chunksOf(bytes: ArrayBuffer): { gltf: Gltf; binary: DataView } {
 	const view = new DataView(bytes);
-	if (view.getUint32(0, true) !== MAGIC) throw new MeshFileError("This is no GLB.");
+	if (view.getUint32(0, true) !== MAGIC) throw new MeshFileError(text.message("glb_of_another_kind"));
 	const length = view.getUint32(12, true);
-	if (view.getUint32(16, true) !== JSON_CHUNK) throw new MeshFileError("The GLB does not begin with its JSON.");
+	if (view.getUint32(16, true) !== JSON_CHUNK) throw new MeshFileError(text.message("glb_without_json"));
 	const gltf = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 20, length))) as Gltf;
 	const start = 20 + length;
 	const binary =
@@ -78,14 +79,17 @@ function chunksOf(bytes: ArrayBuffer): { gltf: Gltf; binary: DataView } {
 	return { gltf, binary };
 }
 
-/** Returns the nodes without parents, if the file names no scene. */
+/** Returns the indices of nodes without parents: the roots of a file that names no scene. */
 function rootNodes({ nodes = [] }: Gltf): number[] {
 	const children = new Set(nodes.flatMap((node) => node.children ?? []));
 	return [...nodes.keys()].filter((index) => !children.has(index));
 }
 
-/** Collects the triangles of all nodes below the scene's roots, in depth-first order. */
-function gather(gltf: Gltf, binary: DataView): Soup {
+/**
+ * Collects the triangles of all nodes below the scene's roots, in depth-first order.
+ * @throws MeshFileError if the nodes are no tree, or there are too many parts
+ */
+function collectTriangles(gltf: Gltf, binary: DataView): Soup {
 	const soup: Soup = { points: [], triangles: [] };
 	const roots = gltf.scenes?.[gltf.scene ?? 0]?.nodes ?? rootNodes(gltf);
 	const open = roots.map((index) => ({ index, above: Matrix.identity })).reverse();
@@ -94,34 +98,39 @@ function gather(gltf: Gltf, binary: DataView): Soup {
 	for (let next = open.pop(); next; next = open.pop()) {
 		const node = gltf.nodes?.[next.index];
 		// A node visited twice may be part of a cycle.
-		if (!node || seen.has(next.index)) throw new MeshFileError("The GLB's nodes do not form a tree.");
+		if (!node || seen.has(next.index)) throw new MeshFileError(text.message("glb_nodes_no_tree"));
 		seen.add(next.index);
 		const place = Matrix.times(next.above, node.matrix ?? Matrix.of(node));
 		const primitives = node.mesh === undefined ? [] : (gltf.meshes?.[node.mesh].primitives ?? []);
 		parts += primitives.length;
-		if (parts > MOST_PARTS) throw new MeshFileError("The GLB has more than 100,000 parts: join them first.");
+		if (parts > MAX_PARTS) throw new MeshFileError(text.message("glb_too_many_parts", { most: MAX_PARTS }));
 		for (const primitive of primitives) {
-			if ((primitive.mode ?? TRIANGLES) === TRIANGLES) add(gltf, binary, primitive, place, soup);
+			if ((primitive.mode ?? TRIANGLES) === TRIANGLES) addPrimitive(gltf, binary, primitive, place, soup);
 		}
 		for (const index of (node.children ?? []).toReversed()) open.push({ index, above: place });
 	}
 	return soup;
 }
 
-function add(gltf: Gltf, binary: DataView, { attributes, indices }: Primitive, place: Mat4, soup: Soup): void {
+/**
+ * Adds a primitive's triangles to a mesh, transformed by `place`; only points that triangles use.
+ * @throws MeshFileError if there are too many triangles, or an index or a point is invalid
+ */
+function addPrimitive(gltf: Gltf, binary: DataView, { attributes, indices }: Primitive, place: Mat4, soup: Soup): void {
 	const corners = gltf.accessors?.[indices ?? attributes.POSITION].count ?? 0;
 	bounded((soup.triangles.length + corners) / 3);
 	const positions = numbersOf(gltf, binary, attributes.POSITION, "VEC3");
 	const order = indices === undefined ? undefined : numbersOf(gltf, binary, indices, "SCALAR");
 	const numbers = new Map<number, number>();
+	/** Returns the index of a corner's point in the soup; the point is added, in its place, on first use. */
 	const number = (corner: number): number => {
-		if (corner >= positions.count) throw new MeshFileError("The GLB has triangles without points.");
+		if (corner >= positions.count) throw new MeshFileError(text.message("glb_triangle_without_point"));
 		const known = numbers.get(corner);
 		if (known !== undefined) return known;
 		const added = soup.points.length / 3;
 		const [x, y, z] = [0, 1, 2].map((k) => positions.at(corner, k));
 		const point = Matrix.point(place, x, y, z);
-		if (!point.every(Number.isFinite)) throw new MeshFileError("The GLB has a point that is no place.");
+		if (!point.every(Number.isFinite)) throw new MeshFileError(text.message("glb_point_invalid"));
 		soup.points.push(...point);
 		numbers.set(corner, added);
 		return added;
@@ -148,9 +157,13 @@ interface Numbers {
 	at(row: number, column: number): number;
 }
 
+/** Returns whether a value can be a size or an offset: a whole number from 0. */
 const isCount = (value: unknown): value is number => Number.isSafeInteger(value) && (value as number) >= 0;
 
-/** @throws MeshFileError if some values lie outside the accessor's part of the buffer */
+/**
+ * Reads the numbers of an accessor: positions (VEC3 of floats) or indices (SCALAR).
+ * @throws MeshFileError if some values lie outside the accessor's part of the buffer
+ */
 function numbersOf(
 	{ accessors = [], bufferViews = [] }: Gltf,
 	binary: DataView,
@@ -159,8 +172,7 @@ function numbersOf(
 ): Numbers {
 	const { bufferView, byteOffset = 0, componentType, count, type, sparse } = accessors[index];
 	const isPlain = sparse === undefined && bufferView !== undefined && (componentType === FLOAT) === (wanted === "VEC3");
-	if (!isPlain || type !== wanted)
-		throw new MeshFileError("The GLB's points are not plain numbers: export it again without compression.");
+	if (!isPlain || type !== wanted) throw new MeshFileError(text.message("glb_points_packed"));
 	const { byteOffset: start = 0, byteLength, byteStride } = bufferViews[bufferView];
 	const [bytes, read] = READ[componentType];
 	const width = (wanted === "VEC3" ? 3 : 1) * bytes;

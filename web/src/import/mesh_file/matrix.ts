@@ -11,7 +11,7 @@ interface Placing {
 
 const identity: Mat4 = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
-/** Matrix that scales, then rotates, then translates. */
+/** Returns the matrix that scales, then rotates, then translates. */
 function of({ translation = [0, 0, 0], rotation = [0, 0, 0, 1], scale = [1, 1, 1] }: Placing): Mat4 {
 	const [x, y, z, w] = rotation;
 	const [sx, sy, sz] = scale;
@@ -23,6 +23,7 @@ function of({ translation = [0, 0, 0], rotation = [0, 0, 0, 1], scale = [1, 1, 1
 	];
 }
 
+/** Returns the product a · b: the transform b, followed by a. */
 function times(a: Mat4, b: Mat4): Mat4 {
 	return Array.from({ length: 16 }, (_, i) => {
 		const [row, column] = [i % 4, 4 * Math.floor(i / 4)];
@@ -30,11 +31,13 @@ function times(a: Mat4, b: Mat4): Mat4 {
 	});
 }
 
+/** Returns the transformed point. */
 function point(m: Mat4, x: number, y: number, z: number): [number, number, number] {
-	const along = (row: number) => m[row] * x + m[row + 4] * y + m[row + 8] * z + m[row + 12];
-	return [along(0), along(1), along(2)];
+	const coordinate = (row: number) => m[row] * x + m[row + 4] * y + m[row + 8] * z + m[row + 12];
+	return [coordinate(0), coordinate(1), coordinate(2)];
 }
 
+/** Returns whether a transform mirrors: whether the determinant of its upper left 3 × 3 matrix is negative. */
 function mirrors([a, b, c, , d, e, f, , g, h, i]: Mat4): boolean {
 	return a * (e * i - f * h) - d * (b * i - c * h) + g * (b * f - c * e) < 0;
 }

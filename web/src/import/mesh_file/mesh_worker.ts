@@ -1,4 +1,5 @@
 /** The worker that reads a mesh's file: reading, welding and simplifying half a million triangles takes seconds. */
+import { messageOf } from "../../locale/message_error";
 import type { FromMeshReader } from "./messages";
 import { readMeshFile } from "./read";
 
@@ -13,7 +14,7 @@ scope.onmessage = async ({ data }) => {
 	scope.postMessage(
 		await readMeshFile(data).then(
 			(mesh): FromMeshReader => ({ type: "read", mesh }),
-			(error: unknown) => ({ type: "failed", message: error instanceof Error ? error.message : String(error) }),
+			(error: unknown) => ({ type: "failed", message: messageOf(error) }),
 		),
 	);
 };

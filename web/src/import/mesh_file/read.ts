@@ -1,5 +1,6 @@
 /** Reads a closed mesh from a user's file. */
 import type { ClosedMesh } from "../../specimen/closed_mesh";
+import { text } from "../messages.generated";
 import { closedMesh } from "./closed";
 import { readGlb } from "./glb";
 import { readObj } from "./obj";
@@ -15,12 +16,15 @@ const READERS: Readonly<Record<string, (file: File) => Promise<Soup>>> = {
 	stl: async (file) => readStl(await file.arrayBuffer()),
 };
 
-/** @throws MeshFileError with the reason in plain words */
+/**
+ * Reads a closed mesh from a GLB, OBJ or STL file, by the ending of its name.
+ * @throws MeshFileError with the reason in plain words
+ */
 export async function readMeshFile(file: File): Promise<ClosedMesh> {
-	if (file.size > LARGEST) throw new MeshFileError(`${file.name} is larger than 64 MB: simplify it first.`);
+	if (file.size > LARGEST)
+		throw new MeshFileError(text.message("mesh_file_too_large", { name: file.name, most: LARGEST / 1024 ** 2 }));
 	const [, ending] = /\.([a-z]+)$/.exec(file.name.toLowerCase()) ?? [];
 	const reader = Object.hasOwn(READERS, ending ?? "") ? READERS[ending] : undefined;
-	if (!reader)
-		throw new MeshFileError(`${file.name} is neither an OBJ nor a GLB nor an STL: save the mesh as one of them.`);
+	if (!reader) throw new MeshFileError(text.message("mesh_file_of_another_kind", { name: file.name }));
 	return closedMesh(await reader(file));
 }

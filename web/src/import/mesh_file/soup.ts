@@ -1,3 +1,6 @@
+import { MessageError } from "../../locale/message_error";
+import { text } from "../messages.generated";
+
 /** Triangles of a file, without connectivity. */
 export interface Soup {
 	/** 3 × points. */
@@ -7,11 +10,11 @@ export interface Soup {
 }
 
 /** Largest number of triangles that are welded and simplified, and largest number of their points. */
-const MOST_READ = 500_000;
-const MOST_POINTS = 3 * MOST_READ;
+const MAX_TRIANGLES_READ = 500_000;
+const MAX_POINTS = 3 * MAX_TRIANGLES_READ;
 
 /** Error: the file holds no mesh that can be a boundary; the message gives the reason and the remedy. */
-export class MeshFileError extends Error {
+export class MeshFileError extends MessageError {
 	override name = "MeshFileError";
 }
 
@@ -20,7 +23,8 @@ export class MeshFileError extends Error {
  * @throws MeshFileError if there are too many
  */
 export function bounded(triangles: number): void {
-	if (triangles > MOST_READ) throw tooMany(MOST_READ, "triangles");
+	if (triangles > MAX_TRIANGLES_READ)
+		throw new MeshFileError(text.message("mesh_too_many_triangles", { most: MAX_TRIANGLES_READ }));
 }
 
 /**
@@ -28,9 +32,5 @@ export function bounded(triangles: number): void {
  * @throws MeshFileError if there are too many
  */
 export function boundedPoints(points: number): void {
-	if (points > MOST_POINTS) throw tooMany(MOST_POINTS, "points");
-}
-
-function tooMany(most: number, what: string): MeshFileError {
-	return new MeshFileError(`The mesh has more than ${most.toLocaleString("en")} ${what}: simplify it first.`);
+	if (points > MAX_POINTS) throw new MeshFileError(text.message("mesh_too_many_points", { most: MAX_POINTS }));
 }

@@ -13,6 +13,7 @@ export function* linesOf(text: string): Generator<string> {
 	}
 }
 
+/** Returns the index of the first line end from `start` on, or the text's length. */
 function endOfLine(text: string, start: number): number {
 	let end = start;
 	while (end < text.length && text.charCodeAt(end) !== LF && text.charCodeAt(end) !== CR) end++;

@@ -12,10 +12,15 @@ const WAYS = [
 	[0, -1],
 ] as const;
 
+/**
+ * Follows the outer edge of the region in which the mask's first pixel lies; returns its corners, none for an empty
+ * mask.
+ */
 export function contourOf({ width, height, inside }: Mask): Pixel[] {
 	const start = inside.indexOf(1);
 	if (start < 0) return [];
-	const at = (x: number, y: number) => x >= 0 && y >= 0 && x < width && y < height && inside[y * width + x] === 1;
+	const isInside = (x: number, y: number) => x >= 0 && y >= 0 && x < width && y < height && inside[y * width + x] === 1;
+	// `way` is an index in WAYS.
 	let [x, y, way] = [start % width, Math.floor(start / width), 0];
 	const first = { x, y };
 	const corners: Pixel[] = [];
@@ -25,15 +30,18 @@ export function contourOf({ width, height, inside }: Mask): Pixel[] {
 		y += WAYS[way][1];
 		// The two pixels ahead of this corner, to the left and right of the direction.
 		const [dx, dy] = WAYS[way];
-		const right = at(dx > 0 || dy < 0 ? x : x - 1, dy > 0 || dx > 0 ? y : y - 1);
-		const left = at(dx > 0 || dy > 0 ? x : x - 1, dx < 0 || dy > 0 ? y : y - 1);
+		const right = isInside(dx > 0 || dy < 0 ? x : x - 1, dy > 0 || dx > 0 ? y : y - 1);
+		const left = isInside(dx > 0 || dy > 0 ? x : x - 1, dx < 0 || dy > 0 ? y : y - 1);
 		if (left && right) way = (way + 3) % 4;
 		else if (!right) way = (way + 1) % 4;
 	} while (x !== first.x || y !== first.y);
 	return corners;
 }
 
-/** Smooths a closed polygon by a Gaussian kernel over its points. */
+/**
+ * Smooths a closed polygon by a Gaussian kernel over its points.
+ * @param sigma standard deviation of the kernel, in points
+ */
 export function smoothed(polygon: readonly Pixel[], sigma: number): Pixel[] {
 	const { length } = polygon;
 	const half = Math.ceil(3 * sigma);

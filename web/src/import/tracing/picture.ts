@@ -1,3 +1,5 @@
+import { MessageError } from "../../locale/message_error";
+
 /** Pixels of a picture, as from a canvas. */
 export interface PixelImage {
 	width: number;
@@ -19,6 +21,6 @@ export interface Pixel {
 }
 
 /** Error: nothing can be traced from the picture; the message explains to the user how to fix this. */
-export class TraceError extends Error {
+export class TraceError extends MessageError {
 	override name = "TraceError";
 }

@@ -31,13 +31,14 @@ const NARROWEST = 0.1;
 /** A foot ends where it is wider than this, relative to its width where the widening was found. */
 const SHOULDER = 1.5;
 
+/** Cuts the stalk off a silhouette: the longest thin part or, if there is none, the narrow foot. */
 export function withoutStalk(whole: Mask): Blade {
 	const stalk = thinPart(whole) ?? footOf(whole);
 	if (!stalk) return { blade: whole, base: lowest(whole) };
 	const { width, height, inside } = whole;
 	const { members, length, width: wide } = stalk;
 	const gone = maskOf(width, height, members).inside;
-	const blade = largestBlob({ width, height, inside: inside.map((value, at) => (gone[at] ? 0 : value)) });
+	const blade = largestBlob({ width, height, inside: inside.map((value, pixel) => (gone[pixel] ? 0 : value)) });
 	return { blade, base: joint(members, blade), stalk: { length, width: wide } };
 }
 
@@ -45,13 +46,16 @@ interface Part extends Stalk {
 	members: Uint32Array;
 }
 
-/** Finds the longest part that is too thin for a disc, in any direction. */
+/**
+ * Finds the longest part that is too thin for a disc, in any direction: the remainder of an opening by that disc.
+ * @returns undefined if it is too short for a stalk
+ */
 function thinPart(whole: Mask): Part | undefined {
 	const { width, height, inside } = whole;
 	const area = inside.reduce((sum, value) => sum + value, 0);
 	const radius = Math.max(1.5, THIN * Math.sqrt(area));
 	const body = largestBlob(opened(whole, radius));
-	const thin: Mask = { width, height, inside: inside.map((value, at) => (body.inside[at] ? 0 : value)) };
+	const thin: Mask = { width, height, inside: inside.map((value, pixel) => (body.inside[pixel] ? 0 : value)) };
 	const longest = blobsOf(thin)
 		.map((members) => ({ members, length: extent(members, width) }))
 		.map((blob) => ({ ...blob, width: blob.members.length / blob.length }))
@@ -59,18 +63,22 @@ function thinPart(whole: Mask): Part | undefined {
 	return longest && longest.length >= LONG * 2 * radius ? longest : undefined;
 }
 
-/** Finds the narrow foot of an upright silhouette, up to its shoulder, row by row from the lowest. */
+/**
+ * Finds the narrow foot of an upright silhouette, up to its shoulder, row by row from the lowest.
+ * @returns undefined if the silhouette has no narrow foot that widens suddenly
+ */
 function footOf({ width, height, inside }: Mask): Part | undefined {
 	const rows = Array.from({ length: height }, (_, y) => inside.subarray(y * width, (y + 1) * width));
 	const [top, end] = [rows.findIndex((row) => row.includes(1)), rows.findLastIndex((row) => row.includes(1))];
 	const tall = end + 1 - top;
 	const widest = Math.max(...rows.map((row) => row.lastIndexOf(1) + 1 - Math.max(0, row.indexOf(1))));
 	const runs: { from: number; to: number }[] = [];
+	// In each row, the stretch of pixels that continues the one below.
 	for (let y = end, from = rows[end].indexOf(1), to = from + 1; y >= top; y--) {
 		const row = rows[y];
-		const held = row.subarray(from, to).indexOf(1);
-		if (held < 0) break;
-		from += held;
+		const first = row.subarray(from, to).indexOf(1);
+		if (first < 0) break;
+		from += first;
 		while (from > 0 && row[from - 1]) from--;
 		to = from;
 		while (to < width && row[to]) to++;
@@ -78,12 +86,14 @@ function footOf({ width, height, inside }: Mask): Part | undefined {
 	}
 	const wide = runs.map((run) => run.to - run.from);
 	const step = Math.max(1, Math.round(AT_ONCE * tall));
+	// The foot ends where the stretch widens suddenly; its shoulder reaches up to the row that is clearly wider.
 	const found = wide.findIndex((here, k) => k >= HIGH * tall && wide[k + step] >= WIDENS * here);
 	if (found < 0 || wide[found] > NARROW * widest) return undefined;
 	const length = wide.findIndex((here, k) => k > found && here > SHOULDER * wide[found]);
 	const members = runs
 		.slice(0, length)
 		.flatMap(({ from, to }, k) => Array.from({ length: to - from }, (_, x) => (end - k) * width + from + x));
+	// A low quantile of the widths, which single thin rows do not spoil.
 	const [narrow] = wide
 		.slice(0, length)
 		.sort((a, b) => a - b)
@@ -91,55 +101,72 @@ function footOf({ width, height, inside }: Mask): Part | undefined {
 	return { members: Uint32Array.from(members), length, width: narrow };
 }
 
-/** Morphological opening by a disc. */
+/**
+ * Morphological opening by a disc: an erosion followed by a dilation, so that parts thinner than the disc disappear.
+ * @param radius of the disc, pixels
+ */
 function opened({ width, height, inside }: Mask, radius: number): Mask {
-	const core = reach({ width, height, inside: inside.map((value) => 1 - value) }, radius).inside.map(
+	const core = dilated({ width, height, inside: inside.map((value) => 1 - value) }, radius).inside.map(
 		(value) => 1 - value,
 	);
-	return reach({ width, height, inside: core }, radius);
+	return dilated({ width, height, inside: core }, radius);
 }
 
-/** Returns all pixels within a radius of the mask, by a chamfer distance with weights 3 and 4 (Borgefors 1986). */
-function reach({ width, height, inside }: Mask, radius: number): Mask {
+/**
+ * Returns all pixels within a radius of the mask, by a chamfer distance with weights 3 and 4 (Borgefors 1986): two
+ * passes over the picture, from the top left and from the bottom right.
+ * @param radius pixels
+ */
+function dilated({ width, height, inside }: Mask, radius: number): Mask {
 	const far = 3 * (width + height);
 	const away = Int32Array.from(inside, (value) => (value ? 0 : far));
-	const relax = (at: number, other: number, cost: number, there: boolean) => {
-		if (there && away[other] + cost < away[at]) away[at] = away[other] + cost;
+	const relax = (pixel: number, other: number, cost: number, there: boolean) => {
+		if (there && away[other] + cost < away[pixel]) away[pixel] = away[other] + cost;
 	};
-	for (let at = 0; at < away.length; at++) {
-		const x = at % width;
-		relax(at, at - 1, 3, x > 0);
-		relax(at, at - width, 3, at >= width);
-		relax(at, at - width - 1, 4, x > 0 && at >= width);
-		relax(at, at - width + 1, 4, x < width - 1 && at >= width);
+	for (let pixel = 0; pixel < away.length; pixel++) {
+		const x = pixel % width;
+		relax(pixel, pixel - 1, 3, x > 0);
+		relax(pixel, pixel - width, 3, pixel >= width);
+		relax(pixel, pixel - width - 1, 4, x > 0 && pixel >= width);
+		relax(pixel, pixel - width + 1, 4, x < width - 1 && pixel >= width);
 	}
-	for (let at = away.length - 1; at >= 0; at--) {
-		const x = at % width;
-		const below = at + width < away.length;
-		relax(at, at + 1, 3, x < width - 1);
-		relax(at, at + width, 3, below);
-		relax(at, at + width + 1, 4, x < width - 1 && below);
-		relax(at, at + width - 1, 4, x > 0 && below);
+	for (let pixel = away.length - 1; pixel >= 0; pixel--) {
+		const x = pixel % width;
+		const below = pixel + width < away.length;
+		relax(pixel, pixel + 1, 3, x < width - 1);
+		relax(pixel, pixel + width, 3, below);
+		relax(pixel, pixel + width + 1, 4, x < width - 1 && below);
+		relax(pixel, pixel + width - 1, 4, x > 0 && below);
 	}
 	return { width, height, inside: Uint8Array.from(away, (value) => (value <= 3 * radius ? 1 : 0)) };
 }
 
-/** Returns the approximate distance between the ends of a blob. */
+/**
+ * Returns the approximate distance between the ends of a blob: from its farthest pixel to the one farthest from that.
+ * @param members pixel indices
+ * @param width of the picture, pixels
+ */
 function extent(members: Uint32Array, width: number): number {
-	const from = (start: number) =>
-		members.reduce((best, at) => (apart(at, start, width) > apart(best, start, width) ? at : best), start);
-	const end = from(members[0]);
-	return apart(from(end), end, width);
+	const farthestFrom = (start: number) =>
+		members.reduce((best, pixel) => (apart(pixel, start, width) > apart(best, start, width) ? pixel : best), start);
+	const end = farthestFrom(members[0]);
+	return apart(farthestFrom(end), end, width);
 }
 
+/** Returns the distance between two pixels, given by their indices in a picture of a width. */
 function apart(one: number, other: number, width: number): number {
 	return Math.hypot((one % width) - (other % width), Math.floor(one / width) - Math.floor(other / width));
 }
 
-/** Returns the middle of the pixels where a stalk touches the blade. */
+/**
+ * Returns the middle of the pixels where a stalk touches the blade.
+ * @param stalk pixel indices
+ */
 function joint(stalk: Uint32Array, { width, inside }: Mask): Pixel {
-	const touching = [...stalk].filter((at) => [at - 1, at + 1, at - width, at + width].some((other) => inside[other]));
-	const sum = touching.reduce(({ x, y }, at) => ({ x: x + (at % width), y: y + Math.floor(at / width) }), {
+	const touching = [...stalk].filter((pixel) =>
+		[pixel - 1, pixel + 1, pixel - width, pixel + width].some((other) => inside[other]),
+	);
+	const sum = touching.reduce(({ x, y }, pixel) => ({ x: x + (pixel % width), y: y + Math.floor(pixel / width) }), {
 		x: 0,
 		y: 0,
 	});
@@ -149,10 +176,10 @@ function joint(stalk: Uint32Array, { width, inside }: Mask): Pixel {
 /** Returns the lowest pixel below the silhouette's centroid. */
 function lowest({ width, inside }: Mask): Pixel {
 	let [x, y, count] = [0, 0, 0];
-	inside.forEach((value, at) => {
+	inside.forEach((value, pixel) => {
 		if (!value) return;
-		x += at % width;
-		y += Math.floor(at / width);
+		x += pixel % width;
+		y += Math.floor(pixel / width);
 		count++;
 	});
 	const column = Math.round(x / count);

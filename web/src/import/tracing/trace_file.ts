@@ -1,6 +1,7 @@
 import type { EditorContext } from "../../ui/editor_context";
 import { sameDocument } from "../../ui/same_document";
 import { FILE_TOPIC } from "../../ui/tool";
+import { text } from "../messages.generated";
 import type { PixelImage } from "./picture";
 
 /** Use of an outline traced from a picture. */
@@ -25,7 +26,7 @@ export async function traceFile<T>(context: EditorContext, file: Blob, tracing: 
 		import("../../ui/read_bitmap"),
 	]).catch(() => []);
 	if (!reader || !trace || !words || !bitmaps) {
-		context.notify("The picture was not traced", ["Part of the page could not be fetched."], {
+		context.notify(text("not_traced"), [text("part_not_loaded")], {
 			topic: FILE_TOPIC,
 			again,
 		});
@@ -35,9 +36,9 @@ export async function traceFile<T>(context: EditorContext, file: Blob, tracing: 
 		const traced = trace(await reader.readPicture(file));
 		const notice = isStill() ? tracing.take(traced) : undefined;
 		if (notice) context.notify(notice.title, notice.details, { topic: FILE_TOPIC, brief: true });
-		else context.notify("The outline was not taken", ["Another plant has come meanwhile."], { topic: FILE_TOPIC });
+		else context.notify(text("not_used"), [text("plant_changed")], { topic: FILE_TOPIC });
 	} catch (error) {
 		if (!(error instanceof words.TraceError || error instanceof bitmaps.PictureError)) throw error;
-		context.notify("The picture was not traced", [error.message], { topic: FILE_TOPIC });
+		context.notify(text("not_traced"), [error.message], { topic: FILE_TOPIC });
 	}
 }

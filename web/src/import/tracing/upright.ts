@@ -4,8 +4,9 @@ import type { Pixel } from "./picture";
 
 /**
  * Returns the margin in units of its length, counter-clockwise from the base, with its centroid straight above the
- * base, and that length in pixels. The tip is not used for the direction, because there may be two tips, or a bent
- * one.
+ * base, and that length in pixels. The tip is not used for the direction, because there may be two tips, or a bent one.
+ * @param contour clockwise on the screen, pixels
+ * @param base pixel where the margin begins
  */
 export function upright(contour: readonly Pixel[], base: Pixel): { margin: Point[]; size: number } {
 	const first = nearest(contour, base);
@@ -23,6 +24,7 @@ export function upright(contour: readonly Pixel[], base: Pixel): { margin: Point
 	return { margin: [turned[first], ...turned.slice(0, first).reverse(), ...turned.slice(first + 1).reverse()], size };
 }
 
+/** Returns the index of the pixel nearest to a point. */
 function nearest(pixels: readonly Pixel[], to: Pixel): number {
 	const away = pixels.map(({ x, y }) => Math.hypot(x - to.x, y - to.y));
 	return away.reduce((best, value, index) => (value < away[best] ? index : best), 0);

@@ -1,10 +1,11 @@
 /** The page's model of the grape bunch (Huang et al. 2013): docs/bunch.md. */
+
 import type { PageModel } from "../page_model";
 import type { BunchPlant } from "./bunch_plant";
 import { BUNCH_FORMATS } from "./formats";
 import { fetchLeaf, fetchSketch } from "./leaf";
-import { skinClass } from "./measures";
-import { SKIN_COLOUR } from "./measures.generated";
+import { SKIN, skinClass } from "./measures";
+import { text } from "./messages.generated";
 import { ownTextNotes } from "./own_text";
 import { bunchParts } from "./parts/bunch_parts";
 import { BUNCH_LABELS } from "./parts/point_labels";
@@ -18,8 +19,10 @@ import { bunchInWords } from "./words";
 
 export const model = {
 	...BUNCH,
-	title: "Grape bunch",
-	noun: "bunch",
+	get title() {
+		return text("title");
+	},
+	plantName: "bunch",
 	wasm: "bunch.wasm",
 	prepare: (specimen) => (hasLeaves(specimen) ? fetchLeaf() : undefined),
 	sketch: (specimen) => (hasLeaves(specimen) ? fetchSketch() : undefined),
@@ -31,9 +34,9 @@ export const model = {
 	},
 	parts: bunchParts,
 	instanced: () => true,
-	words: bunchInWords,
+	summary: bunchInWords,
 	record: bunchRecord,
-	descriptors: [{ ...SKIN_COLOUR, classOf: ({ look }) => skinClass(look) }],
+	descriptors: [{ ...SKIN, classOf: ({ look }) => skinClass(look) }],
 	labels: BUNCH_LABELS,
 	extras: ({ procedure, plan, second }) => ({ procedure, plan: { ...plan, second } }),
 	formats: BUNCH_FORMATS,

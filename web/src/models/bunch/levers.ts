@@ -10,6 +10,7 @@ import type { BunchSpecimen } from "./specimen";
 
 type BunchLever = Lever<BunchSpecimen>;
 
+/** Returns a lever that changes parameters in proportion; the measure grows with about this power of them. */
 const lever = (power: number, ...keys: NumberKey[]): BunchLever => proportionalLever(BUNCH, power, ...keys);
 
 const HEIGHTS: readonly ShapeKey[] = ["l", "p3r", "p4r", "p5r", "p6r"];
@@ -21,11 +22,11 @@ const WIDTHS: readonly ShapeKey[] = ["p3w", "p4w", "p5w", "p6w"];
  * @param requested measures requested together: parameters that one needs are not used for others
  */
 export function leversOf(specimen: BunchSpecimen, requested: readonly string[]): Levers<BunchSpecimen> {
-	return procedureOf(specimen) === "paper" ? paper(specimen) : natural(specimen, requested);
+	return procedureOf(specimen) === "paper" ? paperLevers(specimen) : naturalLevers(specimen, requested);
 }
 
 /** Levers of the paper's procedure, whose berry radii are in units of the paper and scale with `unit`. */
-function paper(specimen: BunchSpecimen): Levers<BunchSpecimen> {
+function paperLevers(specimen: BunchSpecimen): Levers<BunchSpecimen> {
 	const radii = [lever(1, "rmax", "rmin")];
 	const scale = (power: number) => lever(power, "unit");
 	return {
@@ -38,16 +39,20 @@ function paper(specimen: BunchSpecimen): Levers<BunchSpecimen> {
 	};
 }
 
-function natural(specimen: BunchSpecimen, requested: readonly string[]): Levers<BunchSpecimen> {
+/**
+ * Returns the levers of natural bunches: for each measure the parameters that change it, which depend on the other
+ * measures that are requested.
+ */
+function naturalLevers(specimen: BunchSpecimen, requested: readonly string[]): Levers<BunchSpecimen> {
 	const isRequested = (...keys: MeasureKey[]) => keys.some((key) => requested.includes(key));
 	const counted = specimen.parameters.count > 0 || isRequested("berry_count");
 	const sized = isRequested("bunch_length", "bunch_width", "hull_volume", "outline_volume");
 	const widths = widestFirst(specimen);
 	const outline = (power: number) => outlineLever(power, ...HEIGHTS, ...widths);
-	const close = (power: number) => [lever(power, counted ? "count" : "density")];
+	const byCloseness = (power: number) => [lever(power, counted ? "count" : "density")];
 	// A given count or outline stays fixed: then the berries make up the weight.
-	const byCrowd = counted || isRequested("density") ? [] : [lever(1, "density")];
-	const weight = [...(sized || counted ? [] : [outline(3)]), ...byCrowd, lever(3, "size")];
+	const byDensity = counted || isRequested("density") ? [] : [lever(1, "density")];
+	const weight = [...(sized || counted ? [] : [outline(3)]), ...byDensity, lever(3, "size")];
 	const size = [lever(1, "size")];
 	return {
 		bunch_length: [outlineLever(1, ...HEIGHTS)],
@@ -56,11 +61,11 @@ function natural(specimen: BunchSpecimen, requested: readonly string[]): Levers<
 		berry_volume: weight,
 		hull_volume: [outline(3)],
 		outline_volume: [outline(3)],
-		density: close(1),
-		fill_ratio: close(0.7),
-		compactness: close(1),
-		gap: close(-2),
-		contacts: close(1),
+		density: byCloseness(1),
+		fill_ratio: byCloseness(0.7),
+		compactness: byCloseness(1),
+		gap: byCloseness(-2),
+		contacts: byCloseness(1),
 		berry_count: [lever(1, "count"), ...(sized ? [] : [outline(3)])],
 		diameter: size,
 		diameter_spread: [lever(1, "spread")],
@@ -90,6 +95,7 @@ function outlineLever(power: number, ...keys: readonly ShapeKey[]): BunchLever {
 		from: Math.max(min, 0.01) * 1000 * metresPerPixel(unit.min),
 		to: max * 1000 * metresPerPixel(unit.max),
 		of: (specimen) => specimen.parameters[lead] * millimetres(specimen),
+		/** Sets the first of these lengths to a value in millimetres, and scales the others of the lever with it. */
 		set: (specimen, value) => {
 			const { parameters } = specimen;
 			const before = parameters.unit;
@@ -98,7 +104,7 @@ function outlineLever(power: number, ...keys: readonly ShapeKey[]): BunchLever {
 			if (!(current > 0)) return withParameters(BUNCH, specimen, { [lead]: value / millimetres(specimen) });
 			const factor = value / current;
 			const longest = Math.max(...keys.map((key) => (parameters[key] * factor) / limitOf(key)));
-			const after = longest > 1 ? wider(before * longest) : before;
+			const after = longest > 1 ? roundedUpUnit(before * longest) : before;
 			const changes = [...HEIGHTS, ...WIDTHS].map((key) => {
 				const pixels = (parameters[key] * before) / after;
 				return [key, keys.includes(key) ? factor * pixels : pixels];
@@ -108,9 +114,10 @@ function outlineLever(power: number, ...keys: readonly ShapeKey[]): BunchLever {
 	};
 }
 
+/** Returns the greatest value of a length of the outline, pixels. */
 const limitOf = (key: ShapeKey) => (BUNCH.table.entry(key) as { max: number }).max;
 
-/** The next greater `unit` that a link can hold. */
-function wider(unit: number): number {
+/** Returns the least value not below `unit` that a link can store: a multiple of 0.01 within the range. */
+function roundedUpUnit(unit: number): number {
 	return nearestWithin(BUNCH.table.entry("unit") as Parameters<typeof nearestWithin>[0], Math.ceil(unit * 100) / 100);
 }

@@ -1,13 +1,21 @@
 /** The bunch's measures by their keys, and the class of its skin's colour. */
+
+import { translatedMeasureOf } from "../../specimen/translated_tables";
 import { MEASURE_KEYS, type MeasureKey, SKIN_COLOUR } from "./measures.generated";
 import type { Look } from "./specimen";
+
+/** The descriptor of skin colour, which is of the look and not measured by the core. */
+export const SKIN = translatedMeasureOf("bunch", SKIN_COLOUR);
 
 /** Returns a measure of a bunch by its key; NaN if it does not apply or was not requested. */
 export function measureOf(measures: Float32Array | undefined, key: MeasureKey): number {
 	return measures?.[MEASURE_KEYS.indexOf(key)] ?? Number.NaN;
 }
 
-/** Converts six hexadecimal digits of sRGB to CIELAB (D65; IEC 61966-2-1, CIE 15). */
+/**
+ * Converts a colour, six hexadecimal digits of sRGB, to CIELAB (D65; IEC 61966-2-1, CIE 15): first to linear light,
+ * then to X, Y, Z, then to L*, a*, b*.
+ */
 export function lab(colour: string): [number, number, number] {
 	const [r, g, b] = [0, 2, 4].map((at) => {
 		const value = Number.parseInt(colour.slice(at, at + 2), 16) / 255;
@@ -20,12 +28,12 @@ export function lab(colour: string): [number, number, number] {
 	return [116 * y - 16, 500 * (x - y), 200 * (y - z)];
 }
 
-export type SkinClass = (typeof SKIN_COLOUR.classes)[number];
+export type SkinClass = (typeof SKIN.classes)[number];
 
 /** Returns the class of skin colour (OIV 225): that of the nearest colour, in CIELAB, to the ripe skin's. */
 export function skinClass(look: Pick<Look, "skin">): SkinClass {
 	const skin = lab(look.skin);
 	const distance = (colour: string) => Math.hypot(...lab(colour).map((value, i) => value - skin[i]));
 	const nearest = ({ like }: SkinClass) => Math.min(...like.map(distance));
-	return [...SKIN_COLOUR.classes].sort((a, b) => nearest(a) - nearest(b))[0];
+	return [...SKIN.classes].sort((a, b) => nearest(a) - nearest(b))[0];
 }

@@ -25,6 +25,7 @@ import {
 } from "./bunch_plant";
 import { leafOnCane } from "./leaf";
 
+/** Reads the answer of the core; surfaces, flowers and foliage where it has them. */
 export function readBunchPlant(answer: Answer): BunchPlant {
 	const { columns } = answer;
 	const plant = readPlant(answer);
@@ -51,11 +52,16 @@ export function readBunchPlant(answer: Answer): BunchPlant {
 	return grown;
 }
 
+/** Reads the profile of the bunch's seed, pixels. */
 function readProfile(columns: Columns): OwnProfile {
 	const [l, p3w, p3r, p4w, p4r, p5w, p5r, p6w, p6r] = columns.floats("profile");
 	return { l, p3w, p3r, p4w, p4r, p5w, p5r, p6w, p6r };
 }
 
+/**
+ * Reads a plan: four sides with their geometry (w, r) and counts, and the numbers of axes: m, then one for each rachis
+ * segment.
+ */
 function readPlan(columns: Columns, name: string): Plan {
 	const sides = columns.floats(`${name}.sides`);
 	const counts = columns.ints(`${name}.counts`);
@@ -69,12 +75,14 @@ function readPlan(columns: Columns, name: string): Plan {
 	return { m, sides: [side(0), side(1), side(2), side(3)], axes };
 }
 
+/** Reads the skeleton: the segments that all plants have, with axis and state of each. */
 function readInternodes(columns: Columns, { segments }: Plant): Internodes {
 	const { count, parent, tag, ends, radii } = segments;
 	const axis = columns.ints("segments.axis");
 	return { count, parent, kind: tag, axis, state: columns.uint8("segments.state"), ends, radii };
 }
 
+/** Reads the berries; traits, a column each in the answer, are interleaved: TRAITS.length values per berry. */
 function readBerries(columns: Columns): Berries {
 	const parent = columns.ints("berries.parent");
 	const traits = new Float32Array(parent.length * TRAITS.length);
@@ -93,6 +101,7 @@ function readBerries(columns: Columns): Berries {
 	};
 }
 
+/** Reads the missing berries with reasons and places. */
 function readThinned(columns: Columns): Thinned[] {
 	const why = columns.uint32("thinned.why");
 	const places = columns.floats("thinned.places");
@@ -102,6 +111,7 @@ function readThinned(columns: Columns): Thinned[] {
 	});
 }
 
+/** Reads deformed berries: all share one pattern of triangles and texture coordinates, and have their own positions. */
 function readSurfaces(columns: Columns): BerrySurfaces {
 	return {
 		uvs: columns.floats("berries.pattern.uvs"),
@@ -113,25 +123,28 @@ function readSurfaces(columns: Columns): BerrySurfaces {
 	};
 }
 
-/** Returns a run without its name. */
-function placeOf({ firstVertex, vertexCount, firstIndex, indexCount }: MeshRun) {
+/** Returns a run's ranges of vertices and indices, without its name. */
+function rangeOf({ firstVertex, vertexCount, firstIndex, indexCount }: MeshRun) {
 	return { firstVertex, vertexCount, firstIndex, indexCount };
 }
 
+/** Reads the mesh of the stems; each run of it belongs to one axis. */
 function readStem(columns: Columns, { runs, name: _, material: _kind, ...mesh }: PlantMesh): StemMesh {
 	const axis = columns.ints("mesh.stems.axis");
 	const internode = columns.uint32("mesh.stems.segment");
-	const parts = runs.map((run, index) => ({ axis: axis[index], ...placeOf(run) }));
+	const parts = runs.map((run, index) => ({ axis: axis[index], ...rangeOf(run) }));
 	return { ...mesh, internode, parts };
 }
 
+/** Reads the mesh of a flower; each run of it is a piece. */
 function readFlower(columns: Columns, { runs, name: _, material: _kind, ...mesh }: PlantMesh): FlowerMesh {
-	const pieces = runs.map((run) => ({ piece: run.name as FlowerPiece, ...placeOf(run) }));
+	const pieces = runs.map((run) => ({ piece: run.name as FlowerPiece, ...rangeOf(run) }));
 	return { ...mesh, pieces, unit: columns.floats("mesh.flower.unit")[0] };
 }
 
+/** Reads the mesh of cane and leaves, with the veins of the fetched leaf. */
 function readFoliage({ runs, name: _, material: _kind, ...mesh }: PlantMesh): Foliage {
-	const parts = runs.map((run) => ({ kind: run.name as FoliagePart["kind"], ...placeOf(run) }));
+	const parts = runs.map((run) => ({ kind: run.name as FoliagePart["kind"], ...rangeOf(run) }));
 	const veins = parts.some(({ kind }) => kind === "leaf") ? leafOnCane()?.veins : undefined;
 	return { ...mesh, parts, ...(veins ? { veins } : {}) };
 }

@@ -103,21 +103,25 @@ export function bunchRecord(grown: BunchPlant): BunchRecord {
 	return {
 		procedure,
 		form: { ...form, taper: shortFloat(form.taper), blunt: shortFloat(form.blunt), curve: shortFloat(form.curve) },
-		...(profile && { profile: shortened(profile) }),
+		...(profile && { profile: shortenedProfile(profile) }),
 		plan: grown.second ? { ...grown.plan, second: grown.second } : { ...grown.plan },
 		berries:
-			procedure === "natural" ? naturalBerryRows(berries) : recordRows<BerryRecord>(berries.count, balls(berries)),
+			procedure === "natural"
+				? naturalBerryRows(berries)
+				: recordRows<BerryRecord>(berries.count, ballColumns(berries)),
 		thinned: thinnedRows(thinned),
 		internodes: internodeRows(internodes),
 		organs: organRows(berries),
 	};
 }
 
-function shortened(profile: OwnProfile): OwnProfile {
+/** Returns a profile whose numbers have as few digits as float32 needs. */
+function shortenedProfile(profile: OwnProfile): OwnProfile {
 	return Object.fromEntries(Object.entries(profile).map(([key, value]) => [key, shortFloat(value)])) as OwnProfile;
 }
 
-function balls({ spheres, parent }: Berries) {
+/** Columns of every berry record: centre, radius of the ball of its volume, and its pedicel. */
+function ballColumns({ spheres, parent }: Berries) {
 	return {
 		x: floats(spheres, 4, 0),
 		y: floats(spheres, 4, 1),
@@ -127,10 +131,11 @@ function balls({ spheres, parent }: Berries) {
 	};
 }
 
+/** Returns the berries of a natural bunch as records. */
 function naturalBerryRows(berries: Berries): CsvRows<NaturalBerryRecord> {
 	const trait = (name: Trait) => floats(berries.traits, TRAITS.length, TRAITS.indexOf(name));
 	return recordRows<NaturalBerryRecord>(berries.count, {
-		...balls(berries),
+		...ballColumns(berries),
 		id: integers(berries.ids),
 		width: trait("width"),
 		length: trait("length"),
@@ -144,6 +149,7 @@ function naturalBerryRows(berries: Berries): CsvRows<NaturalBerryRecord> {
 	});
 }
 
+/** Returns the removed berries as records, with the reason of their removal. */
 function thinnedRows(thinned: BunchPlant["thinned"]): CsvRows<ThinnedRecord> {
 	const places = new Float32Array(3 * thinned.length);
 	thinned.forEach(({ place }, index) => {
@@ -161,6 +167,7 @@ function thinnedRows(thinned: BunchPlant["thinned"]): CsvRows<ThinnedRecord> {
 	});
 }
 
+/** Returns flowers and berries as records of organs, in the form that all models share; a flower has not set fruit. */
 function organRows({ count, spheres, parent, directions, traits }: Berries): CsvRows<BerryOrgan> {
 	const set = TRAITS.indexOf("set");
 	const isBerry = Uint8Array.from({ length: count }, (_, index) => (traits[TRAITS.length * index + set] > 0 ? 1 : 0));
@@ -173,6 +180,7 @@ function organRows({ count, spheres, parent, directions, traits }: Berries): Csv
 	});
 }
 
+/** Returns the internodes as records: `ends` has 6 values each (start, end), `radii` 2. */
 function internodeRows({ count, parent, kind, axis, state, ends, radii }: Internodes): CsvRows<InternodeRecord> {
 	return recordRows<InternodeRecord>(count, {
 		parent: integers(parent),

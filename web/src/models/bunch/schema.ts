@@ -2,7 +2,7 @@
 import { fromPreset } from "../../specimen/from_preset";
 import { grammarText } from "../../specimen/grammar_text";
 import type { ModelSchema } from "../../specimen/model_schema";
-import { Presets } from "../../specimen/presets";
+import { translatedPresets } from "../../specimen/translated_tables";
 import { PROCEDURES, type Procedure } from "./bunch_plant";
 import { grammarInputs } from "./details/inputs";
 import { radii } from "./details/radii";
@@ -19,7 +19,7 @@ export const BUNCH: ModelSchema<BunchSpecimen> = {
 	name: "bunch",
 	unnamed: true,
 	table: BUNCH_TABLE,
-	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
+	presets: translatedPresets("bunch", PRESETS, PRESET_KINDS, DEFAULT_PRESET),
 	lengths: ({ parameters: { unit } }) => ({ px: 1000 * metresPerPixel(unit), u: unit }),
 	details: [thinnedBerries, grammarInputs, grammarText((text) => ROLE.test(text)), radii],
 };

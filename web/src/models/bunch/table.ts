@@ -1,6 +1,6 @@
-import { Table } from "../../specimen/table";
+import { translatedTable } from "../../specimen/translated_tables";
 import { MEASURE_GROUPS, MEASURES } from "./measures.generated";
 import { GROUPS, PARAMETERS } from "./parameters.generated";
 
 /** The bunch's parameters and measures. */
-export const BUNCH_TABLE = new Table(PARAMETERS, GROUPS, MEASURES, MEASURE_GROUPS);
+export const BUNCH_TABLE = translatedTable("bunch", PARAMETERS, GROUPS, MEASURES, MEASURE_GROUPS);

@@ -1,15 +1,16 @@
 /** Access to the traits of berries by name. */
 import { type Berries, TRAITS, type Trait } from "./bunch_plant";
 
-const PLACE = Object.fromEntries(TRAITS.map((trait, at) => [trait, at])) as Record<Trait, number>;
+/** Index of each trait among those of a berry. */
+const TRAIT_INDEX = Object.fromEntries(TRAITS.map((trait, at) => [trait, at])) as Record<Trait, number>;
 
 /** Returns a trait of berry `i`, with float32 precision. */
 export function traitOf({ traits }: Pick<Berries, "traits">, i: number, trait: Trait): number {
-	return traits[TRAITS.length * i + PLACE[trait]];
+	return traits[TRAITS.length * i + TRAIT_INDEX[trait]];
 }
 
 /** Returns half width and half length of berry `i`, metres. */
-export function halvesOf(berries: Berries, i: number): [width: number, length: number] {
+export function halvesOf(berries: Berries, i: number): [halfWidth: number, halfLength: number] {
 	return [0.5 * traitOf(berries, i, "width"), 0.5 * traitOf(berries, i, "length")];
 }
 

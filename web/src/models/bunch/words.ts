@@ -1,5 +1,8 @@
 /** Summary of a bunch in words: for the caption, the picture's description and screen readers. */
+
+import { formatNumber } from "../../locale/format";
 import type { BunchPlant } from "./bunch_plant";
+import { text } from "./messages.generated";
 import { metresPerPixel } from "./profile/handles";
 import type { BunchSpecimen } from "./specimen";
 
@@ -9,7 +12,7 @@ export const FRUIT_SET = 10;
 /** Returns a length in words: "22 cm", "4.2 cm". */
 export function lengthInWords(metres: number): string {
 	const centimetres = metres * 100;
-	return `${centimetres < 10 ? Math.round(centimetres * 10) / 10 : Math.round(centimetres)} cm`;
+	return `${formatNumber(centimetres < 10 ? Math.round(centimetres * 10) / 10 : Math.round(centimetres))} cm`;
 }
 
 /**
@@ -27,16 +30,17 @@ function bunchLength({ procedure, berries }: BunchPlant, { parameters: { l, unit
 	return top - bottom;
 }
 
-/** Returns "73 berries, 22 cm long"; before they set, "73 flowers". */
+/** Returns "22 cm long, with 73 berries"; before they set, "with 73 flowers". */
 export function bunchInWords(grown: BunchPlant, specimen: BunchSpecimen): string {
 	const { procedure, counts } = grown;
-	const { berries } = counts;
 	const inFlower = procedure === "natural" && specimen.parameters.age < FRUIT_SET;
-	const [one, many] = inFlower ? ["flower", "flowers"] : ["berry", "berries"];
-	return `${berries} ${berries === 1 ? one : many}, ${lengthInWords(bunchLength(grown, specimen))} long`;
+	const args = { count: counts.berries, length: lengthInWords(bunchLength(grown, specimen)) };
+	return inFlower ? text("flowers_and_length", args) : text("berries_and_length", args);
 }
 
-/** Summarises the stems alone: "120 pedicels, 34 withered". In natural bunches nothing withers. */
+/** Summarises the stems alone: "120 pedicels, 34 of them withered". In natural bunches nothing withers. */
 export function stemsInWords({ procedure, counts: { pedicels, withered } }: BunchPlant): string {
-	return procedure === "paper" ? `${pedicels} pedicels, ${withered} withered` : `${pedicels} pedicels`;
+	return procedure === "paper"
+		? text("pedicels_withered", { count: pedicels, withered })
+		: text("pedicels", { count: pedicels });
 }

@@ -74,6 +74,7 @@ const NO_VOLUMES: Volumes = {
 	values: new Float32Array(),
 };
 
+/** Reads the answer of the core; meshes of levels of detail are listed apart from the flower's own. */
 export function readFlowerPlant(answer: Answer): FlowerPlant {
 	const { columns } = answer;
 	const { meshes: all, ...plant } = readPlant(answer);
@@ -94,6 +95,7 @@ export function readFlowerPlant(answer: Answer): FlowerPlant {
 	};
 }
 
+/** Reads the volumes that the grammar produced: one row each, in the order of the core. */
 function readVolumes(columns: Answer["columns"]): Volumes {
 	return {
 		labels: columns.text("labels").split(" "),
@@ -109,6 +111,7 @@ function readVolumes(columns: Answer["columns"]): Volumes {
 	};
 }
 
+/** Reads the generalized map: for each dart the four darts that α0 … α3 link it to, its volume and its vertex. */
 function readDarts(columns: Answer["columns"]): Darts {
 	return {
 		alpha: [columns.uint32("alpha0"), columns.uint32("alpha1"), columns.uint32("alpha2"), columns.uint32("alpha3")],

@@ -1,9 +1,11 @@
 /** Flowers from generalized maps (Petrenko 2014): docs/models/flower/flower.md. */
+
 import { titleForOwnText } from "../../specimen/preset_texts";
 import type { PageModel } from "../page_model";
 import { type FlowerPlant, readFlowerPlant } from "./flower_plant";
 import { FLOWER_FORMATS } from "./formats";
 import { flowerLevels } from "./levels";
+import { text as message } from "./messages.generated";
 import { flowerParts } from "./parts";
 import { flowerRecord, tooHeavy } from "./record";
 import { encodeFlower } from "./request";
@@ -14,10 +16,14 @@ import { flowerInWords } from "./words";
 
 export const model = {
 	...FLOWER,
-	title: "Flower",
-	shelf: "Flowers",
+	get title() {
+		return message("title");
+	},
+	get shelf() {
+		return message("shelf");
+	},
 	preview: true,
-	noun: "flower",
+	plantName: "flower",
 	wasm: "flower.wasm",
 	prepare: ({ grammar }) => (grammar === undefined ? fetchTexts() : undefined),
 	encode: encodeFlower,
@@ -25,8 +31,8 @@ export const model = {
 	ages: usesAge,
 	parts: flowerParts,
 	levels: flowerLevels,
-	titled: titleForOwnText("A flower grammar of one’s own", fetchedText),
-	words: flowerInWords,
+	titled: (specimen) => titleForOwnText(message("own_title"), fetchedText)(specimen),
+	summary: flowerInWords,
 	record: flowerRecord,
 	heavy: tooHeavy,
 	formats: FLOWER_FORMATS,

@@ -6,7 +6,7 @@ import type { FlowerPlant } from "./flower_plant";
 import { colourAt, type FlowerPaint, isFine, paintsOf, pictureOf } from "./paint";
 
 /** Material properties that differ from the standard material of the kind (plant/material.ts). */
-const OWN: Readonly<Record<string, Partial<Material>>> = {
+const OWN_PROPERTIES: Readonly<Record<string, Partial<Material>>> = {
 	stem: { roughness: 0.75 },
 	leaf: { roughness: 0.55 },
 	petal: { sheen: { colour: [0.12, 0.1, 0.11], roughness: 0.5 } },
@@ -15,29 +15,31 @@ const OWN: Readonly<Record<string, Partial<Material>>> = {
 const KINDS: Readonly<Record<string, string>> = { leaf: "blade" };
 
 /** Tint of transmitted light, which is warmer; half of it is scattered back. */
-const THROUGH: Colour = [1.5, 1.4, 1.2];
-const SAME: Colour = [1, 1, 1];
+const TRANSMITTED_TINT: Colour = [1.5, 1.4, 1.2];
+const WHITE: Colour = [1, 1, 1];
 
+/** Yields a part for each material, with a picture where its paint is too fine for vertex colours. */
 export function* flowerParts(plant: FlowerPlant): Generator<Part> {
 	const names = new Set<string>();
 	const paints = paintsOf(plant.colours, plant.paint);
-	for (const [i, plain] of plant.meshes.entries()) {
-		const mesh = { ...plain, pickIds: plant.pickIds[i] };
+	for (const [i, plainMesh] of plant.meshes.entries()) {
+		const mesh = { ...plainMesh, pickIds: plant.pickIds[i] };
 		const paint = paints[i];
-		const named = capital(plant.names[i] || mesh.material);
+		const title = capital(plant.names[i] || mesh.material);
 		// The text may itself use a numbered name.
-		let name = named;
-		for (let more = 2; names.has(name); more++) name = `${named} ${more}`;
+		let name = title;
+		for (let number = 2; names.has(name); number++) name = `${title} ${number}`;
 		names.add(name);
 		const fine = isFine(paint) ? pictureOf(paint) : undefined;
 		const material: Material = {
 			...materialOf(mesh.material, name, fine?.mean ?? colourAt(paint, paint.foot / 2, 0), paint.light),
 			...(fine ? { textures: { colour: fine.picture } } : {}),
 		};
-		yield { name, shape: { mesh: fine ? mesh : coloured(mesh, paint), material } };
+		yield { name, shape: { mesh: fine ? mesh : withVertexColours(mesh, paint), material } };
 	}
 }
 
+/** Returns a word with a capital first letter. */
 const capital = (word: string): string => word.charAt(0).toUpperCase() + word.slice(1);
 
 /**
@@ -48,17 +50,17 @@ export function materialOf(kind: string, name: string, colour: Colour, light: nu
 	const { sheet: _, ...usual } = standardMaterial(KINDS[kind] ?? kind);
 	return {
 		...usual,
-		...OWN[kind],
+		...OWN_PROPERTIES[kind],
 		name,
 		colour,
 		// The mesh is closed, so its back faces are never seen.
 		doubleSided: false,
-		...(light > 0 ? { sheet: { through: THROUGH.map((c) => c * light) as Colour, reverse: SAME } } : {}),
+		...(light > 0 ? { sheet: { through: TRANSMITTED_TINT.map((c) => c * light) as Colour, reverse: WHITE } } : {}),
 	};
 }
 
 /** Colours a mesh by vertex, for paints without fine details. */
-function coloured(mesh: PartMesh, paint: FlowerPaint): PartMesh {
+function withVertexColours(mesh: PartMesh, paint: FlowerPaint): PartMesh {
 	const colours = new Float32Array(mesh.positions.length);
 	for (let v = 0; v < colours.length / 3; v++)
 		colours.set(colourAt(paint, mesh.uvs[2 * v], mesh.uvs[2 * v + 1]), 3 * v);

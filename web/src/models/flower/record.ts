@@ -2,10 +2,13 @@
  * Record of a flower in the JSON document, besides that of every plant: its generalized map, so that anyone can check
  * it.
  */
+
 import { type CsvValue, writeCsv } from "../../formats/csv";
 import { shortFloat } from "../../formats/numbers";
 import { CsvRows, gathered, integers, lists, vectors } from "../../formats/rows";
+import type { Message } from "../../locale/texts";
 import type { FlowerPlant } from "./flower_plant";
+import { text } from "./messages.generated";
 
 export interface FlowerRecord {
 	/** Name of each volume, and its number of sides. */
@@ -32,13 +35,14 @@ const NONE = 0xffffffff;
 /** Returns the name of a face: O, E, C1 … */
 const faceName = (face: number): string => ["O", "E"][face] ?? `C${face - 1}`;
 
+/** Returns the flower for JSON files: its volumes and, if requested, the darts of its generalized map. */
 export function flowerRecord({ volumes, darts }: FlowerPlant): FlowerRecord {
 	const { labels, label, order, parent, face, attached, values } = volumes;
 	const record: FlowerRecord = {
-		label: Array.from(label, (of) => labels[of]),
+		label: Array.from(label, (code) => labels[code]),
 		order: [...order],
-		parent: Array.from(parent, (of) => (of === NONE ? -1 : of)),
-		face: Array.from(face, (of, i) => (parent[i] === NONE ? null : faceName(of))),
+		parent: Array.from(parent, (code) => (code === NONE ? -1 : code)),
+		face: Array.from(face, (code, i) => (parent[i] === NONE ? null : faceName(code))),
 		attached: [...attached.keys()].filter((i) => attached[i] === 1),
 		values: new CsvRows(label.length, vectors<number[]>(values, 9, 0, 9)),
 	};
@@ -53,16 +57,15 @@ export function flowerRecord({ volumes, darts }: FlowerPlant): FlowerRecord {
 }
 
 /** Limit of darts that a server sends, about 50 MB of JSON. */
-export const MOST_DARTS = 600_000;
+export const MAX_DARTS = 600_000;
 
 /**
  * Returns why the document with the map is too large to send, or undefined if it is not. The flower may have grown
  * without the map.
  */
-export function tooHeavy({ counts: { darts: count = 0 } }: Pick<FlowerPlant, "counts">): string | undefined {
-	if (count <= MOST_DARTS) return undefined;
-	const [own, most] = [count, MOST_DARTS].map((each) => each.toLocaleString("en"));
-	return `the flower’s map has ${own} darts, and at most ${most} are sent; file-map=0 leaves the map out`;
+export function tooHeavy({ counts: { darts: count = 0 } }: Pick<FlowerPlant, "counts">): Message | undefined {
+	if (count <= MAX_DARTS) return undefined;
+	return text.message("map_too_large", { count, most: MAX_DARTS });
 }
 
 /** Writes volumes as CSV, in order of creation. */
@@ -86,14 +89,15 @@ export function volumesTable({ volumes }: FlowerPlant): string {
 		"W",
 		"m",
 	];
-	const rows = Array.from(label, (of, i): CsvValue[] => [
+	const rows = Array.from(label, (code, i): CsvValue[] => [
 		i,
 		parent[i] === NONE ? null : parent[i],
 		parent[i] === NONE ? null : faceName(face[i]),
 		attached[i],
-		labels[of],
+		labels[code],
 		order[i],
 		line[i] === 0 ? null : line[i],
+		// The nine values from N to m, as in the header.
 		...Array.from(values.subarray(9 * i, 9 * i + 9), shortFloat),
 	]);
 	return writeCsv([header, ...rows]);

@@ -1,6 +1,6 @@
 /** Encodes a specimen as the blocks of a request, listed in wasm-core/src/models/flower/model.hpp. */
 import type { Block } from "../../core/container";
-import { CoreError } from "../../core/errors";
+import { finiteNumber, requestBlocks, requireText } from "../../plant/request";
 import type { GrowthOptions } from "../model";
 import type { FlowerSpecimen } from "./specimen";
 import { FLOWER_TABLE } from "./table";
@@ -29,29 +29,17 @@ export function encodeFlower(specimen: FlowerSpecimen, options: FlowerRequestOpt
 		meshFingerprint && "mesh_fingerprint",
 		levels && "levels",
 	];
-	const { model, seed, parameters, constants } = specimen;
-	const text = fetchedText(specimen);
-	if (text === undefined) throw new CoreError("bad request", "The preset's text could not be fetched.");
+	const { constants } = specimen;
+	const text = requireText(fetchedText(specimen));
 	const names = Object.keys(constants);
 	return [
-		{ name: "model", data: model },
-		{ name: "seed", data: Uint32Array.of(seed) },
-		{ name: "outputs", data: outputs.filter(Boolean).join(" ") },
-		{
-			name: "parameters",
-			data: Float32Array.from(FLOWER_TABLE.core, ({ key }) => number(key, parameters[key as keyof typeof parameters])),
-		},
+		...requestBlocks(specimen, FLOWER_TABLE.core, outputs),
 		...(names.length === 0
 			? []
 			: [
 					{ name: "values.names", data: names.join(" ") },
-					{ name: "values", data: Float32Array.from(names, (name) => number(name, constants[name])) },
+					{ name: "values", data: Float32Array.from(names, (name) => finiteNumber(name, constants[name])) },
 				]),
 		{ name: "text", data: text },
 	];
-}
-
-function number(key: string, value: number): number {
-	if (Number.isFinite(value)) return value;
-	throw new CoreError("bad request", `${key} is not a number.`);
 }

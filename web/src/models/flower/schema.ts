@@ -2,7 +2,7 @@
 import { constantValues } from "../../specimen/constants";
 import { grammarText } from "../../specimen/grammar_text";
 import type { ModelSchema } from "../../specimen/model_schema";
-import { Presets } from "../../specimen/presets";
+import { translatedPresets } from "../../specimen/translated_tables";
 import { PRESET_KINDS, PRESETS } from "./presets.generated";
 import type { FlowerSpecimen } from "./specimen";
 import { FLOWER_TABLE } from "./table";
@@ -32,12 +32,13 @@ const OWN = [
 const XML =
 	/^\uFEFF?\s*<(?:[?!]|[\p{L}_][^>]*>\s*<(?:volume|variable|axiom|rule|statement)\b|(?:volume|variable|axiom|rule)\b)/u;
 
+/** Returns whether a text is the XML of a flower's grammar. */
 export const isXml = (text: string): boolean => XML.test(text);
 
 export const FLOWER: ModelSchema<FlowerSpecimen> = {
 	name: "flower",
 	table: FLOWER_TABLE,
-	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
+	presets: translatedPresets("flower", PRESETS, PRESET_KINDS, DEFAULT_PRESET),
 	details: [
 		constantValues<FlowerSpecimen>(variablesIn),
 		grammarText((text) => isXml(text) || (AXIOM.test(text) && OWN.some((sign) => sign.test(text)))),

@@ -1,6 +1,8 @@
 /** Summary of a flower in words: for the caption, the picture's description and screen readers. */
-import { countInWords, heightsOf, lengthInWords } from "../../plant/in_words";
+
+import { heightsOf, lengthInWords } from "../../plant/in_words";
 import type { FlowerPlant } from "./flower_plant";
+import { text } from "./messages.generated";
 import { FLOWER_TABLE } from "./table";
 
 const HEIGHT = FLOWER_TABLE.measures.findIndex(({ key }) => key === "height");
@@ -8,9 +10,9 @@ const HEIGHT = FLOWER_TABLE.measures.findIndex(({ key }) => key === "height");
 /** Returns "42 cm tall, 17 organs, 1,120 volumes". */
 export function flowerInWords(plant: FlowerPlant): string {
 	const { counts } = plant;
-	const parts = [`${lengthInWords(heightOf(plant))} tall`];
-	if (counts.organs > 0) parts.push(countInWords(counts.organs, "organ", "organs"));
-	parts.push(countInWords(counts.volumes, "volume", "volumes"));
+	const parts = [text("height", { length: lengthInWords(heightOf(plant)) })];
+	if (counts.organs > 0) parts.push(text("organs", { count: counts.organs }));
+	parts.push(text("volumes", { count: counts.volumes }));
 	return parts.join(", ");
 }
 

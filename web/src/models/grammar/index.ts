@@ -1,7 +1,9 @@
 /** Any text grown as a plant: docs/models/grammar/grammar.md. */
+
 import type { PageModel } from "../page_model";
 import { GRAMMAR_FORMATS } from "./formats";
 import { type GrammarPlant, readGrammarPlant } from "./grammar_plant";
+import { text } from "./messages.generated";
 import { grammarParts } from "./parts";
 import { grammarRecord } from "./record";
 import { encodeGrammar } from "./request";
@@ -12,9 +14,13 @@ import { grammarInWords, titleOfText } from "./words";
 
 export const model = {
 	...GRAMMAR,
-	title: "Grammar",
-	shelf: "Grammars",
-	noun: "plant",
+	get title() {
+		return text("title");
+	},
+	get shelf() {
+		return text("shelf");
+	},
+	plantName: "plant",
 	wasm: "grammar.wasm",
 	strings: true,
 	prepare: ({ grammar }) => (grammar === undefined ? fetchTexts() : undefined),
@@ -23,7 +29,7 @@ export const model = {
 	read: readGrammarPlant,
 	parts: grammarParts,
 	titled: ({ grammar }) => (grammar === undefined ? undefined : titleOfText(grammar)),
-	words: grammarInWords,
+	summary: grammarInWords,
 	record: grammarRecord,
 	handles: async () => (await import("./areas/area_handles")).areaHandlesOf,
 	ui: async () => (await import("./ui/ui")).modelUi,

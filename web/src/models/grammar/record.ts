@@ -48,6 +48,7 @@ export interface GrammarRecord {
 	organs: CsvRows<GrammarOrganRecord>;
 }
 
+/** Returns the plant for JSON files: areas, segments, organs. */
 export function grammarRecord(plant: GrammarPlant): GrammarRecord {
 	const { counts, segments, organs, lines, organMarks, belongs, areas, string } = plant;
 	return {
@@ -78,6 +79,10 @@ export function grammarRecord(plant: GrammarPlant): GrammarRecord {
 	};
 }
 
+/**
+ * Returns the record of an area, with its measures where the plant has them.
+ * @param i index of the area; segments have that of theirs plus one, and 0 without an area
+ */
 function areaRecord({ kind, centre, size, rotation }: Area, i: number, plant: GrammarPlant): AreaRecord {
 	const { belongs, areaMeasures } = plant;
 	return {

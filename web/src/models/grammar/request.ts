@@ -1,7 +1,7 @@
 /** Encodes a specimen as the blocks of a request, listed in wasm-core/src/models/grammar/model.hpp. */
 import type { Block } from "../../core/container";
-import { CoreError } from "../../core/errors";
 import { traceBlocks } from "../../plant/derivation_trace";
+import { finiteNumber, requestBlocks, requireText } from "../../plant/request";
 import type { GrowthOptions } from "../model";
 import { areaBlocks } from "./areas/blocks";
 import type { GrammarSpecimen } from "./specimen";
@@ -31,33 +31,21 @@ export function encodeGrammar(specimen: GrammarSpecimen, options: GrammarRequest
 		string && "string",
 		trace && "chronicle",
 	];
-	const { model, seed, parameters, constants, steps: own } = specimen;
+	const { constants, steps: own } = specimen;
 	const { steps = own } = options;
-	const text = fetchedText(specimen);
-	if (text === undefined) throw new CoreError("bad request", "The preset's text could not be fetched.");
+	const text = requireText(fetchedText(specimen));
 	const names = Object.keys(constants);
 	return [
-		{ name: "model", data: model },
-		{ name: "seed", data: Uint32Array.of(seed) },
-		{ name: "outputs", data: outputs.filter(Boolean).join(" ") },
-		{
-			name: "parameters",
-			data: Float32Array.from(GRAMMAR_TABLE.core, ({ key }) => number(key, parameters[key as keyof typeof parameters])),
-		},
+		...requestBlocks(specimen, GRAMMAR_TABLE.core, outputs),
 		...(steps === undefined ? [] : [{ name: "steps", data: Uint32Array.of(steps) }]),
 		...(names.length === 0
 			? []
 			: [
 					{ name: "constants.names", data: names.join("\n") },
-					{ name: "constants.values", data: Float32Array.from(names, (name) => number(name, constants[name])) },
+					{ name: "constants.values", data: Float32Array.from(names, (name) => finiteNumber(name, constants[name])) },
 				]),
 		...areaBlocks(specimen),
 		...(trace ? traceBlocks(trace) : []),
 		{ name: "grammar", data: text },
 	];
-}
-
-function number(key: string, value: number): number {
-	if (Number.isFinite(value)) return value;
-	throw new CoreError("bad request", `${key} is not a number.`);
 }

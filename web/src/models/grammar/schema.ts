@@ -2,7 +2,7 @@
 import { constantValues } from "../../specimen/constants";
 import { grammarText } from "../../specimen/grammar_text";
 import type { ModelSchema } from "../../specimen/model_schema";
-import { Presets } from "../../specimen/presets";
+import { translatedPresets } from "../../specimen/translated_tables";
 import { areas, from, path } from "./details/areas";
 import { steps } from "./details/steps";
 import { PRESET_KINDS, PRESETS } from "./presets.generated";
@@ -16,6 +16,6 @@ export const DEFAULT_PRESET = "shrub";
 export const GRAMMAR: ModelSchema<GrammarSpecimen> = {
 	name: "grammar",
 	table: GRAMMAR_TABLE,
-	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
+	presets: translatedPresets("grammar", PRESETS, PRESET_KINDS, DEFAULT_PRESET),
 	details: [steps, constantValues<GrammarSpecimen>(definedNames), areas, path, from, grammarText("any")],
 };

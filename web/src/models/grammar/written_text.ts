@@ -15,7 +15,7 @@ export async function writtenText(specimen: GrammarSpecimen): Promise<string> {
 export function withValues(text: string, { constants, steps }: Pick<GrammarSpecimen, "constants" | "steps">): string {
 	const written = withConstants(text, constants);
 	if (steps === undefined) return written;
-	const length = lengthIn(written);
+	const length = derivationLength(written);
 	if (length) return `${written.slice(0, length.from)}${steps}${written.slice(length.to)}`;
 	return written.replace(/^[ \t]*axiom[ \t]*:/m, (axiom) => `derivation length: ${steps}\n${axiom}`);
 }
@@ -23,7 +23,7 @@ export function withValues(text: string, { constants, steps }: Pick<GrammarSpeci
 /**
  * Returns the range of the derivation length in a text, from behind its colon to before trailing blanks and comments.
  */
-function lengthIn(text: string): { from: number; to: number } | undefined {
+export function derivationLength(text: string): { from: number; to: number } | undefined {
 	for (const head of text.matchAll(/^[ \t]*derivation[ \t]+length[ \t]*:[ \t]*/gm)) {
 		const from = head.index + head[0].length;
 		const end = text.indexOf("\n", from);

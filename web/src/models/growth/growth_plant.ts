@@ -17,6 +17,7 @@ export interface GrowthPlant extends Wooden {
 	veins?: Veins;
 }
 
+/** Returns the name of a tree's baked leaf. */
 const kindOf = (specimen: GrowthSpecimen): string => GROWTH_TABLE.option(specimen, "leaf_kind") ?? "";
 
 /** Fetches the baked leaf of a tree; needles are not baked, and bare trees have none. */
@@ -25,6 +26,7 @@ export const fetchLeafOf = (specimen: GrowthSpecimen): Promise<void> => fetchBak
 /** Returns the leaf of a tree; undefined before it is fetched, for needles and for bare trees. */
 export const leafOf = (specimen: GrowthSpecimen): AttachedLeaf | undefined => fetchedLeaf(kindOf(specimen));
 
+/** Reads the answer of the core: shoots of segments, and the growth volumes. */
 export function readGrowthPlant(answer: Answer, specimen: GrowthSpecimen): GrowthPlant {
 	const { columns } = answer;
 	const [ids, shapes, places] = [
@@ -53,8 +55,13 @@ export function readGrowthPlant(answer: Answer, specimen: GrowthSpecimen): Growt
 /** Rounds to hundredths, like the core's handles and texts. */
 const hundredth = (value: number): number => Math.round(value * 100) / 100 + 0;
 
-function volumeOf(id: number, shape: Float32Array, wide: number, place: Float32Array): GrowthVolume {
+/**
+ * Returns a volume from the core's numbers.
+ * @param shape base, height, top, gradient and direction of lean
+ * @param place x and z of its centre, metres
+ */
+function volumeOf(id: number, shape: Float32Array, middleWidth: number, place: Float32Array): GrowthVolume {
 	const [base, height, top, gradient, towards] = [...shape.subarray(0, 5)].map(hundredth);
-	const middle = hundredth(wide);
+	const middle = hundredth(middleWidth);
 	return { id, base, height, top, middle, gradient, towards, at: [hundredth(place[0]), hundredth(place[1])] };
 }

@@ -1,9 +1,11 @@
 /** Trees by divisor functions (Kim, Kim and Cho 2013): docs/models/growth/growth.md. */
+
 import { titleForOwnText } from "../../specimen/preset_texts";
 import type { PageModel } from "../page_model";
 import { GROWTH_FORMATS } from "./formats";
 import { fetchLeafOf, type GrowthPlant, readGrowthPlant } from "./growth_plant";
 import { growthLevels } from "./levels";
+import { text } from "./messages.generated";
 import { growthParts } from "./parts";
 import { growthRecord } from "./record";
 import { encodeGrowth } from "./request";
@@ -14,10 +16,14 @@ import { growthInWords } from "./words";
 
 export const model = {
 	...GROWTH,
-	title: "Growth",
-	shelf: "Growth grammars",
+	get title() {
+		return text("title");
+	},
+	get shelf() {
+		return text("shelf");
+	},
 	preview: true,
-	noun: "tree",
+	plantName: "tree",
 	wasm: "growth.wasm",
 	prepare: async (specimen) => {
 		await Promise.all([fetchLeafOf(specimen), ...(specimen.grammar === undefined ? [fetchTexts()] : [])]);
@@ -26,8 +32,8 @@ export const model = {
 	read: readGrowthPlant,
 	parts: growthParts,
 	levels: growthLevels,
-	titled: titleForOwnText("A growth grammar of one’s own", fetchedText),
-	words: growthInWords,
+	titled: (specimen) => titleForOwnText(text("own_title"), fetchedText)(specimen),
+	summary: growthInWords,
 	record: growthRecord,
 	formats: GROWTH_FORMATS,
 	ui: async () => (await import("./ui/ui")).modelUi,

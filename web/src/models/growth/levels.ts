@@ -12,6 +12,7 @@ const LEVEL = /^level\d$/;
 /** Share of young wood in the visible wood. */
 const YOUNG = 0.4;
 
+/** Returns the parts of each level, in the order of the plant's meshes. */
 export function growthLevels({ meshes }: GrowthPlant, specimen: GrowthSpecimen): Part[][] {
 	const materials = materialsOf(specimen);
 	return meshes
@@ -24,7 +25,7 @@ export function growthLevels({ meshes }: GrowthPlant, specimen: GrowthSpecimen):
 		);
 }
 
-/** Materials by the names of the levels' runs. */
+/** Returns the materials by the names of the levels' runs. */
 function materialsOf(specimen: GrowthSpecimen): Record<string, Material> {
 	const { look, parameters } = specimen;
 	const season = leafSeason(parameters.season, GROWTH_TABLE.option(specimen, "year") === "evergreen");

@@ -15,8 +15,9 @@ import { leafSeason } from "./year";
 const FOOT = linear("2a2623");
 
 /** Season of fallen leaves' colours in autumn: browner than leaves on the tree. */
-const LYING = 1;
+const LYING_SEASON = 1;
 
+/** Yields the parts of the plant: wood with leaves, leaves that fall or lie, blossoms, bunches. */
 export function* growthParts(plant: GrowthPlant, specimen: GrowthSpecimen): Generator<Part> {
 	const { look, parameters } = specimen;
 	const evergreen = GROWTH_TABLE.option(specimen, "year") === "evergreen";
@@ -27,21 +28,22 @@ export function* growthParts(plant: GrowthPlant, specimen: GrowthSpecimen): Gene
 		...dress,
 		tints: { blade: leafTints({ ...colours, season }, plant.veins), petal: [] },
 	});
-	// Falling and fallen leaves have one colour: a step later they are gone.
+	// Falling and fallen leaves have one colour: they disappear a step later.
 	const [red] = leafTints({ leaf: look.falling, autumn: look.falling, season: 0.4 }, plant.veins);
 	yield* attachedParts(withOrgans(plant, ["falling", "fallen"]), { blade: [{ ...red, name: "Falling leaf" }] });
-	const brown = leafTints({ ...colours, season: LYING }, plant.veins);
+	const brown = leafTints({ ...colours, season: LYING_SEASON }, plant.veins);
 	yield* attachedParts(withOrgans(plant, ["shed"]), {
 		blade: brown.map((tint, i) => ({ ...tint, name: `Shed leaf ${i + 1}` })),
 	});
 	yield* attachedParts(withOrgans(plant, ["blossom"]), { petal: [petal(look.petal)] });
 }
 
+/** Returns the materials of the wood: old and young bark, and how thick stems are between which they change. */
 function woodOf(specimen: GrowthSpecimen): Omit<WoodMaterials, "tints"> {
 	const { look } = specimen;
 	const kind = BARKS[GROWTH_TABLE.option(specimen, "bark_kind") ?? ""] ?? "furrowed";
 	const old = linear(look.bark);
-	const thick = 0.005 * look.bark_from;
+	const oldRadius = 0.005 * look.bark_from;
 	return {
 		wood: {
 			name: "Bark",
@@ -52,8 +54,8 @@ function woodOf(specimen: GrowthSpecimen): Omit<WoodMaterials, "tints"> {
 		bark: {
 			old,
 			young: linear(look.young_bark),
-			from: 0.15 * thick,
-			to: thick,
+			from: 0.15 * oldRadius,
+			to: oldRadius,
 			...(kind === "paper" ? { foot: FOOT } : {}),
 		},
 	};
@@ -69,6 +71,7 @@ const BARKS: Readonly<Record<string, BarkKind>> = {
 	stringy: "fibrous",
 };
 
+/** Returns the material of blossoms of a colour. */
 const petal = (colour: string): Material => ({
 	name: "Petal",
 	colour: linear(colour),
@@ -80,27 +83,28 @@ const petal = (colour: string): Material => ({
 /** Returns the plant with only the organs that have one of these tags and a mesh. */
 function withOrgans(plant: GrowthPlant, tags: readonly string[]): GrowthPlant {
 	const { organs } = plant;
-	const wanted = new Set(tags.map((tag) => organs.tags.indexOf(tag)));
-	const places: number[] = [];
-	for (let i = 0; i < organs.count; i++) if (wanted.has(organs.tag[i]) && organs.mesh[i] >= 0) places.push(i);
-	return { ...plant, organs: organsAt(organs, places) };
+	const codes = new Set(tags.map((tag) => organs.tags.indexOf(tag)));
+	const indices: number[] = [];
+	for (let i = 0; i < organs.count; i++) if (codes.has(organs.tag[i]) && organs.mesh[i] >= 0) indices.push(i);
+	return { ...plant, organs: organsAt(organs, indices) };
 }
 
-function organsAt(organs: Plant["organs"], places: readonly number[]): Plant["organs"] {
-	if (places.length === organs.count) return organs;
+/** Returns the organs of these indices as columns of their own. */
+function organsAt(organs: Plant["organs"], indices: readonly number[]): Plant["organs"] {
+	if (indices.length === organs.count) return organs;
 	const { sky } = organs;
 	const width = organs.transforms.length / Math.max(1, organs.count);
-	const transforms = new Float32Array(width * places.length);
-	places.forEach((place, i) => {
-		transforms.set(organs.transforms.subarray(width * place, width * (place + 1)), width * i);
+	const transforms = new Float32Array(width * indices.length);
+	indices.forEach((index, i) => {
+		transforms.set(organs.transforms.subarray(width * index, width * (index + 1)), width * i);
 	});
 	return {
 		...organs,
-		count: places.length,
-		tag: Uint32Array.from(places, (i) => organs.tag[i]),
-		segment: Int32Array.from(places, (i) => organs.segment[i]),
-		mesh: Int32Array.from(places, (i) => organs.mesh[i]),
+		count: indices.length,
+		tag: Uint32Array.from(indices, (i) => organs.tag[i]),
+		segment: Int32Array.from(indices, (i) => organs.segment[i]),
+		mesh: Int32Array.from(indices, (i) => organs.mesh[i]),
 		transforms,
-		...(sky ? { sky: Uint8Array.from(places, (i) => sky[i]) } : {}),
+		...(sky ? { sky: Uint8Array.from(indices, (i) => sky[i]) } : {}),
 	};
 }

@@ -14,6 +14,7 @@ export interface ShootRecord extends SegmentRecord {
 	born: number;
 }
 
+/** Returns the plant for JSON files: its growth volumes and segments. */
 export function growthRecord({ segments, shoots, volumes }: GrowthPlant): {
 	volumes: readonly GrowthVolume[];
 	segments: CsvRows<ShootRecord>;

@@ -1,7 +1,7 @@
 /** Encodes a specimen as the blocks of a request, listed in wasm-core/src/models/growth/model.hpp. */
 import type { Block } from "../../core/container";
-import { CoreError } from "../../core/errors";
 import { leafBlocks } from "../../plant/leaf";
+import { requestBlocks, requireText } from "../../plant/request";
 import type { GrowthOptions } from "../model";
 import { leafOf } from "./growth_plant";
 import type { GrowthSpecimen } from "./specimen";
@@ -33,26 +33,14 @@ export function encodeGrowth(specimen: GrowthSpecimen, options: GrowthRequestOpt
 		meshFingerprint && "mesh_fingerprint",
 		levels && "levels",
 	];
-	const { model, seed, parameters, surroundings } = specimen;
-	const text = fetchedText(specimen);
-	if (text === undefined) throw new CoreError("bad request", "The preset's text could not be fetched.");
+	const { surroundings } = specimen;
+	const text = requireText(fetchedText(specimen));
 	const leaf = leafOf(specimen);
 	return [
-		{ name: "model", data: model },
-		{ name: "seed", data: Uint32Array.of(seed) },
-		{ name: "outputs", data: outputs.filter(Boolean).join(" ") },
-		{
-			name: "parameters",
-			data: Float32Array.from(GROWTH_TABLE.core, ({ key }) => number(key, parameters[key as keyof typeof parameters])),
-		},
+		...requestBlocks(specimen, GROWTH_TABLE.core, outputs),
 		...(levelCount === undefined ? [] : [{ name: "levels", data: Uint32Array.of(levelCount) }]),
 		{ name: "rules", data: text },
 		...(surroundings ? [{ name: "surroundings", data: Float32Array.from(surroundings) }] : []),
 		...(leaf ? leafBlocks(leaf) : []),
 	];
-}
-
-function number(key: string, value: number): number {
-	if (Number.isFinite(value)) return value;
-	throw new CoreError("bad request", `${key} is not a number.`);
 }

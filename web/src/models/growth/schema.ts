@@ -1,8 +1,8 @@
 /** Schema of a tree's document: its parameters, presets and further fields. */
 import { grammarText } from "../../specimen/grammar_text";
 import type { ModelSchema } from "../../specimen/model_schema";
-import { Presets } from "../../specimen/presets";
 import { surroundingsDetail } from "../../specimen/surroundings";
+import { translatedPresets } from "../../specimen/translated_tables";
 import { PRESET_KINDS, PRESETS } from "./presets.generated";
 import type { GrowthSpecimen } from "./specimen";
 import { GROWTH_TABLE } from "./table";
@@ -17,6 +17,6 @@ const AXIOM = /^[ \t]*axiom[ \t]*:/im;
 export const GROWTH: ModelSchema<GrowthSpecimen> = {
 	name: "growth",
 	table: GROWTH_TABLE,
-	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
+	presets: translatedPresets("growth", PRESETS, PRESET_KINDS, DEFAULT_PRESET),
 	details: [grammarText((text) => OWN.test(text) && !AXIOM.test(text)), surroundingsDetail()],
 };

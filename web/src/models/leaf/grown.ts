@@ -26,7 +26,10 @@ export interface Leaf extends TrailPlant {
 	faces: Record<string, BladeFace>;
 }
 
-/** The veins for the flat views. */
+/**
+ * Returns the veins and the margin for the flat views, with widths in leaf lengths.
+ * @param millimetres length of the leaf
+ */
 export function flatVeins({ chart, margin, segments }: Leaf, millimetres: number): FlatVeins {
 	const widths = Float32Array.from({ length: segments.count }, (_, i) => {
 		const [start, end] = segments.radii.subarray(2 * i, 2 * i + 2);

@@ -1,8 +1,10 @@
 /** The leaf from the trails of particles (Rodkaew et al. 2003): docs/models/leaf/leaf.md. */
+
 import type { PageModel } from "../page_model";
 import { trailRecord } from "../particles/record";
 import { LEAF_FORMATS } from "./formats";
 import type { Leaf } from "./grown";
+import { text } from "./messages.generated";
 import { leafParts } from "./parts/leaf_parts";
 import { readLeaf } from "./read_leaf";
 import { encodeLeaf } from "./request";
@@ -12,14 +14,16 @@ import { leafInWords } from "./words";
 
 export const model = {
 	...LEAF,
-	title: "Leaf",
+	get title() {
+		return text("title");
+	},
 	preview: true,
-	noun: "leaf",
+	plantName: "leaf",
 	wasm: "particles.wasm",
 	encode: encodeLeaf,
 	read: readLeaf,
 	parts: (grown, specimen) => leafParts(grown, specimen),
-	words: leafInWords,
+	summary: leafInWords,
 	record: trailRecord,
 	formats: LEAF_FORMATS,
 	render: async () => (await import("./render/leaf_renderer")).leafRenderer,

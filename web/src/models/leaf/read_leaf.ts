@@ -2,7 +2,10 @@ import type { Answer } from "../../core/core";
 import { readTrailPlant } from "../particles/trails";
 import type { Leaf } from "./grown";
 
-/** Reads a leaf from the columns of a response (wasm-core/src/models/leaf/model.cpp). */
+/**
+ * Reads a leaf from the columns of a response (wasm-core/src/models/leaf/model.cpp); `mesh.NAME.edge` marks the blade's
+ * faces.
+ */
 export function readLeaf(answer: Answer): Leaf {
 	const { columns } = answer;
 	const plant = readTrailPlant(answer);

@@ -17,6 +17,7 @@ export interface LeafOptions extends GrowthOptions {
 /** Triangles of the blade while particles move, relative to the core's default. */
 const WATCHED_DETAIL = 0.25;
 
+/** Encodes a leaf as a request to the core; previews omit outputs that take long. */
 export function encodeLeaf(specimen: LeafSpecimen, options: LeafOptions = {}): Block[] {
 	const { meshes = true, preview = false, meshFingerprint = false, detail } = options;
 	const { measures = !preview, sky = meshes && !preview } = options;

@@ -1,7 +1,7 @@
 /** The schema of leaf documents: table, presets and the outline. */
 import { fromPreset } from "../../specimen/from_preset";
 import type { ModelSchema } from "../../specimen/model_schema";
-import { Presets } from "../../specimen/presets";
+import { translatedPresets } from "../../specimen/translated_tables";
 import { outlinePoints } from "./details/outline";
 import { DEFAULT_PRESET, PRESET_KINDS, PRESETS } from "./presets/presets";
 import type { LeafSpecimen } from "./specimen";
@@ -10,11 +10,11 @@ import { LEAF_TABLE } from "./table";
 export const LEAF: ModelSchema<LeafSpecimen> = {
 	name: "leaf",
 	table: LEAF_TABLE,
-	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
+	presets: translatedPresets("leaf", PRESETS, PRESET_KINDS, DEFAULT_PRESET),
 	details: [outlinePoints],
 };
 
-/** A new leaf from a preset (specimen/from_preset.ts). */
+/** Returns a new leaf from a preset (specimen/from_preset.ts). */
 export function leafFromPreset(name?: string): LeafSpecimen {
 	return fromPreset(LEAF, name);
 }

@@ -14,7 +14,10 @@ const CLASSES = 24;
 /** Margin around the leaf, millimetres. */
 const MARGIN = 2;
 
-/** @param link the address that restores the leaf */
+/**
+ * Writes the SVG.
+ * @param link the address that restores the leaf
+ */
 export function leafSvg(leaf: Leaf, specimen: LeafSpecimen, link: string): string {
 	const { length: size } = specimen.parameters;
 	const { ends, widths, margin } = flatVeins(leaf, size);
@@ -59,6 +62,11 @@ function chained(members: readonly number[], parent: Int32Array): number[][] {
 	return chains;
 }
 
+/**
+ * Returns the view box of the SVG, with a border of MARGIN, in millimetres and with y down.
+ * @param margin 2 × points, in leaf lengths, y up
+ * @param size millimetres of a leaf length
+ */
 function boxOf(margin: Float32Array, size: number) {
 	let [left, right, low, high] = [0, 0, 0, 0];
 	for (let at = 0; at < margin.length; at += 2) {

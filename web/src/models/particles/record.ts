@@ -30,7 +30,16 @@ export interface TargetRecord {
 	energy: number;
 }
 
-/** `counts.energy` is the energy that arrived at all targets; the sum is exact where energies are integers. */
+/** Floats of a segment in `ends` (start x y z, end x y z) and in `radii` (at the start, at the end). */
+const ENDS = { stride: 6, start: 0, end: 3 } as const;
+const RADII = { stride: 2, start: 0, end: 1 } as const;
+/** Coordinates of a point. */
+const XYZ = 3;
+
+/**
+ * Returns the record of a plant for the JSON document. `counts.energy` is the energy that arrived at all targets; the
+ * sum is exact where energies are integers.
+ */
 export function trailRecord(plant: TrailPlant): {
 	counts: Record<string, number>;
 	segments: CsvRows<TrailRecord>;
@@ -43,16 +52,16 @@ export function trailRecord(plant: TrailPlant): {
 		segments: recordRows<TrailRecord>(segments.count, {
 			parent: integers(parent),
 			kind: words(tags, tag),
-			start: vectors(ends, 6, 0, 3),
-			end: vectors(ends, 6, 3, 3),
+			start: vectors(ends, ENDS.stride, ENDS.start, XYZ),
+			end: vectors(ends, ENDS.stride, ENDS.end, XYZ),
 			energy: floats(energy),
-			radius: floats(radii, 2, 0),
-			radiusEnd: floats(radii, 2, 1),
+			radius: floats(radii, RADII.stride, RADII.start),
+			radiusEnd: floats(radii, RADII.stride, RADII.end),
 		}),
 		targets: recordRows<TargetRecord>(arrived.length, {
-			x: floats(targets, 3, 0),
-			y: floats(targets, 3, 1),
-			z: floats(targets, 3, 2),
+			x: floats(targets, XYZ, 0),
+			y: floats(targets, XYZ, 1),
+			z: floats(targets, XYZ, 2),
 			energy: floats(arrived),
 		}),
 	};

@@ -18,6 +18,9 @@ export interface TrailPlant extends Plant {
 	arrived: Float32Array;
 }
 
+/**
+ * Reads a plant with each segment's energy and step of origin, and the targets with the energy that arrived at them.
+ */
 export function readTrailPlant(answer: Answer): TrailPlant {
 	const { columns } = answer;
 	return {

@@ -5,8 +5,12 @@ import type { Life } from "../../ui/life";
 import type { PlayState } from "../../ui/life_player";
 import { lifeTool } from "../../ui/life_tool";
 import type { Tool } from "../../ui/tool";
+import { text } from "./messages.generated";
 
-/** A tool that plays the movement of the particles, with a bar below the view. */
+/**
+ * Creates a tool that plays the movement of the particles, with a bar below the view.
+ * @param applies whether a specimen has the tool; absent for all
+ */
 export function watching<S extends Specimen, G extends Plant>(
 	applies?: (specimen: S) => boolean,
 ): Tool<S, G, PlayState> {
@@ -14,8 +18,8 @@ export function watching<S extends Specimen, G extends Plant>(
 }
 
 /**
- * Tools that play the movement of the particles or, where the boundary grows with age, the growth; the bar below the
- * view has the stages of either.
+ * Creates the tools that play the movement of the particles or, where the boundary grows with age, the growth; the bar
+ * below the view has the stages of either.
  */
 export function watchingEither<S extends Specimen, G extends Plant>(table: Table): Tool<S, G>[] {
 	const grows = (specimen: S) => table.option(specimen, "life") === "grow";
@@ -26,35 +30,103 @@ export function watchingEither<S extends Specimen, G extends Plant>(table: Table
 /** Stages of the movement: the age is the percentage of the steps until all particles have arrived. */
 export const LIFE: Life = {
 	parameter: "age",
-	label: "Age",
+	get label() {
+		return text("age");
+	},
 	stages: [
-		{ at: 0, name: "Scattered" },
-		{ at: 10, from: 1, name: "Setting out" },
-		{ at: 40, from: 25, name: "Merging" },
-		{ at: 75, from: 60, name: "Arriving" },
-		{ at: 100, name: "Grown" },
+		{
+			at: 0,
+			get name() {
+				return text("stage_scattered");
+			},
+		},
+		{
+			at: 10,
+			from: 1,
+			get name() {
+				return text("stage_starting");
+			},
+		},
+		{
+			at: 40,
+			from: 25,
+			get name() {
+				return text("stage_merging");
+			},
+		},
+		{
+			at: 75,
+			from: 60,
+			get name() {
+				return text("stage_arriving");
+			},
+		},
+		{
+			at: 100,
+			get name() {
+				return text("stage_grown");
+			},
+		},
 	],
 	end: 100,
 	milliseconds: 8000,
-	play: "Play from scattered particles to the last arrival",
+	get play() {
+		return text("run_play");
+	},
 	steps: ({ counts }) => counts.steps ?? 0,
-	help: "0 particles scattered, 100 all trails stand.",
+	get help() {
+		return text("run_help");
+	},
 };
 
 /** Stages of growth: the age is the percentage of the boundary's final size. */
 export const GROWTH: Life = {
 	name: "growth",
 	parameter: "age",
-	label: "Age",
+	get label() {
+		return text("age");
+	},
 	stages: [
-		{ at: 0, name: "Seed" },
-		{ at: 20, from: 1, name: "Seedling" },
-		{ at: 50, from: 35, name: "Young" },
-		{ at: 75, from: 65, name: "Half grown" },
-		{ at: 100, name: "Grown" },
+		{
+			at: 0,
+			get name() {
+				return text("stage_seed");
+			},
+		},
+		{
+			at: 20,
+			from: 1,
+			get name() {
+				return text("stage_seedling");
+			},
+		},
+		{
+			at: 50,
+			from: 35,
+			get name() {
+				return text("stage_young");
+			},
+		},
+		{
+			at: 75,
+			from: 65,
+			get name() {
+				return text("stage_half_grown");
+			},
+		},
+		{
+			at: 100,
+			get name() {
+				return text("stage_grown");
+			},
+		},
 	],
 	end: 100,
 	milliseconds: 8000,
-	play: "Play from the seed to the grown plant",
-	help: "0 a seed, 100 as large as the boundary.",
+	get play() {
+		return text("growth_play");
+	},
+	get help() {
+		return text("growth_help");
+	},
 };

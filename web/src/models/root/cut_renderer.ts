@@ -33,6 +33,7 @@ class CutRenderer implements ModelRenderer<RootSpecimen, WoodenPlant> {
 		this.#materials = new MaterialCache(stage.light.uniforms);
 	}
 
+	/** Shows the root in its pit; the pit is rebuilt only if the root no longer fits, or the soil's colour changes. */
 	show(grown: WoodenPlant, specimen: RootSpecimen): void {
 		this.#roots.show(grown, specimen);
 		const { spheres, points } = this.#roots.bounds();
@@ -40,7 +41,7 @@ class CutRenderer implements ModelRenderer<RootSpecimen, WoodenPlant> {
 		const bodies = { spheres, points: joined([points, grownExtent(rootLayout, ROOT_TABLE, specimen)]) };
 		const box = boxOf(bodies);
 		if (box.isEmpty()) {
-			this.#clear();
+			this.#removePit();
 			this.#bounds = bodies;
 			return;
 		}
@@ -53,8 +54,13 @@ class CutRenderer implements ModelRenderer<RootSpecimen, WoodenPlant> {
 		this.#bounds = { spheres, points: joined([bodies.points, this.#wallPoints]) };
 	}
 
+	/**
+	 * Replaces the pit.
+	 * @param roots bounds of the roots that it must contain
+	 * @param soil colour of the soil
+	 */
 	#rebuildPit(roots: PitBounds, soil: string): void {
-		this.#clear();
+		this.#removePit();
 		this.#materials.change();
 		const mesh = buildPit(roots, soil);
 		const shape = { mesh, material: { name: "Soil", colour: linear(soil), roughness: 1 } };
@@ -68,35 +74,43 @@ class CutRenderer implements ModelRenderer<RootSpecimen, WoodenPlant> {
 		this.#wallPoints = mesh.positions;
 	}
 
+	/** Returns the bounds of root and pit. */
 	bounds(): Bodies {
 		return this.#bounds;
 	}
 
+	/** Uploads everything again after the graphics context was lost. */
 	restored(): void {
 		this.#roots.restored?.();
 	}
 
+	/** Prepares the next frame. */
 	prepare(camera: PerspectiveCamera): void {
 		this.#roots.prepare(camera);
 	}
 
+	/** Returns the number of the part that a ray from the camera hits; undefined where it hits none. */
 	pick(ray: ViewRay): number | undefined {
 		return this.#roots.pick(ray);
 	}
 
+	/** Highlights the part that `pick` returned; undefined ends the highlight. */
 	mark(picked: number | undefined): void {
 		this.#roots.mark(picked);
 	}
 
+	/** Does nothing: a root has a single mode. */
 	setMode(): void {}
 
+	/** Removes root and pit from the scene and releases their graphics memory. */
 	dispose(): void {
-		this.#clear();
+		this.#removePit();
 		this.#materials.dispose();
 		this.#roots.dispose();
 	}
 
-	#clear(): void {
+	/** Removes the pit. */
+	#removePit(): void {
 		for (const object of this.#soil?.objects ?? []) if (object instanceof Mesh) object.removeFromParent();
 		this.#soil?.dispose();
 		this.#soil = undefined;
@@ -104,11 +118,15 @@ class CutRenderer implements ModelRenderer<RootSpecimen, WoodenPlant> {
 	}
 }
 
+/** Returns whether two boxes are equal. */
 function sameBounds(one: PitBounds, other: PitBounds): boolean {
 	return [0, 1, 2].every((k) => one.low[k] === other.low[k] && one.high[k] === other.high[k]);
 }
 
-/** Bounds for the pit: all roots from the ground downwards, however deep they begin, without the stem above. */
+/**
+ * Returns the bounds for the pit: all roots from the ground downwards, however deep they begin, without the stem above.
+ * @param ends 6 numbers for each segment: start x y z, end x y z
+ */
 function reachOf(ends: Float32Array, { low, high }: PitBounds): PitBounds {
 	const least = [...low] as [number, number, number];
 	const most: [number, number, number] = [high[0], 0, high[2]];

@@ -2,6 +2,7 @@ import { type NumberEntry, nearestWithin } from "../../specimen/table";
 import type { BoundaryLayout } from "../particles/boundary/editor/boundary_layout";
 import { evenlySpaced, roundly } from "../particles/boundary/editor/boundary_layout";
 import type { Form } from "../particles/boundary/editor/outline";
+import { text } from "./messages.generated";
 import type { RootSpecimen } from "./specimen";
 import { ROOT_TABLE } from "./table";
 
@@ -36,7 +37,9 @@ export const rootLayout: BoundaryLayout<RootSpecimen> = {
 		const top = nearestWithin(TOP, -high);
 		return { ...roundly(specimen, halfWidth), top, reach: -top - low };
 	},
-	target: "Collar",
-	ends: { high: "Upper end", low: "Deepest" },
+	target: "collar",
+	get ends() {
+		return { high: text("upper_end"), low: text("deepest") };
+	},
 	bareAbout: ({ high }) => high,
 };

@@ -11,6 +11,10 @@ import type { RootSpecimen } from "./specimen";
 /** Colour that fine roots of all species approach. */
 const FINE = linear("d9c7a0");
 
+/**
+ * Yields the parts; roots have a colour of their own up to a radius of 0.5 mm, which turns into that of old ones up to
+ * 8 mm.
+ */
 export function* rootParts(plant: WoodenPlant, specimen: RootSpecimen): Generator<Part> {
 	const { look } = specimen;
 	const old = linear(look.root);

@@ -1,7 +1,7 @@
 /** The schema of root documents: table, presets and further fields. */
 
 import type { ModelSchema } from "../../specimen/model_schema";
-import { Presets } from "../../specimen/presets";
+import { translatedPresets } from "../../specimen/translated_tables";
 import { obstaclesOf, roundsOf, targetsOf } from "../particles/boundary/details/places";
 import { profileOf } from "../particles/boundary/details/profile";
 import { hollowOf, volumeOf } from "../particles/boundary/details/volume";
@@ -12,6 +12,6 @@ import { ROOT_TABLE } from "./table";
 export const ROOT: ModelSchema<RootSpecimen> = {
 	name: "root",
 	table: ROOT_TABLE,
-	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
+	presets: translatedPresets("root", PRESETS, PRESET_KINDS, DEFAULT_PRESET),
 	details: [profileOf(), targetsOf(), obstaclesOf(), roundsOf(), volumeOf(ROOT_TABLE), hollowOf()],
 };

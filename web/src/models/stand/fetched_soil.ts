@@ -6,7 +6,7 @@ type BuildSoil = typeof import("./soil").soilOf;
 
 let buildSoil: BuildSoil | undefined;
 
-/** Loads the function; undefined where it is loaded. */
+/** Loads the function that builds the soil; returns undefined where it is loaded already. */
 export function fetchSoil(): Promise<void> | undefined {
 	if (buildSoil) return undefined;
 	return import("./soil").then(({ soilOf }) => {
@@ -14,4 +14,5 @@ export function fetchSoil(): Promise<void> | undefined {
 	});
 }
 
+/** Returns the function that builds the soil; undefined before it is loaded. */
 export const fetchedSoil = (): BuildSoil | undefined => buildSoil;

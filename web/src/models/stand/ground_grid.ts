@@ -14,6 +14,7 @@ export interface GroundGrid {
 	readonly deep: number;
 }
 
+/** Finds the number of cells of the grid along each side: the first row ends where z changes. */
 export function gridOf({ positions }: Pick<PartMesh, "positions">): GroundGrid {
 	let row = 1;
 	while (3 * row + 2 < positions.length && positions[3 * row + 2] === positions[2]) row++;
@@ -21,31 +22,32 @@ export function gridOf({ positions }: Pick<PartMesh, "positions">): GroundGrid {
 }
 
 /**
- * Interpolates one column of a grid bilinearly.
- * @param of `parts` × vertices
+ * Interpolates one component of a grid's values bilinearly.
+ * @param values `width` numbers for each vertex
+ * @param [width, component] numbers for each vertex, and index of the one to interpolate
  * @param u cells from the left
  * @param v cells from the back
  */
-export function between(
+export function interpolate(
 	{ across, deep }: GroundGrid,
-	of: ArrayLike<number>,
-	[parts, part]: readonly [parts: number, part: number],
+	values: ArrayLike<number>,
+	[width, component]: readonly [width: number, component: number],
 	u: number,
 	v: number,
 ): number {
 	const [i, j] = [Math.min(across - 1, Math.floor(u)), Math.min(deep - 1, Math.floor(v))];
-	const at = (x: number, y: number) => of[parts * ((across + 1) * (j + y) + i + x) + part];
-	const near = at(0, 0) + (u - i) * (at(1, 0) - at(0, 0));
-	const far = at(0, 1) + (u - i) * (at(1, 1) - at(0, 1));
-	return near + (v - j) * (far - near);
+	const at = (x: number, y: number) => values[width * ((across + 1) * (j + y) + i + x) + component];
+	const back = at(0, 0) + (u - i) * (at(1, 0) - at(0, 0));
+	const front = at(0, 1) + (u - i) * (at(1, 1) - at(0, 1));
+	return back + (v - j) * (front - back);
 }
 
-/** Height of the ground at a point, metres; beyond the ground, the height at its edge. */
+/** Returns the height of the ground at a point, metres; beyond the ground, the height at its edge. */
 export function heightAt({ ground, meshes }: GroundSurface, x: number, z: number): number {
 	const [mesh] = meshes;
 	if (!mesh) return 0;
 	const grid = gridOf(mesh);
-	const along = (value: number, size: number, cells: number) => clamp(value / size + 0.5) * cells;
-	const [u, v] = [along(x, ground.width, grid.across), along(z, ground.depth, grid.deep)];
-	return between(grid, mesh.positions, [3, 1], u, v);
+	const cellsAlong = (value: number, size: number, cells: number) => clamp(value / size + 0.5) * cells;
+	const [u, v] = [cellsAlong(x, ground.width, grid.across), cellsAlong(z, ground.depth, grid.deep)];
+	return interpolate(grid, mesh.positions, [3, 1], u, v);
 }

@@ -2,20 +2,22 @@
  * Positions of plants that hang at organs of their parent (`at bunch`). The plan lists these plants before anything
  * has grown; the positions of the organs are known when the parent has grown.
  */
+
 import type { Member } from "../model";
+import { text } from "./messages.generated";
 import type { Places, StandPlant } from "./stand_plant";
 
-/** Tags of the requested organs, by the index of the parent's kind. */
+/** Returns the tags of the organs at which plants hang, by the kind of the plants that have these organs. */
 export function spotsWanted({ kinds, places }: StandPlant): Map<number, Set<string>> {
-	const wanted = new Map<number, Set<string>>();
-	if (kinds.every(({ spot }) => spot === "")) return wanted;
+	const tags = new Map<number, Set<string>>();
+	if (kinds.every(({ spot }) => spot === "")) return tags;
 	for (let plant = 0; plant < places.count; plant++) {
 		const { spot } = kinds[places.kind[plant]];
 		if (spot === "") continue;
-		const parent = places.kind[places.parent[plant]];
-		wanted.set(parent, (wanted.get(parent) ?? new Set()).add(spot));
+		const parentKind = places.kind[places.parent[plant]];
+		tags.set(parentKind, (tags.get(parentKind) ?? new Set()).add(spot));
 	}
-	return wanted;
+	return tags;
 }
 
 /**
@@ -28,31 +30,36 @@ export function placeHanging(stand: StandPlant): StandPlant {
 	const at = places.at.slice();
 	const transforms = places.transforms.slice();
 	const attached: number[] = [];
-	let full = 0;
+	// Number of plants without a free organ.
+	let unplaced = 0;
 	for (let plant = 0; plant < places.count; ) {
-		const among = siblingCount(places, plant);
+		// Plants that are attached to the same parent follow each other.
+		const siblings = siblingCount(places, plant);
 		const { spot } = kinds[places.kind[plant]];
 		const parent = places.parent[plant];
 		const member = spot === "" ? undefined : stand.members[stand.memberOf[parent]];
 		const spots = member && spotsOf(member, spot);
-		const hangs = spot === "" ? among : Math.min(among, (spots?.length ?? 0) / 3);
-		if (spots) full += among - hangs;
-		for (let k = 0; k < hangs; k++) {
+		const placed = spot === "" ? siblings : Math.min(siblings, (spots?.length ?? 0) / 3);
+		if (spots) unplaced += siblings - placed;
+		for (let k = 0; k < placed; k++) {
 			attached.push(plant + k);
 			if (!spots) continue;
-			const which = Math.floor(((k + 0.5) * spots.length) / 3 / hangs);
-			const place = positionOn(places, parent, spots.subarray(3 * which, 3 * which + 3));
-			at.set(place, 3 * (plant + k));
-			transforms.set(place, (transforms.length / places.count) * (plant + k));
+			// Spread the plants evenly over the organs.
+			const organ = Math.floor(((k + 0.5) * spots.length) / 3 / placed);
+			const position = positionInStand(places, parent, spots.subarray(3 * organ, 3 * organ + 3));
+			at.set(position, 3 * (plant + k));
+			transforms.set(position, (transforms.length / places.count) * (plant + k));
 		}
-		plant += among;
+		plant += siblings;
 	}
-	const moved = { ...places, at, transforms };
-	if (attached.length === places.count) return { ...stand, places: moved };
-	return withoutUnplaced(stand, moved, attached, full);
+	const newPlaces = { ...places, at, transforms };
+	if (attached.length === places.count) return { ...stand, places: newPlaces };
+	return withoutUnplaced(stand, newPlaces, attached, unplaced);
 }
 
-/** Number of successive plants of the same kind and parent. */
+/**
+ * Returns the number of successive plants of the same kind and parent, from `plant` on; 1 for a plant on the ground.
+ */
 function siblingCount({ kind, parent, count }: Places, plant: number): number {
 	let end = plant + 1;
 	if (parent[plant] < 0) return 1;
@@ -61,10 +68,18 @@ function siblingCount({ kind, parent, count }: Places, plant: number): number {
 }
 
 const NONE = new Float32Array(0);
+/** Returns the positions of a member's organs with a tag, 3 numbers each; none where it has no such organs. */
 const spotsOf = ({ spots }: Member, tag: string): Float32Array => spots?.[tag] ?? NONE;
 
-/** Transforms a point on a plant to the stand. */
-function positionOn({ at, scale, turn }: Places, plant: number, [x, y, z]: Float32Array): [number, number, number] {
+/**
+ * Transforms a point of a plant's own axes to the stand: scaled, turned about the vertical axis, moved to the plant's
+ * foot.
+ */
+function positionInStand(
+	{ at, scale, turn }: Places,
+	plant: number,
+	[x, y, z]: Float32Array,
+): [number, number, number] {
 	const [size, angle] = [scale[plant], (turn[plant] * Math.PI) / 180];
 	const [cosine, sine] = [size * Math.cos(angle), size * Math.sin(angle)];
 	const [footX, footY, footZ] = at.subarray(3 * plant, 3 * plant + 3);
@@ -72,38 +87,41 @@ function positionOn({ at, scale, turn }: Places, plant: number, [x, y, z]: Float
 }
 
 /**
- * The stand with only the plants in `attached`. Parents come before the plants attached to them, and are never left
- * out.
+ * Returns the stand with only the plants in `attached` and those before them. Parents come before the plants attached
+ * to them, and are never left out.
+ * @param unplaced number of plants that are left out
  */
-function withoutUnplaced(stand: StandPlant, places: Places, attached: readonly number[], full: number): StandPlant {
-	const rows = <A extends Float32Array | Uint32Array | Int32Array>(from: A): A => {
-		const width = from.length / places.count;
-		const to = from.slice(0, width * attached.length) as A;
-		for (const [i, plant] of attached.entries()) to.set(from.subarray(width * plant, width * (plant + 1)), width * i);
-		return to;
+function withoutUnplaced(stand: StandPlant, places: Places, attached: readonly number[], unplaced: number): StandPlant {
+	// Copies the rows of the remaining plants; every array has the same number of values for each plant.
+	const remainingRows = <A extends Float32Array | Uint32Array | Int32Array>(column: A): A => {
+		const width = column.length / places.count;
+		const rows = column.slice(0, width * attached.length) as A;
+		for (const [i, plant] of attached.entries())
+			rows.set(column.subarray(width * plant, width * (plant + 1)), width * i);
+		return rows;
 	};
-	const note = `${full} found no place on what bears them: it has not as many.`;
+	const note = text("no_place", { count: unplaced });
 	return {
 		...stand,
 		places: {
 			...places,
 			count: attached.length,
-			kind: rows(places.kind),
-			seed: rows(places.seed),
-			parent: rows(places.parent),
-			at: rows(places.at),
-			scale: rows(places.scale),
-			turn: rows(places.turn),
-			values: rows(places.values),
-			surroundings: rows(places.surroundings),
-			transforms: rows(places.transforms),
+			kind: remainingRows(places.kind),
+			seed: remainingRows(places.seed),
+			parent: remainingRows(places.parent),
+			at: remainingRows(places.at),
+			scale: remainingRows(places.scale),
+			turn: remainingRows(places.turn),
+			values: remainingRows(places.values),
+			surroundings: remainingRows(places.surroundings),
+			transforms: remainingRows(places.transforms),
 		},
-		memberOf: rows(stand.memberOf),
+		memberOf: remainingRows(stand.memberOf),
 		counts: {
 			...stand.counts,
 			plants: attached.length,
 			borne: stand.counts.borne - (places.count - attached.length),
 		},
-		notes: full > 0 ? [...stand.notes, note] : stand.notes,
+		notes: unplaced > 0 ? [...stand.notes, note] : stand.notes,
 	};
 }

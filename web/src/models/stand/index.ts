@@ -1,9 +1,11 @@
 /** The model of stands of many plants on a ground: docs/models/stand/stand.md. */
+
 import { titleForOwnText } from "../../specimen/preset_texts";
 import { writeTextFile } from "../../specimen/text_file";
 import type { PageModel } from "../page_model";
 import { fetchSoil } from "./fetched_soil";
 import { standMembers } from "./members";
+import { text } from "./messages.generated";
 import { standParts } from "./parts";
 import { placementsCsv, standRecord } from "./record";
 import { encodeStand } from "./request";
@@ -15,10 +17,14 @@ import { standInWords } from "./words";
 
 export const model = {
 	...STAND,
-	title: "Stand",
-	shelf: "Stands",
+	get title() {
+		return text("title");
+	},
+	get shelf() {
+		return text("shelf");
+	},
 	preview: true,
-	noun: "stand",
+	plantName: "stand",
 	wasm: "stand.wasm",
 	prepare: ({ grammar }) => {
 		const soil = fetchSoil();
@@ -31,22 +37,30 @@ export const model = {
 	still: "in files",
 	parts: standParts,
 	instanced: ({ members, memberOf }) => members.length < memberOf.length,
-	titled: titleForOwnText("A plan of one’s own", fetchedText),
-	words: standInWords,
+	titled: (specimen) => titleForOwnText(text("own_title"), fetchedText)(specimen),
+	summary: standInWords,
 	record: standRecord,
 	formats: [
 		{
 			key: "csv",
-			title: "Placements as CSV",
-			about: "Each plant’s model, preset, seed, place and fingerprint, a row each",
+			get title() {
+				return text("format_csv");
+			},
+			get about() {
+				return text("format_csv_about");
+			},
 			suffix: "-plants.csv",
 			type: "text/csv",
 			make: async (grown, specimen) => placementsCsv(grown, specimen),
 		},
 		{
 			key: "stand",
-			title: "Plan",
-			about: "The text it grows from, with its parameters in the first line: opens here again",
+			get title() {
+				return text("format_plan");
+			},
+			get about() {
+				return text("format_plan_about");
+			},
 			suffix: ".stand",
 			type: "text/plain",
 			make: async (_, specimen) => {

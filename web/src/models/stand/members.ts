@@ -1,12 +1,15 @@
 /** The specimens that grow in a stand. */
+
 import { shortFloat } from "../../formats/numbers";
 import type { Member, MemberRequest, Members, TextPosition } from "../model";
 import { placeHanging, spotsWanted } from "./hanging";
+import { text } from "./messages.generated";
 import type { StandPlant } from "./stand_plant";
 
-const AROUND = 16;
+/** Numbers per plant in `Places.surroundings`: 8 heights of the horizon, then 8 lengths of free room. */
+const SURROUNDING_VALUES = 16;
 
-/** The settings of a plant by key; numbers with four significant digits, as displayed. */
+/** Returns the settings of a plant by key: options as words, numbers with four significant digits, as displayed. */
 export function valuesOf({ kinds, places }: StandPlant, plant: number): Record<string, number | string> {
 	const { settings } = kinds[places.kind[plant]];
 	return Object.fromEntries(
@@ -17,7 +20,10 @@ export function valuesOf({ kinds, places }: StandPlant, plant: number): Record<s
 	);
 }
 
-/** Titles of the kinds: the preset's title when a plant of the kind has grown, before that the name in the plan. */
+/**
+ * Returns the title of each kind: the preset's title when a plant of the kind has grown, before that the name in the
+ * plan.
+ */
 export function titlesOf({ kinds, places, memberOf, members }: StandPlant): readonly string[] {
 	const titles = kinds.map(({ preset }) => preset.charAt(0).toUpperCase() + preset.slice(1).replaceAll("-", " "));
 	for (const [plant, member] of memberOf.entries()) {
@@ -36,13 +42,13 @@ export interface PlantGroup {
 	readonly count: number;
 }
 
-/** By kind, the first kind of the same name. */
+/** Returns for each kind the index of the first kind of the same name. */
 export function firstOfSameName({ kinds }: Pick<StandPlant, "kinds">): readonly number[] {
 	const names = kinds.map(({ name }) => name);
 	return names.map((name) => names.indexOf(name));
 }
 
-/** The groups of plants in the order of the plan. */
+/** Counts the plants of the same name, in the order of the plan. */
 export function plantGroups(stand: StandPlant): readonly PlantGroup[] {
 	const counts = stand.kinds.map(() => 0);
 	const first = firstOfSameName(stand);
@@ -51,28 +57,35 @@ export function plantGroups(stand: StandPlant): readonly PlantGroup[] {
 	return [...new Set(first)].map((kind) => ({ title: titles[kind], kind, count: counts[kind] }));
 }
 
-/** The request for one plant, with the tags of organs at which other plants hang. */
-export function requestOf(stand: StandPlant, plant: number, wanted = spotsWanted(stand)): MemberRequest {
+/**
+ * Returns the request for one plant. It has the plant's surroundings, unless it hangs on another plant or its member is shared
+ * by several plants, which cannot all have the same surroundings.
+ * @param spotTags tags of the organs at which other plants hang, by the kind of their parent; the response has the
+ * positions of these organs
+ */
+export function requestOf(stand: StandPlant, plant: number, spotTags = spotsWanted(stand)): MemberRequest {
 	const { kinds, places } = stand;
 	const { model, preset, place, settings, seeds } = kinds[places.kind[plant]];
-	const spots = Object.fromEntries(settings.map(({ key, place: spot }): [string, TextPosition] => [key, spot]));
-	const alone = seeds > 0 || places.parent[plant] >= 0;
-	const tags = wanted.get(places.kind[plant]);
-	const around = places.surroundings.subarray(AROUND * plant, AROUND * (plant + 1));
+	const settingPositions = Object.fromEntries(
+		settings.map(({ key, place: position }): [string, TextPosition] => [key, position]),
+	);
+	const sharesMember = seeds > 0;
+	const hangs = places.parent[plant] >= 0;
+	const tags = spotTags.get(places.kind[plant]);
+	const surroundings = places.surroundings.subarray(SURROUNDING_VALUES * plant, SURROUNDING_VALUES * (plant + 1));
 	return {
 		model,
 		preset,
 		seed: places.seed[plant],
 		values: valuesOf(stand, plant),
 		place,
-		places: spots,
+		places: settingPositions,
 		...(tags ? { spots: [...tags] } : {}),
-		// Members that several plants share do not depend on their surroundings.
-		...(alone ? {} : { surroundings: Array.from(around, shortFloat) }),
+		...(sharesMember || hangs ? {} : { surroundings: Array.from(surroundings, shortFloat) }),
 	};
 }
 
-/** The first plant of each member. */
+/** Returns the first plant of each member. */
 export function firstOf({ memberOf }: StandPlant): number[] {
 	const first: number[] = [];
 	for (const [plant, member] of memberOf.entries()) if (member === first.length) first.push(plant);
@@ -81,28 +94,33 @@ export function firstOf({ memberOf }: StandPlant): number[] {
 
 export const standMembers: Members<StandPlant> = {
 	requests: (stand) => {
-		const wanted = spotsWanted(stand);
-		return firstOf(stand).map((plant) => requestOf(stand, plant, wanted));
+		const spotTags = spotsWanted(stand);
+		return firstOf(stand).map((plant) => requestOf(stand, plant, spotTags));
 	},
 	joined: (stand, members) => {
 		const grown = members.filter((member) => member !== undefined);
 		if (grown.length === members.length)
 			return placeHanging({ ...stand, members, fingerprint: fingerprintOf(stand, grown) });
 		// The note may stay where the user cancels.
-		const note = `Only ${grown.length} of ${members.length} different plants have grown.`;
+		const note = text("some_grown", { grown: grown.length, count: members.length });
 		return placeHanging({ ...stand, members, notes: [...stand.notes, note] });
 	},
 };
 
-const PRIME = 1099511628211n;
-const WORD = 0xffffffffn;
+/** Parameters of the FNV-1a hash of 64 bits. */
+const FNV_PRIME = 1099511628211n;
+const FNV_START = 14695981039346656037n;
+const LOW_WORD = 0xffffffffn;
 
-/** Fingerprint of the placements and all members (docs/fingerprint.md): the low word of each, then the high word. */
+/**
+ * Computes the fingerprint of the placements and all members (docs/fingerprint.md): an FNV-1a hash of the low word of
+ * each, then of the high word.
+ */
 function fingerprintOf({ fingerprint }: StandPlant, members: readonly Member[]): string {
-	let state = 14695981039346656037n;
+	let state = FNV_START;
 	for (const each of [fingerprint, ...members.map((member) => member.fingerprint)]) {
 		const whole = BigInt(`0x${each}`);
-		for (const word of [whole & WORD, whole >> 32n]) state = BigInt.asUintN(64, (state ^ word) * PRIME);
+		for (const word of [whole & LOW_WORD, whole >> 32n]) state = BigInt.asUintN(64, (state ^ word) * FNV_PRIME);
 	}
 	return state.toString(16).padStart(16, "0");
 }

@@ -9,13 +9,15 @@ import type { StandSpecimen } from "./specimen";
 import type { StandPlant } from "./stand_plant";
 
 /** Most plants of one member with individual names. */
-const MOST_NAMED = 300;
+const MAX_NAMED = 300;
 
+/** Returns the material of bare soil, in the look's colour. */
 function groundMaterial({ look }: StandSpecimen): Material {
 	return { name: "Ground", colour: linear(look.soil), roughness: 1 };
 }
 
-function tinted({ mesh, light }: Soil, { look }: StandSpecimen): PartMesh {
+/** Returns the soil's mesh with vertex colours: the look's colour, times the soil's `light`. */
+function tintedSoil({ mesh, light }: Soil, { look }: StandSpecimen): PartMesh {
 	const colour = linear(look.soil);
 	const colours = new Float32Array(3 * light.length);
 	for (let i = 0; i < colours.length; i++) colours[i] = Math.min(1, colour[i % 3] * light[Math.floor(i / 3)]);
@@ -25,18 +27,19 @@ function tinted({ mesh, light }: Soil, { look }: StandSpecimen): PartMesh {
 const WOOD: Material = { name: "Post", colour: linear("8d7c66"), roughness: 0.95 };
 const METAL: Material = { name: "Wire", colour: linear("8f9394"), roughness: 0.45 };
 
-/** Parts that do not grow: the ground, and a trellis's posts and wires. */
+/** Returns the parts that do not grow: the ground, and a trellis's posts and wires. */
 export function groundParts({ meshes, soil }: StandPlant, specimen: StandSpecimen): Part[] {
 	return meshes.map((mesh) => {
 		if (mesh.material === "wood") return { name: "Posts", shape: { mesh, material: WOOD } };
 		if (mesh.material === "metal") return { name: "Wires", shape: { mesh, material: METAL } };
 		return {
 			name: "Ground",
-			shape: { mesh: soil ? tinted(soil, specimen) : mesh, material: groundMaterial(specimen) },
+			shape: { mesh: soil ? tintedSoil(soil, specimen) : mesh, material: groundMaterial(specimen) },
 		};
 	});
 }
 
+/** Yields the ground, then each member as instances of all plants that show it, named by the first of them. */
 export function* standParts(stand: StandPlant, specimen: StandSpecimen): Generator<Part> {
 	yield* groundParts(stand, specimen);
 	const plants = plantsOf(stand);
@@ -49,7 +52,7 @@ export function* standParts(stand: StandPlant, specimen: StandSpecimen): Generat
 	}
 }
 
-/** Plants by member. */
+/** Returns for each member the indices of the plants that show it. */
 export function plantsOf({ memberOf }: StandPlant): number[][] {
 	const plants: number[][] = [];
 	for (const [plant, member] of memberOf.entries()) {
@@ -59,6 +62,7 @@ export function plantsOf({ memberOf }: StandPlant): number[][] {
 	return plants;
 }
 
+/** Yields the parts of plants that share their meshes: one for each material, with an instance for each plant. */
 function* partsOf(
 	stand: StandPlant,
 	plants: readonly number[],
@@ -68,18 +72,18 @@ function* partsOf(
 	const transforms = new Float32Array(TRANSFORM * plants.length);
 	for (const [i, plant] of plants.entries())
 		transforms.set(stand.places.transforms.subarray(TRANSFORM * plant, TRANSFORM * (plant + 1)), TRANSFORM * i);
-	const [alone] = plants.length === 1 ? plants : [];
+	const [onlyPlant] = plants.length === 1 ? plants : [];
 	for (const { mesh, material } of level) {
-		const called = `${name} ${material.name.toLowerCase()}`;
-		const each = (i: number) => ({ name: `${called} ${i + 1}`, extras: { plant: plants[i] } });
-		const named = alone === undefined && plants.length <= MOST_NAMED;
+		const partName = `${name} ${material.name.toLowerCase()}`;
+		const nodeOf = (i: number) => ({ name: `${partName} ${i + 1}`, extras: { plant: plants[i] } });
+		const named = onlyPlant === undefined && plants.length <= MAX_NAMED;
 		yield {
-			name: alone === undefined ? `${called} of all` : called,
-			...(alone === undefined ? {} : { extras: { plant: alone } }),
+			name: onlyPlant === undefined ? `${partName} of all` : partName,
+			...(onlyPlant === undefined ? {} : { extras: { plant: onlyPlant } }),
 			shape: {
-				mesh: { ...unpacked(mesh), name: called },
+				mesh: { ...unpacked(mesh), name: partName },
 				material,
-				instances: { transforms, ...(named ? { each } : {}) },
+				instances: { transforms, ...(named ? { each: nodeOf } : {}) },
 			},
 		};
 	}

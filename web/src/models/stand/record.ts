@@ -28,14 +28,19 @@ export interface PlantRecord {
 	link?: string;
 }
 
+/** Returns the record of a stand for the JSON document: the ground's size and all plants. */
 export function standRecord(stand: StandPlant): {
 	ground: StandPlant["ground"];
 	plants: PlantRecord[];
 } {
-	return { ground: stand.ground, plants: plantsIn(stand) };
+	return { ground: stand.ground, plants: plantRecords(stand) };
 }
 
-function plantsIn(stand: StandPlant): PlantRecord[] {
+/**
+ * Returns one record per plant: where and how it is placed, the member that it shows, and in `bearer` the index of the
+ * plant that it is attached to.
+ */
+function plantRecords(stand: StandPlant): PlantRecord[] {
 	const { kinds, places, memberOf, members } = stand;
 	return Array.from({ length: places.count }, (_, plant) => {
 		const { model, preset } = kinds[places.kind[plant]];
@@ -52,33 +57,35 @@ function plantsIn(stand: StandPlant): PlantRecord[] {
 			z,
 			scale: shortFloat(places.scale[plant]),
 			turn: shortFloat(places.turn[plant]),
-			values: grownWith(valuesOf(stand, plant), member),
+			values: usedValues(valuesOf(stand, plant), member),
 			...(parent >= 0 ? { bearer: parent } : {}),
 			...(fingerprint === undefined ? {} : { fingerprint, link }),
 		};
 	});
 }
 
-/** Values as used by the plant: rounded to integers where required and clamped to their ranges. */
-function grownWith(values: PlantRecord["values"], member: Member | undefined): PlantRecord["values"] {
-	const taken: Readonly<Record<string, unknown>> = member?.specimen.parameters ?? {};
+/**
+ * Replaces drawn values by those that the plant uses: rounded to integers where required and limited to their ranges.
+ */
+function usedValues(values: PlantRecord["values"], member: Member | undefined): PlantRecord["values"] {
+	const parameters: Readonly<Record<string, unknown>> = member?.specimen.parameters ?? {};
 	const each = ([key, value]: [string, number | string]) => {
-		const own = taken[key];
-		return [key, typeof value === "number" && typeof own === "number" ? own : value];
+		const used = parameters[key];
+		return [key, typeof value === "number" && typeof used === "number" ? used : value];
 	};
 	return Object.fromEntries(Object.entries(values).map(each));
 }
 
-/** Table with one row per plant; each row names the stand, so that tables can be concatenated. */
-export function placementsCsv(stand: StandPlant, { preset: plan, seed: own }: StandSpecimen): string {
+/** Writes a table with one row per plant; each row names the stand, so that tables can be concatenated. */
+export function placementsCsv(stand: StandPlant, { preset: plan, seed: standSeed }: StandSpecimen): string {
 	const keys = [...new Set(stand.kinds.flatMap(({ settings }) => settings.map(({ key }) => key)))];
 	const header = [
 		...["stand", "stand_seed", "plant", "model", "preset", "seed", "x_m", "y_m", "z_m", "scale", "turn_deg", "bearer"],
 		...keys,
 		"fingerprint",
 	];
-	const rows = plantsIn(stand).map((each, i): CsvValue[] => [
-		...[plan, own, i, each.model, each.preset, each.seed, each.x, each.y, each.z, each.scale, each.turn],
+	const rows = plantRecords(stand).map((each, i): CsvValue[] => [
+		...[plan, standSeed, i, each.model, each.preset, each.seed, each.x, each.y, each.z, each.scale, each.turn],
 		each.bearer ?? null,
 		...keys.map((key) => (Object.hasOwn(each.values, key) ? each.values[key] : null)),
 		each.fingerprint ?? null,

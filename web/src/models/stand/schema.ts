@@ -1,7 +1,7 @@
 /** The schema of stand documents: table, presets and the plan. */
 import { grammarText } from "../../specimen/grammar_text";
 import type { ModelSchema } from "../../specimen/model_schema";
-import { Presets } from "../../specimen/presets";
+import { translatedPresets } from "../../specimen/translated_tables";
 import { PRESET_KINDS, PRESETS } from "./presets.generated";
 import type { StandSpecimen } from "./specimen";
 import { STAND_TABLE } from "./table";
@@ -16,6 +16,6 @@ const AXIOM = /^[ \t]*axiom[ \t]*:/im;
 export const STAND: ModelSchema<StandSpecimen> = {
 	name: "stand",
 	table: STAND_TABLE,
-	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
+	presets: translatedPresets("stand", PRESETS, PRESET_KINDS, DEFAULT_PRESET),
 	details: [grammarText((text) => OWN.test(text) && !AXIOM.test(text))],
 };

@@ -16,18 +16,26 @@ export interface Soil {
 	readonly rim: Float32Array;
 }
 
-/** @param mesh the ground's mesh from the core */
+/**
+ * Builds the soil for display: subdivides the ground, adds a rim and computes mottles.
+ * @param mesh the ground's mesh from the core; its first vertex is a corner
+ */
 export function soilOf(mesh: PartMesh): Soil {
 	const [x, , z] = mesh.positions;
-	const short = Math.min(-2 * x, -2 * z);
-	const { mesh: made, rim } = withRim(finerGround(mesh), short);
-	return { mesh: { ...mesh, ...made }, light: mottled(made.positions, short), rim };
+	const shorterSide = Math.min(-2 * x, -2 * z);
+	const { mesh: rimmed, rim } = withRim(finerGround(mesh), shorterSide);
+	return { mesh: { ...mesh, ...rimmed }, light: mottles(rimmed.positions, shorterSide), rim };
 }
 
-function mottled(places: Float32Array, short: number): Float32Array {
-	const scale = MOTTLES / short;
-	return Float32Array.from({ length: places.length / 3 }, (_, v) => {
-		const [x, z] = [scale * places[3 * v], scale * places[3 * v + 2]];
+/**
+ * Returns a factor on the colour of each vertex, from noise.
+ * @param positions 3 × vertices, metres
+ * @param shorterSide length of the ground's shorter side, metres
+ */
+function mottles(positions: Float32Array, shorterSide: number): Float32Array {
+	const scale = MOTTLES / shorterSide;
+	return Float32Array.from({ length: positions.length / 3 }, (_, v) => {
+		const [x, z] = [scale * positions[3 * v], scale * positions[3 * v + 2]];
 		const light = 0.5 * noise(x, 0, z) + 0.3 * noise(2.3 * x, 1, 2.3 * z) + 0.2 * hashFraction(v, 5);
 		return 1 + CONTRAST * (2 * light - 1);
 	});

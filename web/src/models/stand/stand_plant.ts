@@ -1,10 +1,12 @@
 /** Reads a stand from the columns of a response (wasm-core/src/models/stand/model.hpp). */
+
 import type { Columns } from "../../core/container";
 import type { Answer } from "../../core/core";
 import { EMPTY_PLANT, type Plant } from "../../plant/plant";
 import { readPlant } from "../../plant/read_plant";
 import type { Member, TextPosition } from "../model";
 import { fetchedSoil } from "./fetched_soil";
+import { text } from "./messages.generated";
 import type { Soil } from "./soil";
 
 /** A parameter that a line of the plan sets. */
@@ -65,10 +67,7 @@ export interface StandPlant extends Plant {
 	readonly members: readonly (Member | undefined)[];
 }
 
-/** Note where the soil could not be loaded: the same link shows another ground elsewhere. */
-const BARE =
-	"What lays soil over the ground could not be fetched: the ground is of one colour and ends at a straight edge.";
-
+/** Reads the answer of the core: kinds of plants, places and the ground. */
 export function readStand(answer: Answer): StandPlant {
 	const { columns } = answer;
 	const [width, depth, relief] = columns.floats("ground.size");
@@ -93,7 +92,7 @@ export function readStand(answer: Answer): StandPlant {
 	return {
 		...plant,
 		...(soil ? { soil } : {}),
-		notes: mesh && !soil ? [...plant.notes, BARE] : plant.notes,
+		notes: mesh && !soil ? [...plant.notes, text("no_soil")] : plant.notes,
 		// Plants take the place of organs.
 		organs: EMPTY_PLANT.organs,
 		kinds,
@@ -104,6 +103,7 @@ export function readStand(answer: Answer): StandPlant {
 	};
 }
 
+/** Reads the kinds of plants, each with its line in the plan. */
 function readKinds(columns: Columns): PlantKind[] {
 	const crown = columns.floats("kinds.crown");
 	const places = columns.uint32("kinds.place");
@@ -117,7 +117,7 @@ function readKinds(columns: Columns): PlantKind[] {
 			name,
 			model: name.slice(0, slash),
 			preset: name.slice(slash + 1),
-			place: placeAt(places, i),
+			place: textPositionAt(places, i),
 			seeds: seeds[i],
 			spot: spots[i],
 			crown: { width: crown[2 * i], height: crown[2 * i + 1] },
@@ -126,28 +126,37 @@ function readKinds(columns: Columns): PlantKind[] {
 	});
 }
 
+/** Reads the settings of all kinds, each with the index of its kind. */
 function readSettings(columns: Columns): (Setting & { kind: number })[] {
 	const keys = columns.lines("settings.keys");
 	const words = columns.text("settings.words").split("\n");
 	const kinds = columns.uint32("settings.kind");
 	const places = columns.uint32("settings.place");
-	return keys.map((key, i) => ({ key, word: words[i], kind: kinds[i], place: placeAt(places, i) }));
+	return keys.map((key, i) => ({ key, word: words[i], kind: kinds[i], place: textPositionAt(places, i) }));
 }
 
-const placeAt = (places: Uint32Array, i: number): TextPosition => ({ line: places[2 * i], column: places[2 * i + 1] });
+/**
+ * Returns line and column of element `i`.
+ * @param places 2 numbers for each element
+ */
+const textPositionAt = (places: Uint32Array, i: number): TextPosition => ({
+	line: places[2 * i],
+	column: places[2 * i + 1],
+});
 
 /**
- * Assigns members: plants of one kind and seed share a member where the line limits the number of seeds; else each
- * plant has its own.
+ * Returns the index of each plant's member. A member is a specimen that is grown once and drawn at each plant that has
+ * it. Plants of one kind and seed share a member where the plan's line limits the number of seeds; without a limit
+ * (`seeds` is 0) each plant has a member of its own.
  */
 function membersOf(kinds: readonly PlantKind[], { count, kind, seed }: Places): Uint32Array {
-	const known = new Map<string, number>();
+	const memberByKey = new Map<string, number>();
 	let members = 0;
 	return Uint32Array.from({ length: count }, (_, plant) => {
 		if (kinds[kind[plant]].seeds === 0) return members++;
 		const key = `${kind[plant]} ${seed[plant]}`;
-		const member = known.get(key) ?? members++;
-		known.set(key, member);
+		const member = memberByKey.get(key) ?? members++;
+		memberByKey.set(key, member);
 		return member;
 	});
 }

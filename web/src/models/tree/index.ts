@@ -6,6 +6,7 @@ import { boundedBy } from "../particles/boundary/mesh_boundary";
 import { encodeBounded } from "../particles/boundary/request";
 import { woodFormats } from "../particles/boundary/wood_formats";
 import { trailRecord } from "../particles/record";
+import { text } from "./messages.generated";
 import { TREE } from "./schema";
 import type { TreeSpecimen } from "./specimen";
 import { treeParts } from "./tree_parts";
@@ -14,9 +15,14 @@ import { treeInWords } from "./words";
 
 export const model = {
 	...TREE,
-	title: "Tree",
+	get title() {
+		return text("title");
+	},
+	get shelf() {
+		return text("shelf");
+	},
 	preview: true,
-	noun: "tree",
+	plantName: "tree",
 	wasm: "particles.wasm",
 	prepare: fetchLeafOf,
 	bounded: (specimen, file) => boundedBy(TREE, specimen, file, "height"),
@@ -29,7 +35,7 @@ export const model = {
 	},
 	read: readTree,
 	parts: treeParts,
-	words: treeInWords,
+	summary: treeInWords,
 	record: trailRecord,
 	formats: woodFormats(treeInWords),
 	render: async () => (await import("./tree_renderer")).treeRenderer,

@@ -1,7 +1,7 @@
 /** The schema of tree documents: table, presets and further fields. */
 
 import type { ModelSchema } from "../../specimen/model_schema";
-import { Presets } from "../../specimen/presets";
+import { translatedPresets } from "../../specimen/translated_tables";
 import { obstaclesOf, roundsOf, targetsOf } from "../particles/boundary/details/places";
 import { profileOf } from "../particles/boundary/details/profile";
 import { hollowOf, volumeOf } from "../particles/boundary/details/volume";
@@ -12,6 +12,6 @@ import { TREE_TABLE } from "./table";
 export const TREE: ModelSchema<TreeSpecimen> = {
 	name: "tree",
 	table: TREE_TABLE,
-	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
+	presets: translatedPresets("tree", PRESETS, PRESET_KINDS, DEFAULT_PRESET),
 	details: [profileOf(), targetsOf(), obstaclesOf(), roundsOf(), volumeOf(TREE_TABLE), hollowOf()],
 };

@@ -15,6 +15,10 @@ const TWIG = linear("4d3f33");
 const PALE = 0.8;
 const FOOT = linear("2a2623");
 
+/**
+ * Yields the parts; twigs have a colour of their own up to a radius of 8 mm, which turns into that of the bark up to 50
+ * mm.
+ */
 export function* treeParts(plant: TreePlant, specimen: TreeSpecimen): Generator<Part> {
 	const { look } = specimen;
 	const old = linear(look.bark);

@@ -14,16 +14,20 @@ export interface TreePlant extends WoodenPlant {
 	light?: LightGrid;
 }
 
-const kindOf = (specimen: TreeSpecimen): string => TREE_TABLE.option(specimen, "leaf_kind") ?? "";
+/** Returns the key of a tree's kind of leaf; empty where there is none. */
+const leafKind = (specimen: TreeSpecimen): string => TREE_TABLE.option(specimen, "leaf_kind") ?? "";
 
 /** Fetches the leaf of a tree; needles are not baked. */
 export function fetchLeafOf(specimen: TreeSpecimen): Promise<void> | undefined {
-	return specimen.parameters.leaves > 0 ? fetchBakedLeaf(kindOf(specimen)) : undefined;
+	return specimen.parameters.leaves > 0 ? fetchBakedLeaf(leafKind(specimen)) : undefined;
 }
 
-/** The leaf of a tree; undefined before it is fetched, and for needles. */
-export const leafOf = (specimen: TreeSpecimen): AttachedLeaf | undefined => fetchedLeaf(kindOf(specimen));
+/** Returns the leaf of a tree; undefined before it is fetched, and for needles. */
+export const leafOf = (specimen: TreeSpecimen): AttachedLeaf | undefined => fetchedLeaf(leafKind(specimen));
 
+/**
+ * Reads a tree from the core's answer, with the veins of its leaf and the light in its crown where they are known.
+ */
 export function readTree(answer: Answer, specimen: TreeSpecimen): TreePlant {
 	const { veins } = leafOf(specimen) ?? {};
 	const light = readLight(answer);

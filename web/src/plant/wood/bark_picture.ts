@@ -17,12 +17,17 @@ const SIDE = 256;
 
 const made = new Map<BarkKind, Picture>();
 
+/** Returns the picture of a kind of bark, painted on first use. */
 export function barkPicture(kind: BarkKind): Picture {
 	const known = made.get(kind) ?? painted(SHADES[kind]);
 	made.set(kind, known);
 	return known;
 }
 
+/**
+ * Paints SIDE × SIDE pixels in grey.
+ * @param shade returns 0 … 1 at a point of the picture, u around the stem and v along it, each 0 … 1
+ */
 function painted(shade: (u: number, v: number) => number): Picture {
 	const pixels = new Uint8Array(3 * SIDE * SIDE);
 	for (let row = 0, at = 0; row < SIDE; row++) {
@@ -47,13 +52,17 @@ const STEEP: Readonly<Record<BarkKind, number>> = {
 
 const reliefs = new Map<BarkKind, Picture>();
 
-/** The bark as normals (plant/material.ts): dark pixels are deep. */
+/** Returns the bark as normals (plant/material.ts), in which dark pixels are deep; computed on first use. */
 export function barkRelief(kind: BarkKind): Picture {
 	const known = reliefs.get(kind) ?? raised(barkPicture(kind), STEEP[kind]);
 	reliefs.set(kind, known);
 	return known;
 }
 
+/**
+ * Returns the normal map of a picture's relief, by central differences; the picture repeats at its edges.
+ * @param steep height from black to white, in sides of the picture
+ */
 function raised({ pixels }: Picture, steep: number): Picture {
 	const height = (column: number, row: number) => pixels[3 * (SIDE * wrapped(row, SIDE) + wrapped(column, SIDE))] / 255;
 	const normals = new Uint8Array(3 * SIDE * SIDE);
@@ -72,6 +81,7 @@ function raised({ pixels }: Picture, steep: number): Picture {
 
 /** Lightness by kind at a point, 1 for the wood's own colour; in sRGB. */
 const SHADES: Readonly<Record<BarkKind, (u: number, v: number) => number>> = {
+	/** Bark with deep furrows along the stem, such as an oak's. */
 	furrowed(u, v) {
 		const drawn = u + 0.035 * (tiled(3 * u, 4 * v, 3, 4, 1) - 0.5);
 		const broad = ridge(tiled(14 * drawn, 3 * v, 14, 3, 2));
@@ -80,6 +90,7 @@ const SHADES: Readonly<Record<BarkKind, (u: number, v: number) => number>> = {
 		const plates = tiled(20 * u, 24 * v, 20, 24, 5);
 		return (0.58 + 0.4 * smoothstep(0.02, 0.42, broad) + 0.14 * fine) * (0.88 + 0.12 * cracks) * (0.9 + 0.14 * plates);
 	},
+	/** Papery bark with lenticels across and split patches, such as a birch's. */
 	paper(u, v) {
 		const cloud = tiled(4 * u, 6 * v, 4, 6, 11);
 		const lenticels = smoothstep(0.77, 0.84, tiled(9 * u, 52 * v, 9, 52, 12));
@@ -88,23 +99,27 @@ const SHADES: Readonly<Record<BarkKind, (u: number, v: number) => number>> = {
 		const split = smoothstep(0.74, 0.82, tiled(3 * u, 6 * v, 3, 6, 14) + rough);
 		return (0.9 + 0.1 * cloud) * (1 - 0.5 * lenticels * (0.5 + cloud)) * (1 - 0.82 * split);
 	},
+	/** Bark with creases around the stem that are interrupted. */
 	ringed(u, v) {
 		const wave = v + 0.012 * (tiled(4 * u, 3 * v, 4, 3, 21) - 0.5);
 		const crease = smoothstep(0.1, 0, ridge(tiled(3 * u, 22 * wave, 3, 22, 22)));
 		const reach = smoothstep(0.35, 0.75, tiled(5 * u, 9 * v, 5, 9, 23));
 		return 0.94 + 0.06 * tiled(8 * u, 5 * v, 8, 5, 24) - 0.2 * crease * reach;
 	},
+	/** Bark with streaks along the stem and knobs. */
 	fibrous(u, v) {
 		const streaks = tiled(22 * u, 3 * v, 22, 3, 31);
 		const knobs = tiled(9 * u, 12 * v, 9, 12, 32);
 		return 0.72 + 0.2 * streaks + 0.12 * knobs;
 	},
+	/** Almost smooth bark with eyes, such as a beech's. */
 	smooth(u, v) {
 		const cloud = tiled(3 * u, 5 * v, 3, 5, 41);
 		const grain = tiled(26 * u, 40 * v, 26, 40, 42);
 		const eyes = smoothstep(0.8, 0.86, tiled(4 * u, 7 * v, 4, 7, 43));
 		return 0.86 + 0.1 * cloud + 0.05 * grain - 0.16 * eyes;
 	},
+	/** Bark of plates with furrows between them, such as a pine's. */
 	plated(u, v) {
 		const drawn = u + 0.03 * (tiled(4 * u, 5 * v, 4, 5, 51) - 0.5);
 		const along = smoothstep(0.03, 0.24, ridge(tiled(9 * drawn, 3 * v, 9, 3, 52)));
@@ -112,6 +127,7 @@ const SHADES: Readonly<Record<BarkKind, (u: number, v: number) => number>> = {
 		const scales = tiled(18 * u, 26 * v, 18, 26, 54);
 		return (0.5 + 0.5 * Math.min(along, across)) * (0.84 + 0.2 * scales);
 	},
+	/** Shiny bark with rows of marks across, such as a cherry's. */
 	banded(u, v) {
 		const wave = v + 0.008 * (tiled(4 * u, 3 * v, 4, 3, 61) - 0.5);
 		const row = smoothstep(0.66, 0.76, tiled(7 * u, 30 * wave, 7, 30, 62));
@@ -120,12 +136,15 @@ const SHADES: Readonly<Record<BarkKind, (u: number, v: number) => number>> = {
 	},
 };
 
-/** 0 in the furrow between noise above and below the middle, 1 far from it. */
+/** Returns 0 in the furrow, where noise crosses the middle of its range, and 1 farthest from it. */
 function ridge(noise: number): number {
 	return Math.abs(2 * noise - 1);
 }
 
-/** Smooth noise of one octave, 0 … 1, that repeats after `across` and `along` units. */
+/**
+ * Returns smooth noise of one octave, 0 … 1, that repeats after `across` and `along` units.
+ * @param stream number of an independent noise
+ */
 function tiled(x: number, y: number, across: number, along: number, stream: number): number {
 	const [left, low] = [Math.floor(x), Math.floor(y)];
 	const corner = (dx: number, dy: number) =>
@@ -136,6 +155,7 @@ function tiled(x: number, y: number, across: number, along: number, stream: numb
 	return below + fy * (above - below);
 }
 
+/** Returns the remainder, 0 … `count` − 1, also of negative numbers. */
 function wrapped(cell: number, count: number): number {
 	return ((cell % count) + count) % count;
 }

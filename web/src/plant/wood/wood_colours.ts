@@ -18,8 +18,8 @@ export interface Bark {
 const CLASSES = 64;
 
 /**
- * Colours of the tubes (3 × vertices), by the radius of the segment; without the darkening near the ground for
- * previews, which have little time.
+ * Returns colours of the tubes (3 × vertices), by the radius of the segment; without the darkening near the ground for
+ * previews, which have little time. Undefined if the plant does not list the segments of its vertices.
  */
 export function woodColours(
 	{ segments, vertexSegments }: Wooden,
@@ -48,7 +48,11 @@ export function woodColours(
 	return colours;
 }
 
-/** Darkens bark near the ground, up to a varying height. */
+/**
+ * Darkens the bark of a vertex near the ground, up to a varying height.
+ * @param at index of the vertex's first number
+ * @param old how old the bark is there, 0 … 1
+ */
 function darken(colours: Float32Array, at: number, positions: Float32Array, dark: Colour, old: number): void {
 	if (old < 0.25) return;
 	const [x, y, z] = positions.subarray(at, at + 3);

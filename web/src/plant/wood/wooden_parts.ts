@@ -20,8 +20,9 @@ export interface WoodMaterials {
 }
 
 /** The most organs of a kind with names of their own, for picking; files hold more than these in a few meshes. */
-const MOST_NAMED = 300;
+const MAX_NAMED = 300;
 
+/** Yields the wood, coloured by the thickness of its segments, then the organs. */
 export function* woodenParts(plant: Wooden, { wood, bark, tints }: WoodMaterials): Generator<Part> {
 	const { meshes, organs } = plant;
 	const withInstances = attachedMeshes(organs);
@@ -35,7 +36,7 @@ export function* woodenParts(plant: Wooden, { wood, bark, tints }: WoodMaterials
 	yield* attachedParts(plant, tints);
 }
 
-/** The attached organs of a plant, without its wood. */
+/** Yields the attached organs of a plant, without its wood. */
 export function* attachedParts({ meshes, organs }: Plant, tints: WoodMaterials["tints"]): Generator<Part> {
 	const attached = attachedMeshes(organs);
 	for (const [index, mesh] of meshes.entries()) {
@@ -43,7 +44,7 @@ export function* attachedParts({ meshes, organs }: Plant, tints: WoodMaterials["
 	}
 }
 
-/** Meshes with instances. */
+/** Returns the indices of meshes with instances. */
 function attachedMeshes({ count, mesh }: Plant["organs"]): Set<number> {
 	const attached = new Set<number>();
 	let last = -1;
@@ -55,6 +56,7 @@ function attachedMeshes({ count, mesh }: Plant["organs"]): Set<number> {
 	return attached;
 }
 
+/** Yields a part for each tint of the organs that share a mesh, with an instance for each organ. */
 function* instancesOf(organs: Plant["organs"], index: number, mesh: PlantMesh, tints: Tints): Generator<Part> {
 	const members = sorted(organs, index, Math.max(1, tints.length));
 	for (const [tint, { count, numbers }] of members.entries()) {
@@ -72,7 +74,7 @@ function* instancesOf(organs: Plant["organs"], index: number, mesh: PlantMesh, t
 				material,
 				instances: {
 					transforms: taken(organs.transforms, own),
-					...(organs.count > MOST_NAMED ? {} : { each }),
+					...(organs.count > MAX_NAMED ? {} : { each }),
 					...(sky ? { sky: own.length === organs.count ? sky : picked(sky, own) } : {}),
 				},
 			},
@@ -81,7 +83,11 @@ function* instancesOf(organs: Plant["organs"], index: number, mesh: PlantMesh, t
 }
 
 /**
- * The organs of one mesh by tint. A hash of their position decides, so that each keeps its tint while others appear.
+ * Returns the organs of one mesh by tint. A hash of their position decides, so that each has the same tint while others
+ * appear.
+ * @param mesh index of the mesh
+ * @param tints number of tints
+ * @returns for each tint the indices of its organs; only the first `count` of `numbers` are used
  */
 function sorted(organs: Plant["organs"], mesh: number, tints: number): { count: number; numbers: Uint32Array }[] {
 	const groups = Array.from({ length: tints }, () => ({ count: 0, numbers: new Uint32Array(organs.count) }));
@@ -96,13 +102,16 @@ function sorted(organs: Plant["organs"], mesh: number, tints: number): { count: 
 	return groups;
 }
 
+/** Returns the sky shares of some organs. */
 function picked(sky: Uint8Array, organs: Uint32Array): Uint8Array {
 	const into = new Uint8Array(organs.length);
 	for (let i = 0; i < organs.length; i++) into[i] = sky[organs[i]];
 	return into;
 }
 
-/** Rounds transforms to a tenth of a millimetre or less: text files become a third smaller. */
+/**
+ * Returns the transforms of some organs, rounded to a tenth of a millimetre or less: text files become a third smaller.
+ */
 function taken(transforms: Float32Array, organs: Uint32Array): Float32Array {
 	const into = new Float32Array(TRANSFORM * organs.length);
 	for (let i = 0; i < organs.length; i++) {

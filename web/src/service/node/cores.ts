@@ -2,7 +2,10 @@
 
 const files = import.meta.glob<string>("../../../../build/core/*.wasm", { query: "?url&inline", import: "default" });
 
-/** @param wasm the name of its file: `bunch.wasm` */
+/**
+ * Returns the bytes of an embedded core.
+ * @param wasm the name of its file: `bunch.wasm`
+ */
 export async function coreBytes(wasm: string): Promise<Uint8Array<ArrayBuffer>> {
 	const [, load] = Object.entries(files).find(([path]) => path.endsWith(`/${wasm}`)) ?? [];
 	if (!load) throw new Error(`There is no core ${wasm}.`);

@@ -6,6 +6,7 @@ import { availableParallelism } from "node:os";
 import { parseArgs } from "node:util";
 import { isMainThread, Worker } from "node:worker_threads";
 import { version } from "../../../../package.json";
+import { text } from "../messages.generated";
 import { makeServer } from "./server";
 import { answerRequests } from "./thread";
 import { ThreadPool } from "./thread_pool";
@@ -13,19 +14,19 @@ import { ThreadPool } from "./thread_pool";
 /** The most memory for the JavaScript objects of one thread, MiB; a thread that needs more is replaced. */
 const HEAP = 1024;
 /** Bytes of memory after a request above which a thread is replaced: an instance of WebAssembly never shrinks. */
-const MOST_HEAP_BYTES = 256 * 1024 * 1024;
-const USAGE = `npm run service -- [--port 8765] [--host 127.0.0.1] [--threads N] [--seconds 20]
-Serves /specimens/PRESET.ENDING?…, the plant's file, with N threads and at most the given seconds for one plant.
---host 0.0.0.0 accepts requests from other machines.
-`;
+const MAX_HEAP_BYTES = 256 * 1024 * 1024;
 
 if (isMainThread) await serve();
 else answerRequests(version);
 
+/**
+ * Starts the server by the command line's options. The first SIGINT or SIGTERM lets pending answers finish, the second
+ * ends at once.
+ */
 async function serve(): Promise<void> {
 	const { port, host, threads, seconds, help } = options();
 	if (help) {
-		process.stdout.write(USAGE);
+		process.stdout.write(`${text("usage")}\n`);
 		return;
 	}
 	const own = new URL(import.meta.url);
@@ -34,18 +35,18 @@ async function serve(): Promise<void> {
 		threads: number("threads", threads, availableParallelism(), 1, 256),
 		timeout: 1000 * number("seconds", seconds, 20, 0.1, 3600),
 		queueLength: 256,
-		mostHeapBytes: MOST_HEAP_BYTES,
+		mostHeapBytes: MAX_HEAP_BYTES,
 	});
 	const server = makeServer(pool);
 	server.on("error", ({ message }) => {
-		process.stderr.write(`service: ${message}\n`);
+		process.stderr.write(`${text("program_error", { problem: message })}\n`);
 		process.exitCode = 1;
 		void pool.close();
 	});
 	server.listen(number("port", port, 8765, 0, 65535), host, () => {
 		const address = server.address();
 		const at = typeof address === "object" && address ? address.port : address;
-		process.stdout.write(`Specimens at http://${host}:${at}/specimens/\n`);
+		process.stdout.write(`${text("listening", { address: `http://${host}:${at}/specimens/` })}\n`);
 	});
 	let draining = false;
 	const end = async () => {
@@ -60,11 +61,12 @@ async function serve(): Promise<void> {
 	process.on("SIGTERM", end);
 }
 
+/** Parses the command line, without checking the numbers. */
 function options() {
 	try {
-		const text = { type: "string" } as const;
+		const value = { type: "string" } as const;
 		const { values } = parseArgs({
-			options: { port: text, host: text, threads: text, seconds: text, help: { type: "boolean", short: "h" } },
+			options: { port: value, host: value, threads: value, seconds: value, help: { type: "boolean", short: "h" } },
 		});
 		return { host: "127.0.0.1", ...values };
 	} catch (error) {
@@ -72,14 +74,20 @@ function options() {
 	}
 }
 
-function number(name: string, text: string | undefined, otherwise: number, least: number, most: number): number {
-	if (text === undefined) return otherwise;
-	const value = text.trim() === "" ? Number.NaN : Number(text);
-	if (value >= least && value <= most && (name === "seconds" || Number.isInteger(value))) return value;
-	return refuse(`--${name} ${text}: a number from ${least} to ${most}`);
+/**
+ * Reads the number of an option, or ends the program with a message.
+ * @param written the option's text; undefined without the option
+ * @param otherwise the number without the option
+ */
+function number(option: string, written: string | undefined, otherwise: number, least: number, most: number): number {
+	if (written === undefined) return otherwise;
+	const value = written.trim() === "" ? Number.NaN : Number(written);
+	if (value >= least && value <= most && (option === "seconds" || Number.isInteger(value))) return value;
+	return refuse(text("option_out_of_range", { option, value: written, least: String(least), most: String(most) }));
 }
 
+/** Prints an error of the call and the usage, and ends the program with status 2. */
 function refuse(why: string): never {
-	process.stderr.write(`service: ${why}\n${USAGE}`);
+	process.stderr.write(`${text("program_error", { problem: why })}\n${text("usage")}\n`);
 	process.exit(2);
 }

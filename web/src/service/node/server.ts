@@ -1,7 +1,9 @@
 /** The service as an HTTP server. */
 import { createServer, type IncomingMessage, type Server, type ServerResponse } from "node:http";
+import { messageOf } from "../../locale/message_error";
 import { LONGEST_ADDRESS } from "../address";
-import { Refused } from "../refused";
+import { text } from "../messages.generated";
+import { ERROR_HEADERS, errorBody, Refused } from "../refused";
 import { METHODS } from "../service";
 import type { ThreadResponse } from "./messages";
 import type { ThreadPool } from "./thread_pool";
@@ -33,7 +35,10 @@ export const SERVER_LIMITS: ServerLimits = {
 	unread: 256 * 1024 * 1024,
 };
 
-/** @param threads answers the requests */
+/**
+ * Creates the server. It limits connections, waiting times and unread answers; a body of a request is ignored.
+ * @param threads answers the requests
+ */
 export function makeServer(threads: Pick<ThreadPool, "run">, limits = SERVER_LIMITS): Server {
 	const options = {
 		maxHeaderSize: LONGEST_ADDRESS + 8 * 1024,
@@ -42,6 +47,7 @@ export function makeServer(threads: Pick<ThreadPool, "run">, limits = SERVER_LIM
 		keepAliveTimeout: limits.request / 2,
 		connectionsCheckingInterval: limits.request / 10,
 	};
+	// Bytes of answers that clients have not read yet: the limit keeps slow readers from filling the memory.
 	let unread = 0;
 	const server = createServer(options, async (request, response) => {
 		request.socket.setTimeout(0); // Growing may take longer than clients may be idle.
@@ -50,9 +56,8 @@ export function makeServer(threads: Pick<ThreadPool, "run">, limits = SERVER_LIM
 		if (url === "/" || url === "/health") return sendText(response, 200, url === "/" ? HELP : "ok\n");
 		try {
 			if (!METHODS.includes(method))
-				throw new Refused(405, `method ${method} is not allowed`, { allow: METHODS.join(", ") });
-			if (unread > limits.unread)
-				throw new Refused(503, "too many answers are still to be read; try again in a moment", { "retry-after": "5" });
+				throw new Refused(405, text.message("method_not_allowed", { method }), { allow: METHODS.join(", ") });
+			if (unread > limits.unread) throw new Refused(503, text.message("too_many_unread"), { "retry-after": "5" });
 			const left = leaving(response);
 			const answer = await threads.run({ url: addressOf(url), method, headers: usedHeaders(request) }, left);
 			if (left.aborted) return; // No “close” event follows that would count the answer as read.
@@ -64,8 +69,8 @@ export function makeServer(threads: Pick<ThreadPool, "run">, limits = SERVER_LIM
 			if (!server.listening) response.setHeader("connection", "close");
 			send(response, answer, limits);
 		} catch (error) {
-			const refused = error instanceof Refused ? error : new Refused(400, "the address cannot be read");
-			sendText(response, refused.status, `${refused.message}\n`, refused.headers);
+			const refused = error instanceof Refused ? error : new Refused(400, text.message("unreadable_address"));
+			sendText(response, refused.status, errorBody(messageOf(refused)), { ...ERROR_HEADERS, ...refused.headers });
 		}
 	});
 	server.maxConnections = limits.connections;
@@ -73,7 +78,10 @@ export function makeServer(threads: Pick<ThreadPool, "run">, limits = SERVER_LIM
 	return server;
 }
 
-/** The address in a request's first line, which may be a path or a whole address, without user name and password. */
+/**
+ * Returns the address in a request's first line, which may be a path or a whole address, without user name and
+ * password.
+ */
 function addressOf(url: string): string {
 	const address = new URL(url.startsWith("/") ? `http://localhost${url}` : url);
 	address.username = "";
@@ -81,17 +89,19 @@ function addressOf(url: string): string {
 	return address.href;
 }
 
+/** Returns the headers of a request that the service uses. */
 function usedHeaders(request: IncomingMessage): Record<string, string> {
 	return Object.fromEntries(USED_HEADERS.flatMap((key) => (request.headers[key] ? [[key, request.headers[key]]] : [])));
 }
 
-/** Aborted when the client closes the connection before its answer has been sent. */
+/** Returns a signal that is aborted when the client closes the connection before its answer has been sent. */
 function leaving(response: ServerResponse): AbortSignal {
 	const controller = new AbortController();
 	response.once("close", () => controller.abort());
 	return controller.signal;
 }
 
+/** Sends an answer, and drops the connection of a client that reads too slowly. */
 function send(response: ServerResponse, { status, headers, body }: ThreadResponse, limits: ServerLimits): void {
 	const drop = () => void response.destroy();
 	response.setTimeout(limits.stalled, drop);
@@ -100,10 +110,11 @@ function send(response: ServerResponse, { status, headers, body }: ThreadRespons
 	response.writeHead(status, headers).end(response.req.method === "HEAD" ? undefined : body);
 }
 
+/** Sends a plain text that is not cached. */
 function sendText(
 	response: ServerResponse,
 	status: number,
-	text: string,
+	body: string,
 	headers: Readonly<Record<string, string>> = {},
 ): void {
 	const common = {
@@ -111,5 +122,5 @@ function sendText(
 		"cache-control": "no-store",
 		"access-control-allow-origin": "*",
 	};
-	response.writeHead(status, { ...common, ...headers }).end(text);
+	response.writeHead(status, { ...common, ...headers }).end(body);
 }

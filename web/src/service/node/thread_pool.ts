@@ -3,6 +3,8 @@
  * interrupted: a request that takes too long, or whose client has left, ends together with its thread, and a new thread
  * replaces it.
  */
+import type { Message } from "../../locale/texts";
+import { text } from "../messages.generated";
 import { Refused } from "../refused";
 import type { ThreadRequest, ThreadResponse } from "./messages";
 
@@ -30,7 +32,6 @@ export interface ThreadPoolOptions {
  * start.
  */
 const ABANDONED_TIMEOUT = 500;
-const CLOSING = "the service is shutting down";
 const RETRY = { "retry-after": "5" };
 
 type NewRequest = Omit<ThreadRequest, "id">;
@@ -75,12 +76,12 @@ export class ThreadPool {
 	 */
 	run(request: NewRequest, signal?: AbortSignal): Promise<ThreadResponse> {
 		const response = new Promise<ThreadResponse>((resolve, reject) => {
-			if (this.#closed) throw new Refused(503, CLOSING, RETRY);
+			if (this.#closed) throw new Refused(503, text.message("shutting_down"), RETRY);
 			if (this.#queue.length >= this.#options.queueLength)
-				throw new Refused(503, "too many requests; try again in a moment", RETRY);
+				throw new Refused(503, text.message("too_many_requests"), RETRY);
 			const job: Job = { request, resolve, reject, waiting: undefined };
 			const { timeout } = this.#options;
-			const late = new Refused(503, `no thread was free within ${timeout / 1000} s; try again in a moment`, RETRY);
+			const late = new Refused(503, text.message("no_free_thread", { seconds: timeout / 1000 }), RETRY);
 			job.waiting = setTimeout(() => this.#dequeue(job, late), timeout);
 			signal?.addEventListener("abort", () => this.#abandon(job), { once: true });
 			this.#queue.push(job);
@@ -102,10 +103,11 @@ export class ThreadPool {
 	/** Refuses all requests and ends the threads at once. */
 	async close(): Promise<void> {
 		this.#closed = true;
-		for (const job of [...this.#queue]) this.#dequeue(job, new Refused(503, CLOSING, RETRY));
-		await Promise.all(this.#slots.map((slot) => this.#endThread(slot, CLOSING)));
+		for (const job of [...this.#queue]) this.#dequeue(job, new Refused(503, text.message("shutting_down"), RETRY));
+		await Promise.all(this.#slots.map((slot) => this.#endThread(slot, text.message("shutting_down"))));
 	}
 
+	/** Starts the next request in a free slot, and its time limit. */
 	#next(): void {
 		const slot = this.#slots.find(({ job }) => !job);
 		const job = slot && this.#queue.shift();
@@ -114,11 +116,15 @@ export class ThreadPool {
 		slot.job = job;
 		slot.thread ??= this.#start(slot);
 		const { timeout } = this.#options;
-		const late = `it took more than ${timeout / 1000} s; request a smaller plant or a smaller file`;
+		const late = text.message("growth_too_long", { seconds: timeout / 1000 });
 		slot.timer = setTimeout(() => void this.#endThread(slot, late), timeout);
 		slot.thread.postMessage({ id: ++this.#lastId, ...job.request });
 	}
 
+	/**
+	 * Starts a thread for a slot. A thread whose memory has grown too large is replaced after its answer; one that fails
+	 * ends its request.
+	 */
 	#start(slot: Slot): Thread {
 		const thread = this.#options.start();
 		thread.on("message", (response) => {
@@ -128,15 +134,18 @@ export class ThreadPool {
 			else void this.#replaceThread(slot, resolve);
 		});
 		const failed = () => {
-			if (slot.thread === thread) void this.#endThread(slot, "internal error while generating the plant");
+			if (slot.thread === thread) void this.#endThread(slot, text.message("internal_error"));
 		};
 		thread.on("error", failed);
 		thread.on("exit", failed);
 		return thread;
 	}
 
+	/**
+	 * Ends the job of a client that has left: it leaves the queue, or a growth in progress soon ends with its thread.
+	 */
 	#abandon(job: Job): void {
-		const why = "the client has left";
+		const why = text.message("client_left");
 		this.#dequeue(job, new Refused(503, why));
 		const slot = this.#slots.find((each) => each.job === job);
 		if (!slot) return;
@@ -154,7 +163,7 @@ export class ThreadPool {
 	}
 
 	/** Ends a slot's thread, and with it the job it works on. */
-	#endThread(slot: Slot, why: string): Promise<void> {
+	#endThread(slot: Slot, why: Message): Promise<void> {
 		return this.#replaceThread(slot, ({ reject }) => reject(new Refused(503, why)));
 	}
 
@@ -166,6 +175,10 @@ export class ThreadPool {
 		await thread?.terminate();
 	}
 
+	/**
+	 * Ends the job of a slot, which then takes the next one.
+	 * @param settle resolves or rejects the job
+	 */
 	#endJob(slot: Slot, settle: (job: Job) => void): void {
 		const { job } = slot;
 		clearTimeout(slot.timer);

@@ -53,10 +53,12 @@ export class DragSession<H, S, K = undefined> {
 		this.#host = host;
 	}
 
+	/** Whether any handle is dragged. */
 	get active(): boolean {
 		return this.#held.size > 0;
 	}
 
+	/** Returns whether a pointer drags this handle. */
 	holds(handle: H): boolean {
 		return [...this.#held.values()].some((held) => held.handle === handle);
 	}
@@ -68,6 +70,8 @@ export class DragSession<H, S, K = undefined> {
 
 	/**
 	 * Begins a drag.
+	 * @param pointer id of the pointer
+	 * @param at its position, in the host's units; the handle's offset from it remains during the drag
 	 * @returns false if this pointer or this handle is already in use
 	 */
 	begin(pointer: number, handle: H, at: Point): boolean {
@@ -79,6 +83,10 @@ export class DragSession<H, S, K = undefined> {
 		return true;
 	}
 
+	/**
+	 * Records the pointer's position; the change is applied in the next frame.
+	 * @param at position in the view's units
+	 */
 	move(pointer: number, at: Point, keys?: K): void {
 		const held = this.#held.get(pointer);
 		if (!held) return;
@@ -94,11 +102,12 @@ export class DragSession<H, S, K = undefined> {
 		else requestAnimationFrame(flush);
 	}
 
+	/** Ends the drag of a pointer, after its last position was applied. */
 	end(pointer: number): void {
 		if (!this.#held.has(pointer)) return;
 		this.#flush();
 		this.#held.delete(pointer);
-		if (!this.active) this.#over();
+		if (!this.active) this.#endSession();
 	}
 
 	/** Releases all handles and restores the dragged values; other changes since the beginning stay. */
@@ -107,17 +116,18 @@ export class DragSession<H, S, K = undefined> {
 		const { state } = this.#before;
 		this.#held.clear();
 		if (this.#reported) this.#host.input(this.#host.restored?.(this.#host.get(), state) ?? state);
-		this.#over();
+		this.#endSession();
 	}
 
 	/** Releases all handles and retains the dragged values. */
 	drop(): void {
 		if (!this.#before) return;
 		this.#held.clear();
-		this.#over();
+		this.#endSession();
 	}
 
-	#over(): void {
+	/** Ends the session after its last drag, and reports the change if there was one. */
+	#endSession(): void {
 		const reported = this.#reported;
 		this.#before = undefined;
 		this.#reported = false;

@@ -6,12 +6,14 @@ export class EscapeKey {
 		this.#pressed = pressed;
 	}
 
+	/** Begins or ends to listen for the key. */
 	listen(on: boolean): void {
-		if (on) window.addEventListener("keydown", this.#heard, { capture: true });
-		else window.removeEventListener("keydown", this.#heard, { capture: true });
+		if (on) window.addEventListener("keydown", this.#onKey, { capture: true });
+		else window.removeEventListener("keydown", this.#onKey, { capture: true });
 	}
 
-	readonly #heard = (event: KeyboardEvent): void => {
+	/** Handles Escape, which nothing else on the page then gets. */
+	readonly #onKey = (event: KeyboardEvent): void => {
 		if (event.key !== "Escape") return;
 		event.preventDefault();
 		event.stopPropagation();

@@ -12,7 +12,7 @@ export const handleStyle = css`
 		display: block;
 		position: relative;
 		color: var(--line);
-		font: 500 10.5px / 1 system-ui, sans-serif;
+		font: 500 12px / 1 system-ui, sans-serif;
 		font-variant-numeric: tabular-nums;
 	}
 	:host([hidden]) {
@@ -45,7 +45,7 @@ export const handleStyle = css`
 		stroke-dasharray: 7 3 1 3;
 	}
 	.scale {
-		opacity: 0.6;
+		opacity: 0.75;
 	}
 	.scale line {
 		stroke: currentColor;

@@ -5,6 +5,7 @@
 import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { classMap } from "lit/directives/class-map.js";
 import { KeyRuns } from "../key_runs";
+import { text } from "../messages.generated";
 import type { DragSession } from "./drag_session";
 import { EscapeKey } from "./escape_key";
 import { handleStyle } from "./handle_style";
@@ -66,7 +67,7 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 	/** Converts a position in CSS pixels from the field's corner to the view's own units. */
 	protected abstract units(place: Point): Point;
 	/** Returns a handle's position as text. */
-	protected abstract words(handle: H): string;
+	protected abstract describe(handle: H): string;
 	/**
 	 * Handles a key on a handle.
 	 * @returns whether the key had an effect
@@ -74,24 +75,28 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 	protected abstract key(handle: H, event: KeyboardEvent): boolean;
 	/** Handles a double click, with the handle within reach if there is one. */
 	protected abstract doubled(handle: H | undefined, at: Point): void;
+	/** Returns the modifier keys that drags here distinguish. */
 	protected keysOf(_event: PointerEvent): K | undefined {
 		return undefined;
 	}
 	/** Called when a handle gets the focus. */
 	protected focused(_handle: H): void {}
+	/** Called when the field's size has changed. */
 	protected resized(): void {}
-	/** Content below the field. */
+	/** Renders content below the field; nothing here. */
 	protected below(): unknown {
 		return nothing;
 	}
 	/** Draws on the canvas below all other elements. */
 	protected ink(_canvas: HTMLCanvasElement): void {}
 
+	/** Begins to observe the field's size. */
 	override connectedCallback(): void {
 		super.connectedCallback();
 		this.#observe();
 	}
 
+	/** Ends observing, and cancels drags. */
 	override disconnectedCallback(): void {
 		super.disconnectedCallback();
 		this.#resized.disconnect();
@@ -99,6 +104,7 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 		this.cancel();
 	}
 
+	/** Renders the drawing with its handles, or nothing where `inside` has nothing to show. */
 	protected override render() {
 		const inside = this.inside();
 		if (inside === undefined) return nothing;
@@ -119,6 +125,7 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 		</div>${this.below()}`;
 	}
 
+	/** Observes a new field, and draws the canvas. */
 	protected override updated(): void {
 		this.#observe();
 		this.#ink();
@@ -134,7 +141,7 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 		return html`<button
 			type="button" class=${classMap({ handle: true, held: this.drags.holds(handle), ...classes })}
 			data-handle=${handle} data-kind=${kind ?? nothing} tabindex=${tab ? nothing : -1}
-			aria-roledescription="handle" aria-label=${label} aria-describedby=${help}
+			aria-roledescription=${text("handle")} aria-label=${label} aria-describedby=${help}
 			.style=${`transform: translate(${x}px, ${y}px)`}
 		>${content}</button>`;
 	}
@@ -146,13 +153,14 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 	}
 
 	/**
-	 * Announces words to screen readers. A repeated announcement ends with a space, else it would not be read again.
+	 * Announces a text to screen readers. A repeated announcement ends with a space, else it would not be read again.
 	 */
-	protected announce(words: string): void {
-		this.#spoken = words === this.#spoken ? `${words}\u00a0` : words;
+	protected announce(text: string): void {
+		this.#spoken = text === this.#spoken ? `${text}\u00a0` : text;
 		this.requestUpdate();
 	}
 
+	/** Shows the numbers of a handle; undefined hides them. */
 	protected show(handle: H | undefined): void {
 		if (handle === this.shown) return;
 		this.shown = handle;
@@ -162,24 +170,26 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 	/** Cancels the drags in progress. */
 	protected cancel(): void {
 		this.drags.cancel();
-		this.#released();
+		this.#afterRelease();
 	}
 
 	/** Ends the drags in progress, because their handles no longer exist. */
 	protected drop(): void {
 		this.drags.drop();
-		this.#released();
+		this.#afterRelease();
 	}
 
+	/** Returns the button of a handle; null if it is not drawn. */
 	protected element(handle: H): HTMLElement | null {
 		return this.renderRoot.querySelector<HTMLElement>(`[data-handle="${handle}"]`);
 	}
 
+	/** The element that contains the handles; null before the first drawing. */
 	get #field(): HTMLElement | null {
 		return this.renderRoot?.querySelector<HTMLElement>(".field") ?? null;
 	}
 
-	/** The field exists after the first drawing. */
+	/** Observes the field's size; the field exists after the first drawing. */
 	#observe(): void {
 		const field = this.isConnected ? this.#field : null;
 		if (!field || field === this.#observed) return;
@@ -187,13 +197,14 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 		this.#resized.observe(field);
 	}
 
+	/** Draws on the canvas, if the view has one. */
 	#ink(): void {
 		const canvas = this.renderRoot.querySelector("canvas");
 		if (canvas) this.ink(canvas);
 	}
 
 	/** Returns a pointer's position in CSS pixels from the field's corner. */
-	#at({ clientX, clientY }: MouseEvent): Point {
+	#positionOf({ clientX, clientY }: MouseEvent): Point {
 		const box = this.#field?.getBoundingClientRect();
 		return { x: clientX - (box?.left ?? 0), y: clientY - (box?.top ?? 0) };
 	}
@@ -201,13 +212,14 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 	/** Returns the handle within reach of a pointer that is not dragged yet. */
 	#handleAt(event: MouseEvent): H | undefined {
 		const free = [...this.places()].filter(([handle]) => !this.drags.holds(handle));
-		return nearest(free, this.#at(event), REACH);
+		return nearest(free, this.#positionOf(event), REACH);
 	}
 
+	/** Begins a drag if the main button is pressed on a handle. */
 	#onDown(event: PointerEvent): void {
 		const handle = event.button !== 0 ? undefined : this.#handleAt(event);
 		if (handle === undefined) return;
-		if (!this.drags.begin(event.pointerId, handle, this.units(this.#at(event)))) return;
+		if (!this.drags.begin(event.pointerId, handle, this.units(this.#positionOf(event)))) return;
 		(event.currentTarget as Element).setPointerCapture(event.pointerId);
 		this.element(handle)?.focus({ preventScroll: true });
 		this.#pointed = true;
@@ -215,16 +227,19 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 		this.requestUpdate();
 	}
 
+	/** Moves the handle that the pointer drags. */
 	#onMove(event: PointerEvent): void {
-		this.drags.move(event.pointerId, this.units(this.#at(event)), this.keysOf(event));
+		this.drags.move(event.pointerId, this.units(this.#positionOf(event)), this.keysOf(event));
 	}
 
+	/** Ends the pointer's drag. */
 	#onUp(event: PointerEvent): void {
 		this.drags.end(event.pointerId);
-		this.#released();
+		this.#afterRelease();
 	}
 
-	#released(): void {
+	/** Stops listening for Escape when no handle is held any more. */
+	#afterRelease(): void {
 		if (!this.drags.active) this.#escape.listen(false);
 		this.requestUpdate();
 	}
@@ -237,10 +252,14 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 		if (this.drags.active) event.preventDefault();
 	}
 
+	/** Passes a double click to the view, with the handle within reach. */
 	#onDoubleClick(event: MouseEvent): void {
-		this.doubled(this.#handleAt(event), this.#at(event));
+		this.doubled(this.#handleAt(event), this.#positionOf(event));
 	}
 
+	/**
+	 * Passes a key to the focused handle; presses of the same handle within a short time are one undo step (`KeyRuns`).
+	 */
 	#onKey(event: KeyboardEvent): void {
 		const handle = handleOf<H>(event);
 		if (handle === undefined || this.drags.active || event.ctrlKey || event.metaKey) return;
@@ -260,10 +279,11 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 	#onClick(event: MouseEvent): void {
 		const handle = handleOf<H>(event);
 		if (handle === undefined || event.detail > 0) return;
-		this.announce(this.words(handle));
+		this.announce(this.describe(handle));
 		this.show(handle);
 	}
 
+	/** Shows the numbers of the handle under the mouse. */
 	#onOver(event: PointerEvent): void {
 		if (event.pointerType === "mouse") this.show(handleOf<H>(event));
 	}
@@ -274,6 +294,7 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 		this.show(handleOf<H>({ target }));
 	}
 
+	/** Shows the numbers of the handle that gets the focus by the keyboard. */
 	#onFocus(event: FocusEvent): void {
 		const handle = handleOf<H>(event);
 		if (handle === undefined) return;
@@ -281,6 +302,7 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 		if ((event.target as Element).matches(":focus-visible")) this.show(handle);
 	}
 
+	/** Hides the numbers of the handle that loses the focus. */
 	#onBlur(): void {
 		this.#pointed = false;
 		this.show(undefined);
@@ -288,7 +310,7 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 	}
 }
 
-/** Returns the handle of an event. */
+/** Returns the handle of an event; undefined if the event is on none. */
 function handleOf<H extends string>({ target }: { target: EventTarget | null }): H | undefined {
 	return (target as Element | null)?.closest<HTMLElement>("[data-handle]")?.dataset.handle as H | undefined;
 }

@@ -2,6 +2,7 @@
 import type { Plant } from "../../plant/plant";
 import type { Specimen } from "../../specimen/specimen";
 import type { EditorContext, EditorState } from "../editor_context";
+import { text } from "../messages.generated";
 import type { ToolInteraction } from "../tool";
 
 export interface LazyInteractionOptions<S extends Specimen, G extends Plant> {
@@ -22,6 +23,7 @@ export class LazyInteraction<S extends Specimen, G extends Plant> implements Too
 		this.#options = options;
 	}
 
+	/** Passes the state to the interaction, whose script is loaded when it is first wanted. */
 	update(state: EditorState<S, G>): void {
 		if (!this.#interaction && !this.#options.wanted(state)) return;
 		this.#interaction ??= this.#fetch();
@@ -30,11 +32,16 @@ export class LazyInteraction<S extends Specimen, G extends Plant> implements Too
 		});
 	}
 
+	/** Disposes of the interaction, also if its script is still loading. */
 	dispose(): void {
 		this.#disposed = true;
 		void this.#interaction?.then((interaction) => interaction?.dispose());
 	}
 
+	/**
+	 * Loads the interaction; undefined if it fails, with a notice, or if this object was disposed of meanwhile. After a
+	 * failure the next use tries again.
+	 */
 	async #fetch(): Promise<ToolInteraction<S, G> | undefined> {
 		const { context, fetch, onFetchFailed } = this.#options;
 		const interaction = await fetch().catch(() => undefined);
@@ -45,7 +52,7 @@ export class LazyInteraction<S extends Specimen, G extends Plant> implements Too
 		}
 		this.#interaction = undefined;
 		onFetchFailed();
-		context.notify("The handles could not be fetched", ["Check the connection and press their button again."]);
+		context.notify(text("handles_not_loaded"), [text("press_again")]);
 		return undefined;
 	}
 }

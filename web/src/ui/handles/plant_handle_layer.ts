@@ -3,6 +3,7 @@
  * stop of the Tab key, and Page Up and Page Down move between them.
  */
 import type { Change } from "../editor_context";
+import { text } from "../messages.generated";
 import { EscapeKey } from "./escape_key";
 import { type PointerRay, placeUnder, visibleWays } from "./handle_ways";
 import type { HandleVector, PlantHandle, PlantHandles } from "./plant_handle";
@@ -58,6 +59,7 @@ export class PlantHandleLayer {
 	#announced: { readonly id: string; readonly value: string | undefined } | undefined;
 	#frame = 0;
 
+	/** Adds the layer after the host's canvas, and its style to the canvas's root. */
 	constructor(host: HandleHost) {
 		this.#host = host;
 		this.#root = host.canvas.getRootNode() as Document | ShadowRoot;
@@ -65,7 +67,7 @@ export class PlantHandleLayer {
 		this.#root.adoptedStyleSheets.push(this.#style);
 		this.#layer.className = "plant-handles";
 		this.#layer.role = "group";
-		this.#layer.ariaLabel = "Handles";
+		this.#layer.ariaLabel = text("handles");
 		this.#layer.part.add("handles");
 		const svg = document.createElementNS(SVG, "svg");
 		svg.setAttribute("aria-hidden", "true");
@@ -74,10 +76,12 @@ export class PlantHandleLayer {
 		host.canvas.after(this.#layer);
 	}
 
+	/** Whether a handle is dragged. */
 	get held(): boolean {
 		return this.#held !== undefined;
 	}
 
+	/** Cancels a drag and removes the layer. */
 	dispose(): void {
 		this.cancel();
 		cancelAnimationFrame(this.#frame);
@@ -89,23 +93,23 @@ export class PlantHandleLayer {
 	set(shown: PlantHandles | undefined): void {
 		this.#handles = shown?.handles ?? [];
 		this.#ends = shown?.lines ?? [];
-		const there = new Set(this.#handles.map(({ id }) => id));
+		const ids = new Set(this.#handles.map(({ id }) => id));
 		const before = [...this.#buttons.keys()];
 		const focused = before.findIndex((id) => this.#buttons.get(id)?.matches(":focus"));
 		for (const [id, button] of this.#buttons) {
-			if (there.has(id)) continue;
+			if (ids.has(id)) continue;
 			button.remove();
 			this.#buttons.delete(id);
 		}
 		for (const { id, label, value, kind } of this.#handles) {
 			const button = this.#buttonOf(id);
-			button.ariaLabel = `${label}: ${value}`;
+			button.ariaLabel = text("handle_and_value", { label, value });
 			if (kind) button.dataset.kind = kind;
 			else delete button.dataset.kind;
 		}
 		const buttons = [...this.#buttons.values()];
 		if (!buttons.some(({ tabIndex }) => tabIndex === 0) && buttons[0]) buttons[0].tabIndex = 0;
-		if (focused >= 0 && !there.has(before[focused])) this.#refocus(focused);
+		if (focused >= 0 && !ids.has(before[focused])) this.#refocus(focused);
 		this.#announce();
 		this.place();
 	}
@@ -116,11 +120,11 @@ export class PlantHandleLayer {
 		// time.
 		const { offsetLeft, offsetTop, clientWidth, clientHeight } = this.#host.canvas;
 		const places = this.#handles.map(({ id, at }) => [id, this.#host.project(at)] as const);
-		const seen = (point: HandleVector) => {
+		const projected = (point: HandleVector) => {
 			const { x, y } = this.#host.project(point);
 			return `${x.toFixed(1)} ${y.toFixed(1)}`;
 		};
-		const lines = this.#ends.map((line) => `M${line.map(seen).join("L")}`).join("");
+		const lines = this.#ends.map((line) => `M${line.map(projected).join("L")}`).join("");
 		const { style } = this.#layer;
 		style.translate = `${offsetLeft}px ${offsetTop}px`;
 		style.width = `${clientWidth}px`;
@@ -138,6 +142,7 @@ export class PlantHandleLayer {
 		if (held.moved) this.#host.cancel();
 	}
 
+	/** Returns the button of a handle; creates it with its listeners on first use. */
 	#buttonOf(id: string): HTMLButtonElement {
 		const before = this.#buttons.get(id);
 		if (before) return before;
@@ -158,7 +163,7 @@ export class PlantHandleLayer {
 		return button;
 	}
 
-	/** If buttons overlap, the handle nearest to the pointer is dragged. */
+	/** Begins a drag; if buttons overlap, of the handle nearest to the pointer. */
 	#grasp(event: PointerEvent): void {
 		const at = this.#pointOf(event);
 		const places = this.#handles.map((each) => [each, this.#host.project(each.at)] as const);
@@ -182,7 +187,7 @@ export class PlantHandleLayer {
 		this.#escape.listen(true);
 	}
 
-	/** Limits growth to one request per frame. */
+	/** Records the pointer's position, which the next frame applies: growth is limited to one request per frame. */
 	#move(event: PointerEvent): void {
 		const held = this.#held;
 		if (held?.pointer !== event.pointerId) return;
@@ -190,6 +195,7 @@ export class PlantHandleLayer {
 		held.to = event;
 	}
 
+	/** Moves the held handle to the pointer's last position, at most once per frame. */
 	#pull(): void {
 		const held = this.#held;
 		const handle = this.#handles.find(({ id }) => id === held?.id);
@@ -202,6 +208,7 @@ export class PlantHandleLayer {
 		this.#host.change(handle.pull(place));
 	}
 
+	/** Ends a drag, with the last position applied. */
 	#release(event: PointerEvent): void {
 		const held = this.#held;
 		if (held?.pointer !== event.pointerId) return;
@@ -210,11 +217,13 @@ export class PlantHandleLayer {
 		if (held.moved) this.#settle(held.id, undefined);
 	}
 
+	/** Forgets the drag in progress. */
 	#end(): void {
 		this.#held = undefined;
 		this.#escape.listen(false);
 	}
 
+	/** Handles a key on a handle: arrows move it, Delete removes it, Page Up and Page Down go to another. */
 	#press(id: string, event: KeyboardEvent): void {
 		const { key, shiftKey, ctrlKey, metaKey, altKey } = event;
 		const handle = this.#handles.find((each) => each.id === id);
@@ -226,30 +235,40 @@ export class PlantHandleLayer {
 		} else if (key === "Delete" && handle.remove) {
 			this.#host.change(handle.remove());
 			this.#host.settle();
-		} else if (key === "PageDown" || key === "PageUp") this.#lead(id, key === "PageDown" ? 1 : -1);
+		} else if (key === "PageDown" || key === "PageUp") this.#focusOther(id, key === "PageDown" ? 1 : -1);
 		else return;
 		event.preventDefault();
 	}
 
-	/** Focuses the next handle, cyclically. */
-	#lead(id: string, by: number): void {
+	/**
+	 * Focuses another handle, cyclically.
+	 * @param step 1 for the next handle, −1 for the one before
+	 */
+	#focusOther(id: string, step: number): void {
 		const ids = this.#handles.map((each) => each.id);
-		const next = ids.at((ids.indexOf(id) + by) % ids.length);
+		const next = ids.at((ids.indexOf(id) + step) % ids.length);
 		if (next !== undefined) this.#buttonOf(next).focus();
 	}
 
+	/** Makes a button the only stop of the Tab key. */
 	#stopAt(stop: HTMLButtonElement): void {
 		for (const button of this.#buttons.values()) button.tabIndex = button === stop ? 0 : -1;
 	}
 
-	/** Moves the focus after its handle was removed: to the handle at the same index, else to the canvas. */
+	/**
+	 * Moves the focus after a handle was removed: to the handle at the same index, else to the canvas.
+	 * @param place index of the removed handle
+	 */
 	#refocus(place: number): void {
 		const next = this.#handles[Math.min(place, this.#handles.length - 1)];
 		const to = next ? this.#buttonOf(next.id) : this.#host.canvas;
 		to.focus();
 	}
 
-	/** @param before value that was announced last */
+	/**
+	 * Ends a change, and announces the handle's new value.
+	 * @param before value that was announced last
+	 */
 	#settle(id: string, before: string | undefined): void {
 		this.#host.settle();
 		this.#announced = { id, value: before };
@@ -265,7 +284,7 @@ export class PlantHandleLayer {
 		this.#announced = { id: announced.id, value };
 	}
 
-	/** Position in CSS pixels from the canvas's upper left corner. */
+	/** Returns a pointer's position in CSS pixels from the canvas's upper left corner. */
 	#pointOf({ clientX, clientY }: PointerEvent): Point {
 		const { left, top } = this.#layer.getBoundingClientRect();
 		return { x: clientX - left, y: clientY - top };

@@ -24,6 +24,7 @@ export class PlantInteraction<S extends Specimen, G extends Plant> {
 	readonly #layer: PlantHandleLayer;
 	readonly #undraw: () => void;
 
+	/** @param options.editedDetails returns the details that handles change: restored when a drag is cancelled */
 	constructor(view: ToolView, context: EditorContext<S, G>, { editedDetails, focused }: PlantInteractionOptions<S>) {
 		this.#view = view;
 		let before: NonNullable<Change["details"]> = {};
@@ -52,6 +53,7 @@ export class PlantInteraction<S extends Specimen, G extends Plant> {
 		this.#view.requestRender();
 	}
 
+	/** Removes the handles. */
 	dispose(): void {
 		this.#view.canvas.classList.remove(WHOLE_SURFACE);
 		this.#undraw();

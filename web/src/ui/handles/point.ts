@@ -4,7 +4,10 @@ export interface Point {
 	readonly y: number;
 }
 
-/** Returns the item nearest to a pointer within reach; hit areas of close handles overlap. */
+/**
+ * Returns the item nearest to a pointer; undefined if none is within reach. Hit areas of close handles overlap, so that
+ * the topmost button need not be the nearest.
+ */
 export function nearest<H>(places: Iterable<readonly [H, Point]>, pointer: Point, reach: number): H | undefined {
 	let found: H | undefined;
 	let least = reach;

@@ -1,6 +1,6 @@
 import { svg, type TemplateResult } from "lit";
 
-/** Returns the longest round length (1, 2 or 5 times a power of ten) up to a limit. */
+/** Returns the longest round length (1, 2 or 5 times a power of ten) that is not above `most`. */
 export function roundLength(most: number): number {
 	const decade = 10 ** Math.floor(Math.log10(most));
 	return decade * (most >= 5 * decade ? 5 : most >= 2 * decade ? 2 : 1);

@@ -20,8 +20,8 @@ const AROUND: readonly Point[] = Array.from({ length: 8 }, (_, i) => ({
 }));
 
 /** Returns the estimated size of a label, slightly too large. */
-export function labelExtent(words: string): Extent {
-	return { width: 6.2 * words.length + 10, height: 18 };
+export function labelExtent(text: string): Extent {
+	return { width: 7.1 * text.length + 10, height: 20 };
 }
 
 /**
@@ -30,16 +30,16 @@ export function labelExtent(words: string): Extent {
  * @param others positions of the other handles
  */
 export function labelPlace(at: Point, label: Extent, field: Extent, others: readonly Point[]): Point {
-	const out = { x: at.x - field.width / 2, y: at.y - field.height / 2 };
-	const far = Math.hypot(out.x, out.y) || 1;
-	const outward = { x: out.x / far, y: out.y / far - UPWARDS };
+	const fromMiddle = { x: at.x - field.width / 2, y: at.y - field.height / 2 };
+	const distance = Math.hypot(fromMiddle.x, fromMiddle.y) || 1;
+	const outward = { x: fromMiddle.x / distance, y: fromMiddle.y / distance - UPWARDS };
 	let best: { cost: number; place: Point } | undefined;
 	for (const { x, y } of AROUND) {
 		const place = {
-			x: within(at.x + x * (GAP + label.width / 2) - label.width / 2, field.width - label.width),
-			y: within(at.y + y * (GAP + label.height / 2) - label.height / 2, field.height - label.height),
+			x: clampTo(at.x + x * (GAP + label.width / 2) - label.width / 2, field.width - label.width),
+			y: clampTo(at.y + y * (GAP + label.height / 2) - label.height / 2, field.height - label.height),
 		};
-		const covers = (dot: Point) => covered(place, label, dot);
+		const covers = (dot: Point) => isCovered(place, label, dot);
 		const inward = -(x * outward.x + y * outward.y) / Math.hypot(x, y);
 		const cost = others.filter(covers).length + (covers(at) ? 4 : 0) + 0.4 * inward;
 		if (!best || cost < best.cost) best = { cost, place };
@@ -47,21 +47,22 @@ export function labelPlace(at: Point, label: Extent, field: Extent, others: read
 	return best?.place ?? at;
 }
 
-function within(value: number, most: number): number {
-	return Math.max(0, Math.min(value, most));
+/** Limits a value to 0 … `limit`. */
+function clampTo(value: number, limit: number): number {
+	return Math.max(0, Math.min(value, limit));
 }
 
-/** Whether a label covers the middle of a handle. */
-function covered(place: Point, { width, height }: Extent, dot: Point): boolean {
+/** Returns whether a label covers the middle of a handle. */
+function isCovered(place: Point, { width, height }: Extent, dot: Point): boolean {
 	const x = Math.max(place.x, Math.min(dot.x, place.x + width));
 	const y = Math.max(place.y, Math.min(dot.y, place.y + height));
 	return Math.hypot(dot.x - x, dot.y - y) < DOT;
 }
 
 /** Draws a label for sighted users; screen readers read the handle's own name. */
-export function drawValue(words: string, at: Point, field: Extent, others: readonly Point[]): TemplateResult {
-	const { x, y } = labelPlace(at, labelExtent(words), field, others);
-	return html`<span class="value" aria-hidden="true" .style=${`transform: translate(${x}px, ${y}px)`}>${words}</span>`;
+export function drawValue(text: string, at: Point, field: Extent, others: readonly Point[]): TemplateResult {
+	const { x, y } = labelPlace(at, labelExtent(text), field, others);
+	return html`<span class="value" aria-hidden="true" .style=${`transform: translate(${x}px, ${y}px)`}>${text}</span>`;
 }
 
 export const valueStyle = css`
@@ -74,7 +75,7 @@ export const valueStyle = css`
 		border-radius: 3px;
 		background: color-mix(in srgb, var(--ground) 92%, transparent);
 		color: var(--grip);
-		line-height: 12px;
+		line-height: 14px;
 		white-space: nowrap;
 		pointer-events: none;
 	}

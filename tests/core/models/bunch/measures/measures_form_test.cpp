@@ -52,7 +52,7 @@ TEST_CASE("berries are named after their form") {
 TEST_CASE("the peduncle ends where the bunch first branches") {
   GrownBunch grown;
   const auto add = [&](std::int32_t parent, float from, float to) {
-    grown.internodes.push_back({parent, Kind::rachis, State::grown, -1, {0, from, 0}, {0, to, 0}, 0.001f, 0.001f});
+    grown.internodes.push_back({{parent, 0, {0, from, 0}, {0, to, 0}, 0.001f, 0.001f}, Kind::rachis});
   };
   add(-1, 0, -0.02f);
   add(0, -0.02f, -0.05f);

@@ -53,8 +53,8 @@ TEST_CASE("a bunch weighs its berries at 1.08 and its stems, cones' frustums, at
   GrownBunch grown = balls({{0, -50, 0}}, 10);
   const float berry = Measured(grown, {})[bunch_weight];
   CHECK(berry == about(1.08 * 4 * pi / 3, 1e-4));  // of 1 cm
-  grown.internodes = {{-1, Kind::rachis, State::grown, -1, {0, 0, 0}, {0, -0.03f, 0}, 0.002f, 0.001f},
-                      {0, Kind::axis, State::grown, 0, {0, -0.03f, 0}, {0.03f, -0.07f, 0}, 0.0015f, 0.0015f}};
+  grown.internodes = {{{-1, 0, {0, 0, 0}, {0, -0.03f, 0}, 0.002f, 0.001f}, Kind::rachis},
+                      {{0, 0, {0, -0.03f, 0}, {0.03f, -0.07f, 0}, 0.0015f, 0.0015f}, Kind::axis, State::grown, 0}};
   const double frustum = pi / 3 * 30 * (4 + 2 + 1), cylinder = pi * 50 * 2.25;
   CHECK(Measured(grown, {})[bunch_weight] - berry == about((frustum + cylinder) / 1000, 1e-3));
 }
@@ -141,7 +141,7 @@ TEST_CASE("bunches with extreme numbers give shares between 0 and 1 or NaN") {
     const auto count = static_cast<std::uint64_t>(40 * draw());
     for (std::uint64_t i = 0; i < count; ++i) {
       const auto parent = static_cast<std::int32_t>(static_cast<float>(i) * draw()) - 1;
-      grown.internodes.push_back({parent, Kind::pedicel, State::grown, 0, place(), place(), 0.003f * draw(), 0});
+      grown.internodes.push_back({{parent, 0, place(), place(), 0.003f * draw(), 0}, Kind::pedicel, State::grown, 0});
       grown.berries.push_back({place(), 0.01f * draw(), glm::normalize(place() + glm::vec3(0, 0, 0.1f)), parent, 0});
       if (seed % 3 == 0) grown.berries.back().centre.x *= wild[seed / 3 % 6];
       grown.traits.push_back({0.02f * draw(), 0.04f * draw()});

@@ -19,8 +19,8 @@ TEST_CASE("berries hide those behind them") {
 
 TEST_CASE("pedicels are visible where no berry is before them") {
   GrownBunch grown = balls({{0, -50, 0}}, 10);
-  grown.internodes = {{-1, Kind::rachis, State::grown, -1, {0, 0, 0}, {0, -0.03f, 0}, 0.002f, 0.002f},
-                      {0, Kind::pedicel, State::grown, 0, {0, -0.03f, 0}, {0, -0.04f, 0}, 0.001f, 0.001f}};
+  grown.internodes = {{{-1, 0, {0, 0, 0}, {0, -0.03f, 0}, 0.002f, 0.002f}, Kind::rachis},
+                      {{0, 0, {0, -0.03f, 0}, {0, -0.04f, 0}, 0.001f, 0.001f}, Kind::pedicel, State::grown, 0}};
   grown.berries[0].parent = 1;
   const Measured bare(grown, {});
   CHECK(bare[pedicels_seen] == about(1, 1e-5));

@@ -1,6 +1,7 @@
 // The parts of a natural bunch besides its berries: flowers, cane and leaves, a second bunch.
 #include <doctest/doctest.h>
 
+#include "foundation/english.hpp"
 #include "models/bunch/foliage/flat_leaf.hpp"
 #include "models/bunch/specimens.hpp"
 
@@ -80,7 +81,7 @@ TEST_CASE("without a leaf in the request the cane is bare, with a note") {
   const GrownBunch bare = grown(request);
   for (const FoliagePart& part : bare.foliage->parts) CHECK(part.kind != FoliagePart::Kind::leaf);
   REQUIRE(bare.notes.size() == 1);
-  CHECK(bare.notes[0].find("no leaves") != std::string::npos);
+  CHECK(english(bare.notes[0]).find("no leaves") != std::string::npos);
   // The columns are absent without meshes, and where they were not requested.
   request.meshes = false;
   CHECK(grown(request).notes.empty());

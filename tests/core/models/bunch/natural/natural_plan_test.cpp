@@ -64,9 +64,9 @@ TEST_CASE("axes bring their berries to the outline, and none is longer than that
       const float depth = static_cast<float>(k + 1) * plan.spacing;
       const SinCos way = sincos_degrees(plan.aim[k]);
       // The axis and a twig go straight on; the pedicel and most of its berry hang.
-      const glm::vec3 hangs = drooping({way.sine, -way.cosine, 0}, 1) * (plan.stalk + 0.75f * 18 * 1.04f);
+      const glm::vec3 hangs = drooping({way.sine, -way.cosine, 0}, 1) * (plan.pedicel_length + 0.75f * 18 * 1.04f);
       const float straight = plan.arm[k] + plan.twig;
-      if (plan.arm[k] > 0.4f * plan.step + 0.01f)
+      if (plan.arm[k] > 0.4f * plan.first_order_spacing + 0.01f)
         CHECK(plan.envelope.radius(round, depth + straight * way.cosine - hangs.y) ==
               doctest::Approx(straight * way.sine + hangs.x).epsilon(0.02));
       CHECK(plan.aim[k] <= 100);

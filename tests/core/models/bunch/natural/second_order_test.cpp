@@ -88,10 +88,12 @@ TEST_CASE("axes of second order get shorter along their parent, and stay in the 
   for (std::size_t k = 0; k < plan.arm.size(); ++k) {
     const auto first = static_cast<std::size_t>(plan.node[k]) - 1;
     REQUIRE(first < plan.beyond.size());
-    for (std::size_t j = 0; first + j < plan.beyond.size() && static_cast<float>(j) * plan.step < plan.arm[k]; ++j) {
-      const float left = plan.arm[k] - static_cast<float>(j + 1) * plan.step, beyond = plan.beyond[first + j];
+    for (std::size_t j = 0;
+         first + j < plan.beyond.size() && static_cast<float>(j) * plan.first_order_spacing < plan.arm[k]; ++j) {
+      const float left = plan.arm[k] - static_cast<float>(j + 1) * plan.first_order_spacing,
+                  beyond = plan.beyond[first + j];
       CHECK(beyond >= 0);
-      CHECK(beyond <= std::max(0.0f, 0.6f * left - plan.stride) + 1e-4f);
+      CHECK(beyond <= std::max(0.0f, 0.6f * left - plan.second_order_spacing) + 1e-4f);
       found += beyond > 0;
     }
   }

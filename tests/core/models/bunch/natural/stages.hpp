@@ -11,7 +11,7 @@ namespace panicle::tests {
 
 inline bunch::Internode stem(std::int32_t parent, bunch::Kind kind, const glm::vec3& start, const glm::vec3& end,
                              bool joint = false) {
-  return {parent, kind, bunch::State::grown, -1, start, end, 1, 1, joint};
+  return {{parent, 0, start, end, 1, 1}, kind, bunch::State::grown, -1, joint};
 }
 
 inline bunch::Flower flower_on(std::int32_t parent, const glm::vec3& heading, std::uint32_t id = 0) {

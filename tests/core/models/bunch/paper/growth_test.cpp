@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "foundation/english.hpp"
+
 using namespace panicle;
 using namespace panicle::bunch;
 
@@ -57,20 +59,24 @@ TEST_CASE("the trace has the reason why a berry turns or withers, with the obsta
   CHECK(entries[0].response.empty());
   // The second comes nearer and nearer to where the two would only touch; the others begin above the first one's
   // centre.
-  CHECK(entries[2].response == "asked 1 0 0 30 2 20 → 1 0 0 30 2 20; there is room at once");
-  CHECK(entries[6].response.find("→ 1 0 0 10 2 20; no room after ") != std::string::npos);
-  CHECK(entries[6].response.ends_with(" in 50 turns: it still touches the berry of module 2, and withers"));
-  CHECK(entries[9].response.ends_with(" in 50 turns: it still overlaps the berry of module 2 by 0.02, and withers"));
+  const auto response_of = [&](std::size_t module) { return english(entries[module].response); };
+  CHECK(response_of(2) ==
+        "asked 1 0 0 30 2 20 → 1 0 0 30 2 20; There is room for this part, so it keeps its direction.");
+  CHECK(response_of(6).find("→ 1 0 0 10 2 20; There is no room, even after turning by ") != std::string::npos);
+  CHECK(response_of(6).ends_with(
+      " in 50 turns, so the pedicel withers. This part still touches the berry of module #2."));
+  CHECK(response_of(9).ends_with("so the pedicel withers. This part still overlaps the berry of module #2 by 0.02."));
   std::size_t withered = 0, stood = 0;
   for (const Internode& one : growth.internodes) {
     stood += one.state == State::withered;
     if (one.kind == Kind::pedicel) CHECK(entries[one.module].text.starts_with("?E(1,0,0,"));
   }
   for (const auto& module : entries) {
-    if (!module.response.ends_with(", and withers")) continue;
+    const std::string response = english(module.response);
+    if (response.find("the pedicel withers") == std::string::npos) continue;
     ++withered;
-    CHECK(module.response.find("; no room after ") != std::string::npos);
-    CHECK(module.response.find(" of module ") != std::string::npos);
+    CHECK(response.find("; There is no room, even after turning by ") != std::string::npos);
+    CHECK(response.find(" of module #") != std::string::npos);
     CHECK(module.fires.line == 5);
   }
   CHECK(withered == stood);

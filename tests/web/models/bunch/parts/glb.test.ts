@@ -160,7 +160,7 @@ describe("the GLB", () => {
 		expect(bare.materials).toHaveLength(1);
 		expect(bare.extensionsUsed).toBeUndefined();
 		const { stem, berry, ...skeleton } = grown;
-		await expect(bunchGlb(skeleton, specimen)).rejects.toThrow("This growth has no meshes to export");
+		await expect(bunchGlb(skeleton, specimen)).rejects.toThrow("This bunch has no meshes to export");
 		const empty = {
 			...grown,
 			stem: { ...stem, parts: [] },

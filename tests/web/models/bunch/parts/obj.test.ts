@@ -130,6 +130,6 @@ describe("the OBJ", () => {
 
 	it("needs meshes", () => {
 		const { stem, berry, ...skeleton } = grown;
-		expect(() => exported(skeleton)).toThrow("This growth has no meshes to export");
+		expect(() => exported(skeleton)).toThrow("This bunch has no meshes to export");
 	});
 });

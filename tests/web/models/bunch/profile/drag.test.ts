@@ -49,8 +49,8 @@ describe("handle positions", () => {
 	});
 
 	it("are described in words", () => {
-		expect(handleLabel(DEFAULTS, "p3")).toBe("p3, right: 64.7 mm wide, 64.7 mm down");
-		expect(handleLabel({ ...DEFAULTS, unit: 0.5 }, "p4")).toBe("p4, left: 129.3 mm wide, 87.9 mm down");
+		expect(handleLabel(DEFAULTS, "p3")).toBe("p3, right: 64.7 mm wide, 64.7 mm below the top");
+		expect(handleLabel({ ...DEFAULTS, unit: 0.5 }, "p4")).toBe("p4, left: 129.3 mm wide, 87.9 mm below the top");
 		expect(handleLabel(DEFAULTS, "p2")).toBe("p2, length: 220.7 mm");
 	});
 });

@@ -113,8 +113,8 @@ describe("the photograph's tool", () => {
 		await placePhoto(bunchContext(studio), new Blob());
 		expect(studio.state.notices).toMatchObject([
 			{
-				title: "The photograph was not taken",
-				details: ["The file is no picture that this browser reads. Use a JPEG, PNG or WebP."],
+				title: "The photo could not be used",
+				details: ["The file is not a picture that this browser can read. Use a JPEG, PNG or WebP."],
 			},
 		]);
 		expect(bunchContext(studio).toolState(photo)).toBeUndefined();

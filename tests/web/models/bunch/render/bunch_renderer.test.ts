@@ -19,7 +19,7 @@ import { bunchRenderer } from "../../../../../web/src/models/bunch/render/bunch_
 import { everyPart } from "../../../../../web/src/plant/part";
 import { PaperShadow } from "../../../../../web/src/render/paper_shadow";
 import { StageLight } from "../../../../../web/src/render/stage_light";
-import { windUniforms } from "../../../../../web/src/render/wind";
+import { windUniforms } from "../../../../../web/src/render/wind_shader";
 import { SKETCH } from "../fixture";
 import { makeNatural } from "../natural_fixture";
 import { pressedBunch } from "../pressed_bunch";

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { type Berries, TRAITS } from "../../../../../web/src/models/bunch/bunch_plant";
-import { fromTheTop, placeInWords, widthInWords } from "../../../../../web/src/models/bunch/ui/berry_places";
+import { fromTheTop, placeInWords, roundedWidth } from "../../../../../web/src/models/bunch/ui/berry_places";
 
 /** Berries at these places in centimetres, of these widths in millimetres. */
 function berriesAt(...places: [x: number, y: number, z: number, width: number][]): Berries {
@@ -35,7 +35,7 @@ describe("berry places", () => {
 	});
 
 	it("gives small widths with more digits", () => {
-		expect(widthInWords(berries, 0)).toBe("18 mm");
-		expect(widthInWords(berries, 1)).toBe("8.4 mm");
+		expect(roundedWidth(berries, 0)).toBe(18);
+		expect(roundedWidth(berries, 1)).toBe(8.4);
 	});
 });

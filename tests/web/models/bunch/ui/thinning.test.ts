@@ -3,7 +3,7 @@ import type { BunchPlant } from "../../../../../web/src/models/bunch/bunch_plant
 import { stems } from "../../../../../web/src/models/bunch/ui/stems";
 import { mark, putBack, takeOff, thinning } from "../../../../../web/src/models/bunch/ui/thinning";
 import { bunchContext, studioWith } from "../../../app/context";
-import { MOST_THINNED, specimenFromPreset, thin, unthin } from "../../../bunch";
+import { MAX_THINNED, specimenFromPreset, thin, unthin } from "../../../bunch";
 
 const opened = specimenFromPreset("grape-15c");
 
@@ -28,9 +28,9 @@ it("removes berries one step each, and restores them all as one step", async () 
 
 it("takes no more berries off than a link can hold, and none twice", () => {
 	let specimen = opened;
-	for (let id = 0; id < MOST_THINNED; id++) specimen = thin(specimen, id);
-	expect(specimen.thinned).toHaveLength(MOST_THINNED);
-	expect(thin(specimen, MOST_THINNED)).toBe(specimen);
+	for (let id = 0; id < MAX_THINNED; id++) specimen = thin(specimen, id);
+	expect(specimen.thinned).toHaveLength(MAX_THINNED);
+	expect(thin(specimen, MAX_THINNED)).toBe(specimen);
 	expect(thin(thin(opened, 7), 7).thinned).toEqual([7]);
 	expect(unthin(specimen, 3).thinned).not.toContain(3);
 });

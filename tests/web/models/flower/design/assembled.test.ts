@@ -26,7 +26,7 @@ const grow = (grammar: string, map = false, constants = {}): FlowerPlant =>
 	readFlowerPlant(core.grow(model.encode({ ...fromPreset(model), grammar, constants }, { meshes: false, map })));
 
 /** Notes about volumes on faces with other numbers of sides, as whorls on whorls have them. */
-const faults = ({ notes }: FlowerPlant) => notes.filter((note) => !note.includes("sewn to nothing"));
+const faults = ({ notes }: FlowerPlant) => notes.filter((note) => !note.includes("flower.attached"));
 
 const anyOf = (field: OrganField): fc.Arbitrary<string | number> => {
 	if (field.kind === "choice") return fc.constantFrom(...field.options);

@@ -109,7 +109,7 @@ describe("drafts of a design", () => {
 		changed.state.specimen = { ...changed.state.specimen, grammar: newer };
 		changed.keep();
 		expect(changed.state.specimen.grammar).toBe(newer);
-		expect(changed.notify.mock.lastCall?.[0]).toBe("The edited lines were not kept");
+		expect(changed.notify.mock.lastCall?.[0]).toBe("Your lines could not be restored");
 
 		const other = lost();
 		const { grammar } = other.state.specimen;

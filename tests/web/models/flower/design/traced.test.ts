@@ -37,6 +37,6 @@ describe("a petal in a picture", () => {
 				drawn(() => -1),
 				"sepal",
 			),
-		).toThrow(/No sepal stands out/);
+		).toThrow(/Could not find a sepal/);
 	});
 });

@@ -3,7 +3,7 @@
  * area.
  */
 
-import { type Area, type Triple, turned } from "../../../../../web/src/models/grammar/areas/area";
+import { type Area, rotate, type Triple } from "../../../../../web/src/models/grammar/areas/area";
 import { surfaceOf } from "../../../../../web/src/models/grammar/areas/surface";
 import type { GrammarPlant } from "../../../../../web/src/models/grammar/grammar_plant";
 
@@ -57,7 +57,7 @@ export function holds(area: Area, at: Triple): boolean {
 	const [qx, qy, qz, qw] = area.rotation;
 	const length = Math.hypot(...area.rotation);
 	const back = [-qx / length, -qy / length, -qz / length, qw / length] as const;
-	const own = turned(minus(at, area.centre), back);
+	const own = rotate(minus(at, area.centre), back);
 	const [x, y, z] = own.map((value, k) => (2 * value) / area.size[k]);
 	const round = Math.hypot(x, z);
 	const least = 1 + 1e-6;

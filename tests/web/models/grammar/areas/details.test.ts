@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { type Area, MOST_AREAS, UNTURNED } from "../../../../../web/src/models/grammar/areas/area";
+import { type Area, MAX_AREAS, UNTURNED } from "../../../../../web/src/models/grammar/areas/area";
 import { areaBlocks } from "../../../../../web/src/models/grammar/areas/blocks";
 import { fittedArea } from "../../../../../web/src/models/grammar/details/areas";
 import { GRAMMAR } from "../../../../../web/src/models/grammar/schema";
@@ -33,21 +33,21 @@ describe("growth areas and path of a document", () => {
 		const { specimen: read, notes } = await decodeLink(GRAMMAR, await encodeLink(GRAMMAR, specimen));
 		expect(read.areas?.map(({ kind }) => kind)).toEqual(["cone", "ellipsoid"]);
 		expect(notes.map(({ text }) => text)).toEqual([
-			expect.stringMatching(/^mesh: none came along; links are too short/),
+			expect.stringMatching(/^mesh: The link does not contain a mesh\. Links cannot hold a mesh/),
 		]);
 		const reasons = GRAMMAR.details.flatMap(({ unlinked }) => unlinked?.keep(specimen, bush) ?? []);
-		expect(reasons).toEqual([expect.stringContaining("download JSON or GLB to keep the mesh")]);
+		expect(reasons).toEqual([expect.stringContaining("Download a JSON or GLB to keep the mesh")]);
 	});
 
 	it("are noted and left out where they cannot be read, and brought within reach", () => {
 		expect(notesOf("areas=box:0,1:1,1,1;blob:0,0,0:1,1,1")).toHaveLength(2);
-		expect(notesOf("path=1,2")).toEqual([expect.stringContaining("is not places")]);
+		expect(notesOf("path=1,2")).toEqual([expect.stringContaining("is not a list of points")]);
 		for (const wrong of ["0,2", "0,0", "1,1", "0", "a"])
-			expect(notesOf(`path=0,1,0,0,2,0&from=${wrong}`), wrong).toEqual([expect.stringContaining("an earlier one")]);
+			expect(notesOf(`path=0,1,0,0,2,0&from=${wrong}`), wrong).toEqual([expect.stringContaining("an earlier point")]);
 		expect(notesOf("path=0,1,0,0,2,0,1,2,0&from=0,1,1")).toEqual([]);
 		expect(
 			notesOf(
-				`areas=${Array(MOST_AREAS + 1)
+				`areas=${Array(MAX_AREAS + 1)
 					.fill("box:0,0,0:1,1,1")
 					.join(";")}`,
 			),

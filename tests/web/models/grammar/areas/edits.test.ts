@@ -3,9 +3,9 @@ import {
 	type Area,
 	degreesOf,
 	placeIn,
+	rotate,
+	rotationOf,
 	type Triple,
-	turned,
-	turnOf,
 	UNTURNED,
 } from "../../../../../web/src/models/grammar/areas/area";
 import * as edits from "../../../../../web/src/models/grammar/areas/area_edits";
@@ -26,7 +26,7 @@ const area = (kind: Area["kind"], centre: Triple, size: Triple = [1, 1, 1], rota
 });
 const start: GrammarSpecimen = {
 	...fromPreset(GRAMMAR, "bush"),
-	areas: [area("box", [0, 0.8, 0]), area("cone", [0.5, 2, 0], [1, 2, 0.5], turnOf([0, 0, 90]))],
+	areas: [area("box", [0, 0.8, 0]), area("cone", [0.5, 2, 0], [1, 2, 0.5], rotationOf([0, 0, 90]))],
 };
 const made = (change: Change | undefined, from = start) => apply(GRAMMAR, from, change as Change);
 const handleOf = (specimen: GrammarSpecimen, id: string, chosen?: number) =>
@@ -72,12 +72,12 @@ describe("edits of growth areas", () => {
 		for (const k of [0, 1, 2]) {
 			const handle = handleOf(start, `turn-${k}`, 1);
 			const cone = start.areas?.[1] as Area;
-			const axis = turned([k === 0 ? 1 : 0, k === 1 ? 1 : 0, k === 2 ? 1 : 0], cone.rotation);
+			const axis = rotate([k === 0 ? 1 : 0, k === 1 ? 1 : 0, k === 2 ? 1 : 0], cone.rotation);
 			// The handle moves to its position after the rotation by 30° about the axis.
 			const half = Math.sin(Math.PI / 12);
 			const q = [axis[0] * half, axis[1] * half, axis[2] * half, Math.cos(Math.PI / 12)] as const;
 			const out = handle.at.map((value, i) => value - cone.centre[i]) as unknown as Triple;
-			const to = turned(out, q).map((value, i) => value + cone.centre[i]) as unknown as HandleVector;
+			const to = rotate(out, q).map((value, i) => value + cone.centre[i]) as unknown as HandleVector;
 			const turned30 = made(handle.pull(to));
 			close(handleOf(turned30, `turn-${k}`, 1).at, to);
 			expect(turned30.areas?.[1].centre).toEqual(cone.centre);
@@ -91,7 +91,7 @@ describe("edits of growth areas", () => {
 			[-80, 120, -45],
 			[0, 0, 90],
 		] as Triple[])
-			close(degreesOf(turnOf(degrees)), degrees);
+			close(degreesOf(rotationOf(degrees)), degrees);
 	});
 
 	it("leads the main branch by places, which it has from the areas at first", () => {
@@ -198,7 +198,7 @@ describe("the handles of an area", () => {
 	});
 
 	it("have an arc each where they turn, about the axis and through the handle", () => {
-		const turned = { ...box, areas: [{ ...(box.areas?.[0] as Area), rotation: turnOf([0, 30, 0]) }] };
+		const turned = { ...box, areas: [{ ...(box.areas?.[0] as Area), rotation: rotationOf([0, 30, 0]) }] };
 		const { handles, lines } = areaHandles(turned, { area: 0 });
 		expect(lines).toHaveLength(3);
 		for (const [k, { at }] of handles.filter(({ kind }) => kind === "turn").entries()) {

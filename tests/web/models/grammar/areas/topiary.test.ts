@@ -88,7 +88,7 @@ describe("a topiary follows its text", () => {
 		expect(new Set(both.belongs?.area)).toEqual(new Set([0, 1, 2]));
 		const one = await ofText((each) => each.replace("!in && e && a<areas", "!in && e && a<1"), { areas });
 		expect(new Set(one.belongs?.area)).toEqual(new Set([0, 1]));
-		expect(one.notes).toEqual([expect.stringContaining("Nothing grows in area 2")]);
+		expect(one.notes).toEqual([expect.stringContaining("grammar.area_not_reached")]);
 	});
 
 	it("grows out of its area if the text does not use it", async () => {

@@ -77,7 +77,7 @@ describe("handles of growth volumes", () => {
 			"Growth volume 1: x 1.0, z 2.0",
 			"Growth volume 2: x -3.0, z 0.0",
 			"Height of growth volume 2: 6.0 m",
-			"Lean of growth volume 2: 30°, towards 90°",
+			"Lean of growth volume 2: 30° towards 90°",
 			"Width at the base of growth volume 2: 3.0 m",
 			"Width in the middle of growth volume 2: 3.0 m",
 			"Width at the top of growth volume 2: 1.0 m",

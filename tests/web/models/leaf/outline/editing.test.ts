@@ -10,8 +10,8 @@ import {
 	scaleBar,
 	steadyFrame,
 } from "../../../../../web/src/models/leaf/outline/outline_frame";
-import { CROSSES, pointInWords } from "../../../../../web/src/models/leaf/outline/outline_words";
-import { MOST_POINTS, movePoint, type OutlinePoints } from "../../../../../web/src/models/leaf/outline/points";
+import { pointInWords } from "../../../../../web/src/models/leaf/outline/outline_words";
+import { MAX_POINTS, movePoint, type OutlinePoints } from "../../../../../web/src/models/leaf/outline/points";
 import { curveOf } from "../../../../../web/src/models/leaf/outline/spline";
 import { inserted, pressed } from "../../../../../web/src/models/leaf/outline/steps";
 import { leafFromPreset } from "../../../../../web/src/models/leaf/schema";
@@ -99,8 +99,8 @@ describe("a key", () => {
 	});
 
 	it("that is refused leaves the choice where it is", () => {
-		expect(inserted(oak, 6, SAME, { x: -0.5, y: 0.3 })).toEqual({ message: CROSSES });
-		const full = Array.from({ length: MOST_POINTS }, (_, i) => oak[i % oak.length]);
+		expect(inserted(oak, 6, SAME, { x: -0.5, y: 0.3 })).toEqual({ message: "The outline would cross itself" });
+		const full = Array.from({ length: MAX_POINTS }, (_, i) => oak[i % oak.length]);
 		expect(inserted(full, 6, SAME)).toEqual({ message: "There is no room for more points" });
 	});
 

@@ -8,7 +8,7 @@ import {
 	insertPoint,
 	isSymmetric,
 	KINDS,
-	MOST_POINTS,
+	MAX_POINTS,
 	madeSymmetric,
 	mirrorOf,
 	movePoint,
@@ -89,8 +89,8 @@ describe("editing an outline", () => {
 
 	it("never make more points than there may be", () => {
 		let points: readonly OutlinePoint[] = oak;
-		for (let times = 0; times < MOST_POINTS; times++) points = insertPoint(points, 1, { x: 0.1, y: 0.1 }, SAME);
-		expect(points.length).toBe(MOST_POINTS);
+		for (let times = 0; times < MAX_POINTS; times++) points = insertPoint(points, 1, { x: 0.1, y: 0.1 }, SAME);
+		expect(points.length).toBe(MAX_POINTS);
 	});
 
 	it("turn a point through all kinds", () => {
@@ -114,7 +114,7 @@ describe("editing an outline", () => {
 describe("an outline in a link", () => {
 	it("decodes every outline to itself", () => {
 		fc.assert(
-			fc.property(fc.array(arbitraryPoint, { maxLength: MOST_POINTS }), (points) => {
+			fc.property(fc.array(arbitraryPoint, { maxLength: MAX_POINTS }), (points) => {
 				expect(unpackOutline(packOutline(points))).toEqual(points);
 			}),
 		);

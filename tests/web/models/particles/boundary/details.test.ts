@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { MOST_KNOTS } from "../../../../../web/src/models/particles/boundary/details/profile";
+import { MAX_KNOTS } from "../../../../../web/src/models/particles/boundary/details/profile";
 import { TREE } from "../../../../../web/src/models/tree/schema";
 import { fromPreset } from "../../../../../web/src/specimen/from_preset";
 import { decodeLink, decodeQuery, encodeLink } from "../../../../../web/src/specimen/link";
@@ -46,10 +46,10 @@ describe("fields of a boundary beyond its numbers", () => {
 		const meshed = { ...oak, volume, parameters: { ...oak.parameters, shape } };
 		const warnings = (specimen: typeof meshed) =>
 			TREE.details.flatMap(({ unlinked }) => unlinked?.keep(specimen, fromPreset(TREE, specimen.preset)) ?? []);
-		expect(warnings(meshed)).toEqual([expect.stringContaining("download JSON or GLB to keep the mesh")]);
+		expect(warnings(meshed)).toEqual([expect.stringContaining("Download a JSON or GLB to keep yours")]);
 		expect(warnings({ ...oak, volume })).toEqual([]);
 		expect(notesOf("shape=mesh")).toEqual([
-			expect.stringMatching(/^mesh: none came along; links are too short for one/),
+			expect.stringMatching(/^mesh: The link does not contain a mesh\. Links cannot hold a mesh/),
 		]);
 		expect(notesOf("shape=box")).toEqual([]);
 		expect(restore(TREE, JSON.parse(JSON.stringify(writtenSpecimen(TREE, meshed)))).notes).toEqual([]);
@@ -59,7 +59,7 @@ describe("fields of a boundary beyond its numbers", () => {
 		const hollow = { points: [0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 0], triangles: [0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2] };
 		const hollowed = { ...oak, hollow };
 		const keep = TREE.details.flatMap(({ unlinked }) => unlinked?.keep(hollowed, fromPreset(TREE, "oak")) ?? []);
-		expect(keep).toEqual([expect.stringContaining("the outer one made smaller")]);
+		expect(keep).toEqual([expect.stringContaining("a smaller copy of the outer boundary")]);
 		const written = JSON.parse(JSON.stringify(writtenSpecimen(TREE, hollowed)));
 		expect(restore(TREE, written)).toEqual({ specimen: hollowed, notes: [] });
 		const { specimen, notes } = restore(TREE, { ...written, hollow: { points: [0, 0], triangles: [0] } });
@@ -75,7 +75,7 @@ describe("fields of a boundary beyond its numbers", () => {
 		expect(await decodeLink(TREE, "?v=2&model=tree&preset=bonsai")).toEqual({ specimen: bonsai, notes: [] });
 		expect(warnings(fromPreset(TREE, "bonsai"))).toEqual([]);
 		const volume = { points: [0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 0], triangles: [0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2] };
-		expect(warnings({ ...bonsai, volume })).toEqual([expect.stringContaining("in whose place it brings the preset's")]);
+		expect(warnings({ ...bonsai, volume })).toEqual([expect.stringContaining("it shows the preset’s mesh instead")]);
 	});
 
 	it("brings corners of an obstacle into order, and empty lists to nothing", () => {
@@ -84,13 +84,31 @@ describe("fields of a boundary beyond its numbers", () => {
 	});
 
 	it.each([
-		["profile=1,2", "profile: “1,2” is not at least 3 points like “0.5,0,1,0.4,0,1”; the preset's profile is used."],
-		["profile=1,0,a,1,0,1", "profile: “1,0,a,1,0,1” is not at least 3 points"],
-		["profile=9,0,1,0.5,0,1", "profile: radii lie from 0 to 3, heights from 0 to 1; points outside are brought in."],
-		["profile=1,0,1,0.7,1,0.4,0,1", "profile: heights must not fall; the points are put in order."],
-		["targets=1,2", "targets: “1,2” is not places like “0,0,0”; the preset's are used."],
-		["targets=1,2,500", "targets: farther than 100 m from the middle; they are brought in."],
-		["obstacles=1,2,3", "obstacles: “1,2,3” is not boxes like “1,0,-2,1.5,4,2”; the preset's are used."],
+		[
+			"profile=1,2",
+			"profile: “1,2” is not a valid profile. Write at least 3 points as pairs of numbers, radius and height, such as “0.5,0,1,0.4,0,1”. The profile of the preset is used instead.",
+		],
+		["profile=1,0,a,1,0,1", "profile: “1,0,a,1,0,1” is not a valid profile"],
+		[
+			"profile=9,0,1,0.5,0,1",
+			"profile: Radii must be from 0 to 3, and heights from 0 to 1. Values outside this range were moved to the nearest allowed value.",
+		],
+		[
+			"profile=1,0,1,0.7,1,0.4,0,1",
+			"profile: Heights must not decrease from point to point. The points were sorted by height.",
+		],
+		[
+			"targets=1,2",
+			"targets: “1,2” is not a list of positions like “0,0,0”. The values of the preset are used instead.",
+		],
+		[
+			"targets=1,2,500",
+			"targets: Some positions are more than 100 m from the centre. These positions were moved to the nearest allowed ones.",
+		],
+		[
+			"obstacles=1,2,3",
+			"obstacles: “1,2,3” is not a list of boxes like “1,0,-2,1.5,4,2”. The values of the preset are used instead.",
+		],
 	])("notes what it cannot use of %s", (query, note) => {
 		expect(notesOf(query)).toHaveLength(1);
 		expect(notesOf(query)[0]).toContain(note.slice(0, note.length));
@@ -112,7 +130,7 @@ describe("fields of a boundary beyond its numbers", () => {
 		const { specimen, notes } = read(`n=30&rounds=${list(3)}&obstacles=${list(15)}`);
 		expect([specimen.obstacles?.length, specimen.rounds?.length]).toEqual([6 * 15, 6]);
 		expect(notes.map(({ text }) => text)).toEqual([
-			"rounds: with the boxes of “obstacles” more than 16; the first 16 are used.",
+			"rounds: “obstacles” and “rounds” together have more than 16 entries. Only the first 16 entries are used.",
 		]);
 		expect(growBounded(await particlesCore(), TREE.table, specimen, { meshes: false }).counts.targets).toBe(1);
 		expect(read(`obstacles=${list(16)}&rounds=${list(1)}`).specimen).not.toHaveProperty("rounds");
@@ -135,12 +153,12 @@ describe("fields of a boundary beyond its numbers", () => {
 	});
 
 	it("takes no more points than it can hold, nor a mesh whose corners are not there", () => {
-		const many = Array.from({ length: MOST_KNOTS + 2 }, (_, i) => `1,${i / 40}`).join();
-		expect(read(`profile=${many}`).specimen.profile).toHaveLength(MOST_KNOTS);
+		const many = Array.from({ length: MAX_KNOTS + 2 }, (_, i) => `1,${i / 40}`).join();
+		expect(read(`profile=${many}`).specimen.profile).toHaveLength(MAX_KNOTS);
 		expect(notesOf(`profile=${many}`)[0]).toContain("more than 24 points");
 		const { specimen, notes } = restore(TREE, { model: "tree", volume: { points: [0, 0, 0], triangles: [0, 1, 2] } });
 		expect(specimen.volume).toBeUndefined();
-		expect(notes[0].text).toContain("is not a mesh of at most 4000 triangles");
+		expect(notes[0].text).toContain("is not a mesh of at most 4,000 triangles");
 		expect(restore(TREE, { model: "tree", volume: { points: [], triangles: [] } }).specimen.volume).toBeUndefined();
 	});
 });

@@ -162,7 +162,7 @@ describe("grips of a boundary", () => {
 		expect(by("a")).toBeUndefined();
 		expect(by("Delete")?.details?.profile).toHaveLength(6);
 		expect(pressed(gripOf(pose, "knot0"), { key: "Delete", shiftKey: false })).toBeUndefined();
-		expect(pressed(gripOf(pose, "knot2"), { key: "Delete", shiftKey: false })?.message).toBe("Point 3 taken out");
+		expect(pressed(gripOf(pose, "knot2"), { key: "Delete", shiftKey: false })?.message).toBe("Point 3 deleted");
 		expect(by("Insert")?.details?.profile).toHaveLength(8);
 		const bent = apply(TREE, specimen, gripOf(pose, "knot2").pull({ x: 1, y: 4 }));
 		expect(apply(TREE, bent, gripOf(poseOf(bent), "knot2").reset?.() ?? {}).profile).toEqual(specimen.profile);

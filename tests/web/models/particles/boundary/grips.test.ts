@@ -16,7 +16,7 @@ import { gripOf, root, tree } from "./particles";
 /** The specimens after each event of a drag. */
 function held<S extends BoundedSpecimen>(
 	layout: BoundaryLayout<S>,
-	species: ModelSchema<S>,
+	schema: ModelSchema<S>,
 	specimen: S,
 	id: string,
 	y: number,
@@ -25,7 +25,7 @@ function held<S extends BoundedSpecimen>(
 	let moved = specimen;
 	for (let i = 0; i < times; i++) {
 		const grip = gripOf(boundaryPose(layout, moved, moved), id);
-		moved = apply(species, moved, grip.pull({ x: grip.at.x, y }));
+		moved = apply(schema, moved, grip.pull({ x: grip.at.x, y }));
 	}
 	return moved;
 }

@@ -62,11 +62,11 @@ describe("targets", () => {
 			const specimen = model === "tree" ? tree(preset) : root(preset);
 			return { ...specimen, parameters: { ...specimen.parameters, particles: 50, ...more } };
 		};
-		for (const [layout, species, specimen] of [
+		for (const [layout, schema, specimen] of [
 			[treeLayout, TREE, small("tree", "twin", { stems: 3 })],
 			[rootLayout, ROOT, small("root", "tap", { stems: 4 })],
 		] as const) {
-			const { targets } = growBounded(core, species.table, specimen, { meshes: false });
+			const { targets } = growBounded(core, schema.table, specimen, { meshes: false });
 			const placed = (layout as typeof treeLayout).targets(specimen as never);
 			expect(placed).toHaveLength(targets.length);
 			for (const [i, value] of targets.entries()) expect(placed[i]).toBeCloseTo(value, 4);

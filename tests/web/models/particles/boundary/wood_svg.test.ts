@@ -69,7 +69,7 @@ describe("the models' SVG", () => {
 		const [format] = (model as typeof tree).formats;
 		expect([format.key, format.applies?.(plant)]).toEqual(["svg", true]);
 		const svg = (await format.make(plant, specimen, "link")) as string;
-		expect(svg).toContain(`<title>${(model as typeof tree).words(plant)}`);
+		expect(svg).toContain(`<title>${(model as typeof tree).summary(plant)}`);
 		const paths = [...svg.matchAll(/<path d="([^"]+)"\/>/g)];
 		expect(paths).toHaveLength(branchesOf(plant).length);
 		expect(paths.length).toBeGreaterThan(100);

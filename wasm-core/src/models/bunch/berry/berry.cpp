@@ -14,6 +14,7 @@ struct Meridian {
   float radius, slope;
 };
 
+// The radius of a grape at an angle from its tip, over that of a ball, and the radius's slope.
 Meridian meridian(float from_tip) {
   struct Feature {
     float height, width, at;
@@ -32,12 +33,13 @@ Meridian meridian(float from_tip) {
   return result;
 }
 
-// A parallel of the berry: radius and height, and the normal in the plane of a meridian.
+// A parallel of the berry: radius and height, the normal's parts outward and up, and the texture coordinate v (1 at the
+// tip, 0 at the seat).
 struct Parallel {
   float radius, height, normal_out, normal_up, v;
 };
 
-// `along` runs from the tip (0) to the seat (1). Parallels crowd towards the tip, where the dimple is.
+// The parallel at `along`, from the tip (0) to the seat (1). Parallels crowd towards the tip, where the dimple is.
 Parallel parallel_at(float along) {
   const float degrees = 180 * along * (0.32f + 0.68f * along);
   const SinCos angle = sincos_degrees(degrees);
@@ -48,8 +50,10 @@ Parallel parallel_at(float along) {
   return {m.radius * angle.sine, m.radius * angle.cosine, -up / length, out / length, 1 - degrees / 180};
 }
 
+// Collects the vertices and triangles of a mesh.
 class Builder {
  public:
+  // Reserves space for that many vertices and triangles.
   explicit Builder(std::uint32_t vertices, std::uint32_t triangles) {
     mesh_.positions.reserve(3 * vertices);
     mesh_.normals.reserve(3 * vertices);
@@ -57,12 +61,15 @@ class Builder {
     mesh_.indices.reserve(3 * triangles);
   }
 
+  // Adds the vertex of the parallel `p` at an angle about the axis of the berry; `u`: texture coordinate round the
+  // berry.
   void vertex(const Parallel& p, const SinCos& around, float u) {
     mesh_.positions.insert(mesh_.positions.end(), {p.radius * around.cosine, p.height, p.radius * around.sine});
     mesh_.normals.insert(mesh_.normals.end(), {p.normal_out * around.cosine, p.normal_up, p.normal_out * around.sine});
     mesh_.uvs.insert(mesh_.uvs.end(), {u, p.v});
   }
 
+  // Adds a triangle of three vertices.
   void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     mesh_.indices.insert(mesh_.indices.end(), {a, b, c});
   }
@@ -75,6 +82,8 @@ class Builder {
 
 }  // namespace
 
+// The mesh of one grape of radius 1 about the origin with its tip at +Y; all berries without a shape of their own share
+// it.
 Mesh make_berry(const BerryOptions& options) {
   const std::uint32_t segments = std::clamp(options.segments, 6u, 128u);
   const std::uint32_t parallels = segments * 3 / 4;

@@ -7,19 +7,21 @@
 #include "foundation/lanes.hpp"
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
+#include "foundation/rotation.hpp"
 #include "models/bunch/berry/wrinkles.hpp"
 
 namespace panicle::bunch {
 namespace {
 
+// The direction, a unit vector, of the pattern's vertex `i` from the berry's centre.
 glm::vec3 direction_of(const BerryPattern& pattern, std::size_t i) {
   return {pattern.directions[0][i], pattern.directions[1][i], pattern.directions[2][i]};
 }
 
-// The derivative of the skin's height along the sphere, by central differences.
+// The gradient of the skin's height over directions at the direction `e`, by central differences.
 glm::vec3 slope_of(const FruitSkin& skin, const glm::vec3& e) {
   constexpr float step = 4e-3f;
-  const glm::vec3 right = glm::normalize(std::fabs(e.y) < 0.9f ? glm::vec3(e.z, 0, -e.x) : glm::vec3(0, e.z, -e.y));
+  const glm::vec3 right = any_perpendicular(e);
   glm::vec3 slope(0);
   for (const glm::vec3& t : {right, glm::cross(e, right)}) {
     const float ahead = skin.height(glm::normalize(e + t * step));
@@ -29,18 +31,20 @@ glm::vec3 slope_of(const FruitSkin& skin, const glm::vec3& e) {
   return slope;
 }
 
-void put(GaugeTable& table, std::size_t i, float value, const glm::vec3& gradient) {
+// Stores the gauge (1 / distance to the surface) and its gradient for direction `i`.
+void set_entry(GaugeTable& table, std::size_t i, float value, const glm::vec3& gradient) {
   table.value[i] = value;
   table.x[i] = gradient.x;
   table.y[i] = gradient.y;
   table.z[i] = gradient.z;
 }
 
+// The values and slopes of a wrinkle field in all directions of the pattern.
 GaugeTable tabulate(const BerryPattern& pattern, const Wrinkles& wrinkles) {
   GaugeTable table(pattern.padded());
   for (std::size_t i = 0; i < pattern.padded(); ++i) {
     const Wrinkles::Value wrinkle = wrinkles.at(direction_of(pattern, i));
-    put(table, i, wrinkle.value, wrinkle.slope);
+    set_entry(table, i, wrinkle.value, wrinkle.slope);
   }
   return table;
 }
@@ -48,7 +52,8 @@ GaugeTable tabulate(const BerryPattern& pattern, const Wrinkles& wrinkles) {
 constexpr float deepest_bow = 0.75f;   // over the half-width
 constexpr float bow_at_middle = 0.8f;  // share of it; the ends move by the rest
 
-// The gauge in a direction, by Newton's method on the straight form's gauge of the point unbent.
+// The gauge, 1 / distance to the surface, of a form that is curved like a horn, and its gradient, in a direction.
+// Newton's method finds the distance at which the point, bent back to the straight form, is on its surface.
 BerryMeridian::Gauge gauge_of(const BentForm& form, const glm::vec3& direction) {
   const BerryMeridian::Gauge straight = form.meridian.gauge(direction);
   const float bow = deepest_bow * form.curve;
@@ -71,25 +76,31 @@ BerryMeridian::Gauge gauge_of(const BentForm& form, const glm::vec3& direction) 
 
 }  // namespace
 
+// By how much, as a factor, a curved berry reaches further than a straight one.
 float bow_reach(float curve) { return 1 + deepest_bow * bow_at_middle * curve; }
 
+// The gauge (1 / distance to the surface) and gradient of a berry without neighbours, in all directions of the pattern:
+// its form times the height of its skin.
 GaugeTable free_gauge(const BerryPattern& pattern, const BentForm& bent, const FruitSkin& skin) {
   GaugeTable table(pattern.padded());
   for (std::size_t i = 0; i < pattern.padded(); ++i) {
     const glm::vec3 e = direction_of(pattern, i);
     const BerryMeridian::Gauge form = gauge_of(bent, e);
     const float height = skin.height(e);
-    put(table, i, form.value / height, (form.gradient - slope_of(skin, e) * (form.value / height)) / height);
+    set_entry(table, i, form.value / height, (form.gradient - slope_of(skin, e) * (form.value / height)) / height);
   }
   return table;
 }
 
+// Tabulates four wrinkle fields: two fine ones for folds, two broad ones for their depth and for caved-in parts.
 Furrows::Furrows(const BerryPattern& pattern)
     : first_(tabulate(pattern, Wrinkles(0, 6))),
       second_(tabulate(pattern, Wrinkles(1, 6))),
       broad_(tabulate(pattern, Wrinkles(3, 2.4f))),
       other_broad_(tabulate(pattern, Wrinkles(4, 2.4f))) {}
 
+// Writes the gauge of a shrivelled berry into `result`: that of the fresh one, `free`, divided by the height that folds
+// and dents leave. `id` chooses the mixture of the fields; `shrivel`: 0 … 1.
 void Furrows::carve(const GaugeTable& free, std::uint32_t id, float shrivel, GaugeTable& result) const {
   constexpr float deepest = 0.24f, caved = 0.36f;  // over the distance from the centre
   constexpr float crest = 1.8f;                    // where the fold's back is flat

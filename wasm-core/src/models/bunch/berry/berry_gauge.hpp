@@ -15,6 +15,7 @@ namespace panicle::bunch {
 struct GaugeTable {
   std::vector<float> value, x, y, z;
 
+  // A table for `padded` directions, a multiple of four.
   explicit GaugeTable(std::size_t padded = 0) : value(padded), x(padded), y(padded), z(padded) {}
 };
 

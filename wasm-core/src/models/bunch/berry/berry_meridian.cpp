@@ -12,11 +12,12 @@ namespace {
 constexpr float sphere_volume = 4 * pi / 3;
 constexpr float flattest = 8;  // limit of radii of curvature: straight sides have infinite ones
 
-// A normal's place among the supports, 0 at the tip to 1 at the seat: cheap, and nearly even.
+// The place of a normal (outward, up) in the table of supports, 0 at the tip to 1 at the seat: cheap to compute, and
+// nearly even.
 float place_of(const glm::vec2& normal) { return 0.5f - 0.5f * normal.y / (normal.x + std::fabs(normal.y)); }
 
-// A bramble's fruit is always a blunt cone: the form's other settings do not apply.
-BerryForm shaped(const BerryForm& form) {
+// The form with the changes that its fruit brings: a bramble's is blunter and more conical.
+BerryForm with_fruit_shape(const BerryForm& form) {
   BerryForm result = form;
   if (form.fruit == Fruit::bramble) {
     result.taper = std::max(-1.0f, form.taper - 0.5f);
@@ -27,15 +28,18 @@ BerryForm shaped(const BerryForm& form) {
 
 }  // namespace
 
+// Prepares the profile across² + |x|^q = 1, where q grows with bluntness and x is the height moved by a projective map
+// that tapers the form.
 BerryMeridian::BerryMeridian(const BerryForm& form) {
-  const BerryForm own = shaped(form);
-  power_ = 2 + 3 * std::clamp(own.blunt, 0.0f, 1.0f);
-  shift_ = std::clamp(own.taper, -1.0f, 1.0f) / 3;
+  const BerryForm shape = with_fruit_shape(form);
+  power_ = 2 + 3 * std::clamp(shape.blunt, 0.0f, 1.0f);
+  shift_ = std::clamp(shape.taper, -1.0f, 1.0f) / 3;
   ball_ = power_ == 2 && shift_ == 0;
   volume_ = ball_ ? sphere_volume : sum_volume();
   if (!ball_) tabulate_supports();
 }
 
+// The gauge of the berry's form in a direction, 1 / distance to the surface, and its gradient.
 BerryMeridian::Gauge BerryMeridian::gauge(const glm::vec3& direction) const {
   if (ball_) return {1, direction};
   const float across = std::sqrt(direction.x * direction.x + direction.z * direction.z);
@@ -69,6 +73,8 @@ glm::vec2 BerryMeridian::point_at(float parameter, glm::vec2& normal) const {
   return {width, y};
 }
 
+// Tabulates, by the direction of the normal, the point of the profile where the surface faces that way and its two
+// radii of curvature (along the meridian and round the axis).
 void BerryMeridian::tabulate_supports() {
   constexpr std::size_t last = 128;
   constexpr int samples = 256;
@@ -94,6 +100,8 @@ void BerryMeridian::tabulate_supports() {
   for (; next <= last; ++next) supports_[next] = {{0, -1}, flattest, flattest};
 }
 
+// The furthest point of the form in the direction `normal` (outward, up), and the radii of curvature there;
+// interpolated in the table.
 BerryMeridian::Support BerryMeridian::support(const glm::vec2& normal) const {
   if (ball_) return {glm::normalize(normal), 1, 1};
   const float place = place_of(normal) * static_cast<float>(supports_.size() - 1);
@@ -105,7 +113,8 @@ BerryMeridian::Support BerryMeridian::support(const glm::vec2& normal) const {
           a.round + (b.round - a.round) * share};
 }
 
-// π ∫ across² dy, by the midpoints of 64 strips of x = sin a, where the integrand is smooth and flat at both ends.
+// The volume of the form, π ∫ across² dy, by the midpoints of 64 strips of x = sin a, where the integrand is smooth and
+// flat at both ends.
 float BerryMeridian::sum_volume() const {
   constexpr int strips = 64;
   float sum = 0;
@@ -118,6 +127,7 @@ float BerryMeridian::sum_volume() const {
   return pi * sum * (pi / strips);
 }
 
+// The volume of a berry of that form and half sizes, in the cube of their unit.
 float form_volume(const BerryForm& form, float half_width, float half_length) {
   return BerryMeridian(form).volume() * half_width * half_width * half_length;
 }

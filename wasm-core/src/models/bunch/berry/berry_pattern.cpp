@@ -11,13 +11,15 @@
 namespace panicle::bunch {
 namespace {
 
+// A ring of vertices round the berry's axis.
 struct Ring {
   float from_tip;  // degrees
   std::uint32_t segments;
   std::uint32_t first = 0;  // vertex
 };
 
-// Rings are even except near the tip and the seat, where scar and collar need detail: the scar ends at 6.3° (v 0.965).
+// The rings of a berry of so many meridians, from tip to seat. They are even except near the two ends, where scar and
+// collar need detail: the scar ends at 6.3° (v 0.965).
 std::vector<Ring> build_rings(std::uint32_t meridians) {
   constexpr float tip_rings[] = {3.2f, 6.3f, 11};
   constexpr float seat_rings[] = {169, 174.5f};
@@ -37,10 +39,12 @@ std::vector<Ring> build_rings(std::uint32_t meridians) {
   return rings;
 }
 
-class Layer {
+// Adds vertices and triangles to a pattern.
+class PatternBuilder {
  public:
-  explicit Layer(BerryPattern& pattern) : pattern_(pattern) {}
+  explicit PatternBuilder(BerryPattern& pattern) : pattern_(pattern) {}
 
+  // Adds the vertices of a ring; the first is repeated at the end, for the texture's seam.
   void ring(Ring& ring) {
     ring.first = pattern_.vertices;
     const SinCos from_tip = sincos_degrees(ring.from_tip);
@@ -52,7 +56,8 @@ class Layer {
     }
   }
 
-  // Adds a pole for each segment of the ring beside it, so that u stays within the segment at the pole.
+  // Adds a pole (y is 1 at the tip, −1 at the seat) once for each segment of the ring beside it, so that u stays within
+  // the segment. Returns the first one's index.
   std::uint32_t pole(float y, std::uint32_t segments) {
     const std::uint32_t first = pattern_.vertices;
     for (std::uint32_t i = 0; i < segments; ++i) {
@@ -65,12 +70,14 @@ class Layer {
     pattern_.indices.insert(pattern_.indices.end(), {a, b, c});
   }
 
+  // Adds the triangles between two neighbouring rings.
   void band(const Ring& upper, const Ring& lower) {
     strip_between(upper.first, upper.segments, lower.first, lower.segments,
                   [this](std::uint32_t a, std::uint32_t b, std::uint32_t c) { triangle(a, b, c); });
   }
 
  private:
+  // Adds a vertex in a direction from the centre, with texture coordinates.
   void vertex(const glm::vec3& direction, float u, float v) {
     for (int axis = 0; axis < 3; ++axis) pattern_.directions[axis].push_back(direction[axis]);
     pattern_.uvs.insert(pattern_.uvs.end(), {u, v});
@@ -80,8 +87,9 @@ class Layer {
   BerryPattern& pattern_;
 };
 
-// Weights of triangles and vertices in the volume of a surface about the centre.
-void weigh(BerryPattern& pattern) {
+// Computes the share of each triangle and vertex in the volume of a surface about the centre (triple product / 6), and
+// extends the arrays to a multiple of four.
+void compute_weights(BerryPattern& pattern) {
   pattern.shares.assign(pattern.vertices, 0);
   const auto direction = [&](std::uint32_t i) {
     return glm::vec3(pattern.directions[0][i], pattern.directions[1][i], pattern.directions[2][i]);
@@ -100,19 +108,21 @@ void weigh(BerryPattern& pattern) {
 
 }  // namespace
 
+// The directions and triangles that all berries of a bunch share; each berry then has distances of its own from its
+// centre.
 BerryPattern make_berry_pattern(std::uint32_t meridians) {
   BerryPattern pattern;
   std::vector<Ring> rings = build_rings(std::clamp(meridians, 8u, 320u));
-  Layer layer(pattern);
-  for (Ring& ring : rings) layer.ring(ring);
+  PatternBuilder builder(pattern);
+  for (Ring& ring : rings) builder.ring(ring);
   const Ring& first = rings.front();
   const Ring& last = rings.back();
-  const std::uint32_t tip = layer.pole(1, first.segments);
-  const std::uint32_t seat = layer.pole(-1, last.segments);
-  for (std::uint32_t i = 0; i < first.segments; ++i) layer.triangle(tip + i, first.first + i + 1, first.first + i);
-  for (std::size_t r = 1; r < rings.size(); ++r) layer.band(rings[r - 1], rings[r]);
-  for (std::uint32_t i = 0; i < last.segments; ++i) layer.triangle(seat + i, last.first + i, last.first + i + 1);
-  weigh(pattern);
+  const std::uint32_t tip = builder.pole(1, first.segments);
+  const std::uint32_t seat = builder.pole(-1, last.segments);
+  for (std::uint32_t i = 0; i < first.segments; ++i) builder.triangle(tip + i, first.first + i + 1, first.first + i);
+  for (std::size_t r = 1; r < rings.size(); ++r) builder.band(rings[r - 1], rings[r]);
+  for (std::uint32_t i = 0; i < last.segments; ++i) builder.triangle(seat + i, last.first + i, last.first + i + 1);
+  compute_weights(pattern);
   return pattern;
 }
 

@@ -11,6 +11,9 @@
 #include "stems/tube_writer.hpp"
 
 namespace panicle::bunch {
+
+// A pedicel is the stalk of one flower or berry.
+
 namespace {
 
 using Kind = FlowerPiece::Kind;
@@ -48,11 +51,12 @@ constexpr Tubing cap{cap_path, 6, green}, pedicel{pedicel_path, 3, green}, ovary
 constexpr Tubing petal_blade{petal_path, 4, petal, 0.05f}, sepal{sepal_path, 4, green, 0.12f};
 
 // Frame of one of several parts round the axis: `out` (away from the axis) and `sideways` span the ground.
-struct Stand {
+struct PartFrame {
   glm::vec3 out{1, 0, 0}, sideways{0, 0, 1};
 };
 
-Stand stand_of(std::uint64_t i, float count, float uneven) {
+// The frame of part `i` of `count` round the axis; `uneven`: degrees over `count` by which parts are off at random.
+PartFrame frame_of(std::uint64_t i, float count, float uneven) {
   constexpr std::uint64_t seed = 5;
   const SinCos angle =
       sincos_degrees((360 * static_cast<float>(i) + uneven * (random_unit(seed, 0, i) - 0.5f)) / count);
@@ -60,30 +64,30 @@ Stand stand_of(std::uint64_t i, float count, float uneven) {
 }
 
 // Builds closed tubes, a piece after the other: few sides and few rings, since there are hundreds of flowers.
-class Pieces {
+class FlowerBuilder {
  public:
   // Starts a piece: everything added from now on is of that kind.
-  void begin(Kind kind) { flower_.pieces.push_back({kind, vertices(), 0, indices(), 0}); }
+  void begin(Kind kind) { flower_.pieces.push_back({{vertices(), 0, indices(), 0}, kind}); }
 
-  // Adds a tube at `stand`, its path scaled and then moved by `from`.
-  void add(const Tubing& tubing, const Stand& stand = {}, float scale = 1, const Station& from = {}) {
+  // Adds a closed tube along its path, scaled and then moved by `from`, in the plane of `frame`.
+  void add(const Tubing& tubing, const PartFrame& frame = {}, float scale = 1, const Station& from = {}) {
     Tube tube;
     const std::span<const Station> path = tubing.path;
     std::vector<glm::vec3> middles;
     for (const Station& one : path)
-      middles.push_back(stand.out * (from.out + one.out * scale) + glm::vec3(0, from.up + one.up * scale, 0));
+      middles.push_back(frame.out * (from.out + one.out * scale) + glm::vec3(0, from.up + one.up * scale, 0));
     for (std::size_t i = 1; i + 1 < path.size(); ++i) {
       const glm::vec3 way = middles[i + 1] - middles[i - 1];
       const float length = glm::length(way), gain = (path[i + 1].radius - path[i - 1].radius) / length;
       Ring& ring = tube.rings.emplace_back();
       ring.centre = middles[i];
       ring.tangent = way / length;
-      const glm::vec3 forward = glm::cross(ring.tangent, stand.sideways) * tubing.flat;
+      const glm::vec3 forward = glm::cross(ring.tangent, frame.sideways) * tubing.flat;
       ring.radius = path[i].radius * tubing.flat;
       ring.slope = gain * tubing.flat;
-      ring.right = stand.sideways * path[i].radius;
+      ring.right = frame.sideways * path[i].radius;
       ring.forward = forward * path[i].radius;
-      ring.right_change = stand.sideways * gain;
+      ring.right_change = frame.sideways * gain;
       ring.forward_change = forward * gain;
       ring.round = false;
       ring.v = tubing.v;
@@ -96,9 +100,11 @@ class Pieces {
   FlowerMesh take() { return std::move(flower_); }
 
  private:
+  // The number of vertices and indices so far.
   std::uint32_t vertices() const { return static_cast<std::uint32_t>(flower_.mesh.uvs.size() / 2); }
   std::uint32_t indices() const { return static_cast<std::uint32_t>(flower_.mesh.indices.size()); }
 
+  // Writes a tube's mesh at the end of the flower's, as part of the current piece.
   void append(const Tube& tube, const Tubing& tubing) {
     StemMesh stem;
     const std::size_t rings = tube.rings.size();
@@ -125,47 +131,50 @@ struct Stamens {
   float count, length;
 };
 
+// The stamens of a fruit's flower.
 Stamens stamens_of(Fruit fruit) {
   constexpr Stamens all[] = {{5, 3.8f}, {5, 1.6f}, {22, 4.5f}, {7, 4}, {7, 4}, {5, 1.6f}};  // by the fruits' numbers
   return all[static_cast<std::size_t>(fruit)];
 }
 
 // Adds stamens: from below the ovary outwards and up, the anther across the end.
-void add_stamens(Pieces& pieces, const Stamens& stamens) {
+void add_stamens(FlowerBuilder& builder, const Stamens& stamens) {
   for (std::uint64_t i = 0; static_cast<float>(i) < stamens.count; ++i) {
-    const Stand stand = stand_of(i, stamens.count, 80);
+    const PartFrame frame = frame_of(i, stamens.count, 80);
     const float length = stamens.length * (0.85f + 0.3f * random_unit(5, 1, i));
-    pieces.add(stalk, stand, length, {1, -0.7f, 0});
-    pieces.add(head, stand, 1, {1 + 0.42f * length, 0.82f * length - 0.7f, 0});
+    builder.add(stalk, frame, length, {1, -0.7f, 0});
+    builder.add(head, frame, 1, {1 + 0.42f * length, 0.82f * length - 0.7f, 0});
   }
 }
 
-void add_five(Pieces& pieces, const Tubing& blade) {
-  for (std::uint64_t i = 0; i < 5; ++i) pieces.add(blade, stand_of(i, 5, 60));
+// Adds five petals or sepals round the axis.
+void add_whorl_of_five(FlowerBuilder& builder, const Tubing& blade) {
+  for (std::uint64_t i = 0; i < 5; ++i) builder.add(blade, frame_of(i, 5, 60));
 }
 
 }  // namespace
 
+// Makes the mesh of a flower of a fruit, in pieces by kind of organ.
 FlowerMesh make_flower(Fruit fruit) {
-  Pieces pieces;
-  pieces.begin(Kind::stamens);
-  pieces.add(style);
-  add_stamens(pieces, stamens_of(fruit));
+  FlowerBuilder builder;
+  builder.begin(Kind::stamens);
+  builder.add(style);
+  add_stamens(builder, stamens_of(fruit));
   if (fruit == Fruit::bramble) {
-    pieces.begin(Kind::petals);
-    add_five(pieces, petal_blade);
-    pieces.begin(Kind::calyx);
-    add_five(pieces, sepal);
-    return pieces.take();
+    builder.begin(Kind::petals);
+    add_whorl_of_five(builder, petal_blade);
+    builder.begin(Kind::calyx);
+    add_whorl_of_five(builder, sepal);
+    return builder.take();
   }
   if (fruit == Fruit::grape) {
-    pieces.begin(Kind::cap);
-    pieces.add(cap);
+    builder.begin(Kind::cap);
+    builder.add(cap);
   }
-  pieces.begin(Kind::pistil);
-  pieces.add(pedicel);
-  pieces.add(ovary);
-  return pieces.take();
+  builder.begin(Kind::pistil);
+  builder.add(pedicel);
+  builder.add(ovary);
+  return builder.take();
 }
 
 }  // namespace panicle::bunch

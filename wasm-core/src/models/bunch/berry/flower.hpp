@@ -9,8 +9,8 @@
 
 namespace panicle::bunch {
 
-// A contiguous run of the flower's mesh.
-struct FlowerPiece {
+// A part of the flower's mesh.
+struct FlowerPiece : MeshRange {
   enum class Kind : std::uint32_t {
     stamens = 0,  // filaments, anthers and the short style, about an ovary
     cap = 1,      // a grape's petals, grown together: they come off as one (calyptra)
@@ -19,8 +19,6 @@ struct FlowerPiece {
     calyx = 4,    // a bramble's sepals, bent back behind flower and fruit; about the seat, not the ovary
   };
   Kind kind = Kind::stamens;
-  std::uint32_t first_vertex = 0, vertex_count = 0;
-  std::uint32_t first_index = 0, index_count = 0;
 };
 
 // A flower about an ovary of unit radius at the origin, facing +Y; the ovary itself is the berry. u runs round; v is

@@ -23,6 +23,7 @@ struct Relief {
   float droop, curl;    // radians a midrib: down towards the tip, down towards either side
 };
 
+// The random shape in which a leaf bends: its folds, waves and droop, for a seed and how far it has opened and wilted.
 Relief relief_of(const LeafOptions& options) {
   const auto between = [&](std::uint64_t address, float low, float high) {
     return low + (high - low) * random_unit(options.seed, hash_text("leaf relief"), address);
@@ -42,6 +43,8 @@ Relief relief_of(const LeafOptions& options) {
   return relief;
 }
 
+// Raises a point of the flat leaf to its place in the bent one; lengths in midribs. `between`: 0 on a vein … 1 midway
+// between veins. The steps are puckers, waves of the margin, the fold along the midrib, then the two bends.
 glm::vec3 raise(const Relief& relief, const glm::vec2& flat, float between) {
   const float away = std::min(glm::length(flat), 1.5f);
   glm::vec3 point(relief.side * relief.breadth * flat.x, flat.y, 0);
@@ -58,6 +61,7 @@ glm::vec3 raise(const Relief& relief, const glm::vec2& flat, float between) {
 
 }  // namespace
 
+// The mesh of a leaf, bent from its flat outline; in midribs.
 Mesh make_leaf(const FlatLeaf& flat, const LeafOptions& options) {
   const Relief relief = relief_of(options);
   std::vector<glm::vec3> places;

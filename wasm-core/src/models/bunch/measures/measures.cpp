@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "foundation/mathematics.hpp"
 #include "models/bunch/measures/images/measures_compactness.hpp"
@@ -11,8 +10,12 @@
 #include "models/bunch/measures/measures.generated.hpp"
 #include "models/bunch/measures/measures_fit.hpp"
 #include "models/bunch/measures/measures_form.hpp"
+#include "plant/measures.hpp"
 
 namespace panicle::bunch {
+
+// A pedicel is the stalk of one flower or berry.
+
 namespace {
 
 constexpr float to_cubic_centimetres = 1e-3f;  // from mm³
@@ -21,35 +24,31 @@ constexpr float stem_density = 1.0f;
 
 constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
 
-class Table {
- public:
-  float& operator[](Measure key) { return values_[static_cast<std::size_t>(key)]; }
-  std::vector<float> take() { return std::move(values_); }
+using Table = Measures<Measure>;
 
- private:
-  std::vector<float> values_ = std::vector<float>(measure_count, nothing);
-};
+// A part over the whole; NaN, which means no measure, if the whole is 0.
+float ratio(float part, float whole) { return whole > 0 ? part / whole : nothing; }
 
-float over(float part, float whole) { return whole > 0 ? part / whole : nothing; }
-
+// Adds the measures of the fit to the outline: shares of both views together and of each. Without an outline the hull's
+// volume alone.
 void add_fit(Table& table, const Fitted& fitted) {
   const auto& [front, side, hull] = fitted;
   using enum Measure;
   if (front.outline + side.outline > 0) {
-    table[coverage] = over(front.covered + side.covered, front.outline + side.outline);
-    table[coverage_front] = over(front.covered, front.outline);
-    table[coverage_side] = over(side.covered, side.outline);
-    table[spill] = over(front.spilled + side.spilled, front.silhouette + side.silhouette);
-    table[spill_front] = over(front.spilled, front.silhouette);
-    table[spill_side] = over(side.spilled, side.silhouette);
+    table[coverage] = ratio(front.covered + side.covered, front.outline + side.outline);
+    table[coverage_front] = ratio(front.covered, front.outline);
+    table[coverage_side] = ratio(side.covered, side.outline);
+    table[spill] = ratio(front.spilled + side.spilled, front.silhouette + side.silhouette);
+    table[spill_front] = ratio(front.spilled, front.silhouette);
+    table[spill_side] = ratio(side.spilled, side.silhouette);
   }
   table[hull_volume] = hull * to_cubic_centimetres;
 }
 
 // The volume of stems as frustums of cones.
-float stem_volume(const std::vector<Stem>& stems) {
+float stem_volume(const std::vector<Segment>& stems) {
   float sum = 0;
-  for (const Stem& stem : stems) {
+  for (const Segment& stem : stems) {
     const glm::vec3 d = stem.end - stem.start;
     const float length = std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
     const float a = stem.radius, b = stem.radius_end;
@@ -58,6 +57,7 @@ float stem_volume(const std::vector<Stem>& stems) {
   return sum;
 }
 
+// Adds the measures of the bunch's and the berries' sizes and shapes.
 void add_sizes(Table& table, const Subject& subject, const GrownBunch& grown) {
   using enum Measure;
   const BunchForm form = bunch_form(subject);
@@ -77,6 +77,7 @@ void add_sizes(Table& table, const Subject& subject, const GrownBunch& grown) {
   table[pedicel_length] = means.pedicel;
 }
 
+// Adds volumes and weights, in cm³ and g. Reads `hull_volume` and `bunch_length`, which add_fit and add_sizes have set.
 void add_weights(Table& table, const Subject& subject) {
   using enum Measure;
   float volume = 0;
@@ -86,11 +87,12 @@ void add_weights(Table& table, const Subject& subject) {
   table[berry_volume] = volume;
   table[berry_weight] = weight / static_cast<float>(subject.berries.size());
   table[bunch_weight] = weight + stem_density * stem_volume(subject.stems) * to_cubic_centimetres;
-  table[fill_ratio] = over(volume, table[hull_volume]);
+  table[fill_ratio] = ratio(volume, table[hull_volume]);
   const float centimetres = table[bunch_length] / 10;
-  table[compactness] = over(table[bunch_weight], centimetres * centimetres);
+  table[compactness] = ratio(table[bunch_weight], centimetres * centimetres);
 }
 
+// Adds how visible and how close together the berries are.
 void add_closeness(Table& table, const Subject& subject) {
   using enum Measure;
   const Visibility seen = visibility(subject);
@@ -107,9 +109,10 @@ void add_closeness(Table& table, const Subject& subject) {
 
 }  // namespace
 
+// All measures of a bunch, in the order of the table; NaN for those that do not apply.
 std::vector<float> measure(const GrownBunch& grown, std::span<const HungEnvelope> envelopes) {
   using enum Measure;
-  Table table;
+  Table table(measure_count);
   const Subject subject(grown);
   table[berry_count] = static_cast<float>(grown.berries.size());
   if (!grown.internodes.empty()) table[peduncle_length] = length_of_peduncle(grown);

@@ -10,6 +10,9 @@
 #include "models/bunch/natural/peduncle.hpp"
 
 namespace panicle::bunch {
+
+// A pedicel is the stalk of one flower or berry.
+
 namespace {
 
 constexpr std::size_t slices = 48;    // of the bunch's height
@@ -21,6 +24,7 @@ constexpr float uniform_spread = 0.15f;  // of diameters
 // How far the berries of the first bunch extend from the rachis to the right, left, front and back, by height.
 class Reaches {
  public:
+  // Measures the height of all berries of the first bunch first, then the reach to the four sides in each slice of it.
   explicit Reaches(const Subject& subject) {
     for (std::size_t i = 0; i < subject.berries.size(); ++i)
       if (subject.first[i]) extend(subject.berries[i]);
@@ -45,7 +49,7 @@ class Reaches {
     return sum / static_cast<float>(count);
   }
 
-  // Whether a side has a branch that stands out from it, by two berries or more.
+  // Whether a side has a branch that stands out from it, by two berries or more. `berry`: a mean berry's width.
   bool winged(std::size_t side, float berry) const {
     std::array<float, slices> sorted = sides_[side];
     std::sort(sorted.begin(), sorted.end());
@@ -54,13 +58,15 @@ class Reaches {
   }
 
  private:
+  // Extends the height to a berry's outline.
   void extend(const BerryBody& berry) {
     const ProjectedBerry seen = project(berry, View{});
     low_ = std::min(low_, seen.centre.y - seen.half.y);
     high_ = std::max(high_, seen.centre.y + seen.half.y);
   }
 
-  // Every berry is extended by `more` at its top and bottom: gaps between neighbours are no waists.
+  // Extends the reach of the sides `side` (right) and `side` + 1 (left) of a view, in all slices that a berry's outline
+  // meets. Berries are made higher by `more` at top and bottom: gaps between neighbours are no waists.
   void add(const ProjectedBerry& seen, std::size_t side, float more) {
     const float slice = (high_ - low_) / slices, shrink = seen.half.y / (seen.half.y + more);
     for (std::size_t k = 0; k < slices; ++k) {
@@ -77,7 +83,8 @@ class Reaches {
   std::array<std::array<float, slices>, 4> sides_ = {};
 };
 
-// A funnel's middle is narrower than halfway between its upper and its lower width.
+// The shape of the bunch: 1 a cylinder, 2 a cone, 3 a funnel, whose middle is narrower than halfway between its upper
+// and lower width.
 float shape_of(const Reaches& reaches) {
   const float upper = reaches.width(0.1f, 0.35f), middle = reaches.width(0.35f, 0.65f),
               lower = reaches.width(0.65f, 0.9f);
@@ -85,6 +92,7 @@ float shape_of(const Reaches& reaches) {
   return middle < (upper + lower) / 2 - early * upper ? 3 : 2;
 }
 
+// The greatest width of the berries' silhouette over 16 horizontal directions.
 float greatest_width(const Subject& subject) {
   constexpr int directions = 16;
   float widest = 0;
@@ -104,6 +112,7 @@ float greatest_width(const Subject& subject) {
   return widest;
 }
 
+// The distance of two points.
 float length_between(const glm::vec3& a, const glm::vec3& b) {
   const glm::vec3 d = b - a;
   return std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
@@ -111,6 +120,8 @@ float length_between(const glm::vec3& a, const glm::vec3& b) {
 
 }  // namespace
 
+// Measures the form from the extent of the berries' outlines along the vertical and from their reach to each of four
+// sides.
 BunchForm bunch_form(const Subject& subject) {
   float low = std::numeric_limits<float>::max(), high = std::numeric_limits<float>::lowest();
   for (const BerryBody& berry : subject.berries) {
@@ -124,11 +135,13 @@ BunchForm bunch_form(const Subject& subject) {
   return {high - low, greatest_width(subject), shape_of(reaches), wings};
 }
 
+// The length from the top of the peduncle to the first branch, in millimetres.
 float length_of_peduncle(const GrownBunch& grown) {
   constexpr float millimetres = 1000;
   return millimetres * length_to_first_branch(grown.internodes);
 }
 
+// Means over all berries; `spread` is the standard deviation of the diameters over their mean.
 BerryMeans berry_means(const Subject& subject) {
   BerryMeans means;
   const auto count = static_cast<float>(subject.berries.size());
@@ -141,11 +154,12 @@ BerryMeans berry_means(const Subject& subject) {
     variance += off * off / count;
   }
   means.spread = std::sqrt(variance) / means.diameter;
-  for (const Stem& stem : subject.pedicels) means.pedicel += length_between(stem.start, stem.end);
+  for (const Segment& stem : subject.pedicels) means.pedicel += length_between(stem.start, stem.end);
   means.pedicel /= static_cast<float>(subject.pedicels.size());
   return means;
 }
 
+// The shape note of a berry, 1 … 10 (OIV descriptor 223), by its form and proportion.
 float berry_shape_note(const BerryForm& form, float length_over_width) {
   constexpr float tapered = 0.25f, blunt = 0.4f, finger = 2, horn = 0.4f;
   if (form.curve >= horn) return 9;
@@ -158,6 +172,7 @@ float berry_shape_note(const BerryForm& form, float length_over_width) {
   return length_over_width < 1.4f ? 3 : 4;
 }
 
+// The uniformity of berry sizes: 2 uniform, 1 not. `spread`: standard deviation over the mean.
 float uniformity_note(float spread) { return spread <= uniform_spread ? 2 : 1; }
 
 }  // namespace panicle::bunch

@@ -9,8 +9,8 @@ namespace {
 constexpr float millimetres = 1000;  // to a metre
 constexpr float unit_ball = 4 * pi / 3;
 
-// Which internodes are of the first bunch: they hang from the first root, and not from the second bunch's. Parents come
-// before their children.
+// Per internode, 1 if it is of the first bunch: it hangs from the first root, and not from the second bunch's. Parents
+// come before their children.
 std::vector<std::uint8_t> of_first_bunch(const GrownBunch& grown) {
   const std::vector<Internode>& internodes = grown.internodes;
   std::vector<std::uint8_t> first(internodes.size(), 0);
@@ -24,10 +24,13 @@ std::vector<std::uint8_t> of_first_bunch(const GrownBunch& grown) {
 
 }  // namespace
 
+// Collects the parts that are measured, in millimetres: stems, berries, their volumes, and which belong to the first
+// bunch.
 Subject::Subject(const GrownBunch& grown) {
-  for (const Internode& one : grown.internodes)
-    stems.push_back(
-        {millimetres * one.start, millimetres * one.end, millimetres * one.radius, millimetres * one.radius_end});
+  for (const Internode& one : grown.internodes) {
+    stems.push_back(one);
+    scale(stems.back(), millimetres);
+  }
   const std::vector<std::uint8_t> of_first = of_first_bunch(grown);
   const bool natural = grown.traits.size() == grown.berries.size();
   const float form = form_volume(grown.form, 1, 1);

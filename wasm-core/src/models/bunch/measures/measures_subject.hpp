@@ -8,12 +8,6 @@
 
 namespace panicle::bunch {
 
-// A stem, a berry's pedicel among others, in millimetres.
-struct Stem {
-  glm::vec3 start{0}, end{0};
-  float radius = 0, radius_end = 0;
-};
-
 struct Subject {
   explicit Subject(const GrownBunch& grown);
 
@@ -22,8 +16,8 @@ struct Subject {
   std::vector<float> balls;         // mm, the radius of the ball of that volume
   float mean_radius = 0;            // mean of these; 0 without berries
   std::vector<std::uint8_t> first;  // whether a berry is of the first bunch, and not of the wing
-  std::vector<Stem> stems;          // one an internode
-  std::vector<Stem> pedicels;       // those with a berry; as many as there are berries with a parent
+  std::vector<Segment> stems;       // one an internode
+  std::vector<Segment> pedicels;    // those with a berry; as many as there are berries with a parent
 };
 
 }  // namespace panicle::bunch

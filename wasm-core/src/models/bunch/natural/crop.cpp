@@ -9,10 +9,11 @@
 namespace panicle::bunch {
 namespace {
 
-constexpr float most_stand_ins = 0.3f;  // of a count
+constexpr float max_stand_ins = 0.3f;  // of a count
 
+// The elements of `values` at the indices `places`, in that order.
 template <class Value>
-std::vector<Value> picked(const std::vector<Value>& values, std::span<const std::size_t> places) {
+std::vector<Value> elements_at(const std::vector<Value>& values, std::span<const std::size_t> places) {
   std::vector<Value> some;
   some.reserve(places.size());
   for (const std::size_t place : places) some.push_back(values[place]);
@@ -33,15 +34,17 @@ void remove_unused_stand_ins(Crop& crop) {
   }
   std::vector<std::size_t> places;
   for (const std::uint32_t place : order_of(flowers)) places.push_back(remaining[place]);
-  crop.fruitlets = picked(crop.fruitlets, places);
-  crop.berries = picked(crop.berries, places);
-  crop.swollen.centres = picked(crop.swollen.centres, places);
-  crop.swollen.directions = picked(crop.swollen.directions, places);
-  crop.swollen.lost = picked(crop.swollen.lost, places);
+  crop.fruitlets = elements_at(crop.fruitlets, places);
+  crop.berries = elements_at(crop.berries, places);
+  crop.swollen.centres = elements_at(crop.swollen.centres, places);
+  crop.swollen.directions = elements_at(crop.swollen.directions, places);
+  crop.swollen.lost = elements_at(crop.swollen.lost, places);
 }
 
 }  // namespace
 
+// Chooses the flowers that set, those of the lowest ranks: `target.count` of them if a number is requested, otherwise
+// those below the rank `fill`. Too many for the limit are reduced, and the result's `full` is true.
 FruitSet set_fruit(std::span<const float> ranks, float fill, const CropTarget& target) {
   const std::vector<float> own(ranks.begin(), ranks.end());
   if (target.count > 0) return {choose_count(own, std::min(target.count, target.most)), false};
@@ -51,17 +54,21 @@ FruitSet set_fruit(std::span<const float> ranks, float fill, const CropTarget& t
   return {choose_count(own, target.most), true};
 }
 
+// The flowers that do not set, but may replace berries that find no room, in the order of their ranks: up to 30 % of a
+// requested count. Empty if no count is requested.
 std::vector<std::uint32_t> stand_ins(std::span<const float> ranks, std::span<const float> volumes,
                                      const CropTarget& target) {
   std::vector<std::uint32_t> in_turn;
   if (!(target.count > 0)) return in_turn;
   const auto most = static_cast<std::size_t>(
-      std::max(0.0f, std::min(most_stand_ins * target.count + 1, static_cast<float>(target.limit) - target.count)));
+      std::max(0.0f, std::min(max_stand_ins * target.count + 1, static_cast<float>(target.limit) - target.count)));
   for (const std::uint32_t i : setting_order(ranks))
     if (!(volumes[i] > 0) && in_turn.size() < most) in_turn.push_back(i);
   return in_turn;
 }
 
+// One fruitlet, a berry's target size, for each flower of `setting`. The mean width of the first `regular` ones is that
+// of the target.
 std::vector<Fruitlet> fruitlets_of(std::span<const std::uint32_t> setting, std::size_t regular,
                                    std::span<const float> volumes, std::span<const float> shares,
                                    std::span<const Flower> flowers, const CropTarget& target) {
@@ -80,6 +87,8 @@ std::vector<Fruitlet> fruitlets_of(std::span<const std::uint32_t> setting, std::
   return fruitlets;
 }
 
+// Chooses the flowers that set, by number or by density, adds stand-ins for berries that may find no room, and lets all
+// of them swell against each other. Stand-ins that were not needed are removed.
 Crop grow_crop(const Sprout& sprout, const Hanging& hanging, std::span<const Bud> buds, std::span<const float> shares,
                const CropTarget& target, std::span<const float> sizes) {
   Crop crop;

@@ -34,11 +34,15 @@ std::vector<std::int32_t> onwards_of(std::span<const Internode> internodes) {
 
 }  // namespace
 
+// The first internode of the organ to which `internode` belongs: an organ is drawn as a chain of internodes, of which
+// all but the first are joints.
 std::size_t beginning_of(std::span<const Internode> internodes, std::size_t internode) {
   while (internodes[internode].joint) internode = static_cast<std::size_t>(internodes[internode].parent);
   return internode;
 }
 
+// Makes a flower of each ball that the text draws, with its place in the hierarchy of axes. Balls from the index
+// `second_from` on are of the second bunch.
 std::vector<Flower> flowers_of(std::span<const Internode> internodes, std::span<const Ball> balls,
                                std::size_t second_from) {
   std::vector<std::uint64_t> addresses;
@@ -71,6 +75,7 @@ std::vector<Flower> flowers_of(std::span<const Internode> internodes, std::span<
   return flowers;
 }
 
+// The mean number of flowers on an end structure, the smallest group of flowers; 0 where there is none.
 float flowers_per_end(std::span<const Internode> internodes, std::span<const Flower> flowers) {
   const auto ends = std::count_if(internodes.begin(), internodes.end(),
                                   [](const Internode& one) { return one.kind == Kind::end && !one.joint; });

@@ -3,15 +3,20 @@
 #include <glm/geometric.hpp>
 
 namespace panicle::bunch {
+
+// The rachis is the main axis of the bunch.
+
 namespace {
 
-// How readily a branch's end moves against its start, for the full `bend`.
-float give_of(Kind kind) {
+// How far a branch's end moves under a push, as a share of the push, for the full `bend`: little for the rachis, more
+// for its axes.
+float flexibility_of(Kind kind) {
   constexpr float rachis = 0.1f, axis = 0.7f, end = 0.8f;
   return kind == Kind::rachis ? rachis : kind == Kind::axis ? axis : end;
 }
 
-// Per internode: whether it belongs to a stalk.
+// Per internode, 1 if it belongs to a stalk: a chain of internodes of pedicels that leads to flowers and has no
+// branching part.
 std::vector<std::uint8_t> stalks_of(std::span<const Internode> internodes, std::span<const Flower> flowers) {
   std::vector<std::uint8_t> leads(internodes.size(), 0), stalk(internodes.size(), 0);
   for (const Flower& flower : flowers) leads[static_cast<std::size_t>(flower.parent)] = 1;
@@ -31,6 +36,8 @@ std::vector<std::uint8_t> stalks_of(std::span<const Internode> internodes, std::
 
 }  // namespace
 
+// Divides the internodes into branches, which bend, and stalks, which hang from them. `bending`, 0 … 1: how readily
+// branches give way.
 Hanging hang(std::span<const Internode> internodes, std::span<const Flower> flowers, float bending) {
   const std::vector<std::uint8_t> stalk = stalks_of(internodes, flowers);
   Hanging hanging;
@@ -47,12 +54,14 @@ Hanging hang(std::span<const Internode> internodes, std::span<const Flower> flow
       hanging.branch_of[i] = static_cast<std::int32_t>(hanging.branches.size());
       const std::int32_t above = internode.parent < 0 ? -1 : hanging.branch_of[parent];
       hanging.branches.push_back({internode.start, internode.end, above, internode.radius,
-                                  give_of(internode.kind) * bending, internode.kind != Kind::rachis});
+                                  flexibility_of(internode.kind) * bending, internode.kind != Kind::rachis});
     }
   }
   return hanging;
 }
 
+// Makes a berry, ready to swell, of each fruitlet, on the branch from which its stalk grows. A stalk on no branch gets
+// a branch of length 0, added to `branches`.
 std::vector<Swelling> hang_berries(std::span<const Fruitlet> fruitlets, std::span<const Internode> internodes,
                                    std::span<const Flower> flowers, const Hanging& hanging,
                                    std::vector<Branch>& branches) {

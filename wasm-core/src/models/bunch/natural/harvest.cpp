@@ -11,7 +11,9 @@ namespace {
 
 constexpr float seat_depth = 0.96f;  // of a berry's half length, from its centre to where the pedicel ends
 
-void add(Harvest& harvest, std::uint32_t flower, const Flower& of, std::int32_t place, const BerryBody& body) {
+// Adds the berry or ovary of the flower with index `flower`. `place`: the internode it sits on; `body`: its shape,
+// millimetres. Its ball is the sphere of the same volume.
+void add_berry(Harvest& harvest, std::uint32_t flower, const Flower& of, std::int32_t place, const BerryBody& body) {
   const float ball = body.half_width * cube_root(body.half_length / body.half_width);
   harvest.berries.push_back(
       {body.centre * metres_per_millimetre, ball * metres_per_millimetre, body.direction, place, of.id, of.module});
@@ -21,6 +23,8 @@ void add(Harvest& harvest, std::uint32_t flower, const Flower& of, std::int32_t 
 
 }  // namespace
 
+// The state of each flower at `age` (0 … 125 percent of ripeness): berry, stub of a lost berry, flower that has not
+// fallen yet, or fallen. `size`: width of berries now over ripe ones.
 std::vector<FlowerOutcome> outcomes_of(const Crop& crop, std::span<const Flower> flowers, std::uint64_t seed, float age,
                                        float size) {
   std::vector<FlowerOutcome> outcomes(flowers.size());
@@ -36,6 +40,7 @@ std::vector<FlowerOutcome> outcomes_of(const Crop& crop, std::span<const Flower>
   return outcomes;
 }
 
+// Collects the berries that found room and the flowers at their places on the bent skeleton, and lists the lost ones.
 Harvest harvest(const Crop& crop, const Sprout& sprout, const Hanging& hanging, std::span<const FlowerOutcome> outcomes,
                 const BentSkeleton& bent, float size, float ripe_width) {
   Harvest harvest;
@@ -48,9 +53,9 @@ Harvest harvest(const Crop& crop, const Sprout& sprout, const Hanging& hanging, 
       harvest.thinned.push_back(
           {flower.id, swollen.lost[k], swollen.ends[crop.berries[k].branch] * metres_per_millimetre});
     else
-      add(harvest, fruitlet.flower, flower, place_of(flower),
-          {swollen.centres[k], swollen.directions[k], crop.half_width(k, size), crop.half_length(k, size), 0,
-           flower.id});
+      add_berry(harvest, fruitlet.flower, flower, place_of(flower),
+                {swollen.centres[k], swollen.directions[k], crop.half_width(k, size), crop.half_length(k, size), 0,
+                 flower.id});
   }
   const float half = ovary_width(ripe_width) / 2;
   for (std::uint32_t i = 0; i < outcomes.size(); ++i) {
@@ -58,7 +63,7 @@ Harvest harvest(const Crop& crop, const Sprout& sprout, const Hanging& hanging, 
     if (outcomes[i].state == FlowerState::flower) {
       const std::int32_t place = place_of(flower);
       const glm::vec3 end = bent.internodes[static_cast<std::size_t>(place)].end / metres_per_millimetre;
-      add(harvest, i, flower, place, {end + flower.heading * half, flower.heading, half, half, 0, flower.id});
+      add_berry(harvest, i, flower, place, {end + flower.heading * half, flower.heading, half, half, 0, flower.id});
     } else if (outcomes[i].state == FlowerState::fallen) {
       const std::int32_t from = hanging.stalk_from[static_cast<std::size_t>(flower.parent)];
       const Internode& first = sprout.internodes[static_cast<std::size_t>(from < 0 ? flower.parent : from)];

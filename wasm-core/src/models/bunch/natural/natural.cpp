@@ -11,6 +11,7 @@
 #include "models/bunch/derived_bunch.hpp"
 #include "models/bunch/foliage/foliage.hpp"
 #include "models/bunch/measures/measures.hpp"
+#include "models/bunch/messages.generated.hpp"
 #include "models/bunch/natural/berry_size.hpp"
 #include "models/bunch/natural/crop.hpp"
 #include "models/bunch/natural/harvest.hpp"
@@ -24,12 +25,16 @@
 #include "models/bunch/units.hpp"
 
 namespace panicle::bunch {
+
+// The peduncle is the stalk of the bunch.
+
 namespace {
 
 using enum Parameter;
 
 constexpr float count_met = 0.97f;  // share of a count; below it a note is added
 
+// The requested number, density and size of berries, and their greatest number by space and limits.
 CropTarget crop_target_for(const BunchRequest& request, const Values& values, const Limits& limits,
                            std::span<const NaturalPlan> plans) {
   CropTarget target;
@@ -46,6 +51,8 @@ CropTarget crop_target_for(const BunchRequest& request, const Values& values, co
   return target;
 }
 
+// Makes a bud of each flower. Its chance, of which the lowest set first, is the flower's turn over the fill that the
+// random gaps of its bunch give the place.
 std::vector<Bud> buds_of(std::span<const Flower> flowers, std::span<const Situation> situations, const Values& values,
                          std::uint64_t seed) {
   const auto gaps_for = [&](std::uint64_t own) { return Gaps(own, values[variability], values[size]); };
@@ -60,6 +67,7 @@ std::vector<Bud> buds_of(std::span<const Flower> flowers, std::span<const Situat
   return buds;
 }
 
+// Per flower, the width of its berry over the mean one.
 std::vector<float> shares_of(std::span<const Flower> flowers, std::span<const Situation> situations,
                              const Values& values, std::uint64_t seed) {
   const GrowthConditions nurture{values[spread] / 100, values[sunlight], values[vigour]};
@@ -107,6 +115,8 @@ std::uint32_t segments_for(std::span<const BerryBody> bodies) {
 // Ovaries are a millimetre wide, and there are hundreds: as few triangles as keep them round.
 constexpr std::uint32_t ovary_segments = 6;
 
+// The mesh of all berries, pressed against each other; metres. `segments` is the requested number round a berry; 0
+// chooses it by the berries' size in the picture.
 BerrySurfaces surfaces_of(std::span<const BerryBody> bodies, const BerryForm& form, std::uint32_t segments,
                           bool flowering) {
   BerryOptions options;
@@ -117,6 +127,7 @@ BerrySurfaces surfaces_of(std::span<const BerryBody> bodies, const BerryForm& fo
   return surfaces;
 }
 
+// Whether the bunch hangs from a cane, which leaves need too.
 bool on_cane(const Values& values) { return values[leaves] > 0 || values[cane] != 0; }
 
 // Adds the peduncle above the bent skeleton. Returns the internode at which the second bunch begins; -1 without one.
@@ -136,8 +147,7 @@ std::optional<Foliage> foliage_for(const BunchRequest& request, const Values& va
                                    std::span<const Internode> internodes, std::vector<std::string>& notes) {
   const auto leaf_count = static_cast<std::uint32_t>(values[leaves]);
   if (!on_cane(values)) return std::nullopt;
-  if (leaf_count > 0 && request.leaf.points.empty())
-    notes.emplace_back("The cane has no leaves: the request brings none to make them from.");
+  if (leaf_count > 0 && request.leaf.points.empty()) notes.push_back(message(messages::bunch::cane_without_leaves));
   float width = 0;
   for (std::size_t side = 0; side < 4; ++side)
     width = std::max(width, 2 * envelope.half_width(side, envelope.length() / 3));
@@ -145,6 +155,7 @@ std::optional<Foliage> foliage_for(const BunchRequest& request, const Values& va
   return grow_foliage({request.seed, leaf_count, true, values[age], foot, width * metres_per_millimetre, request.leaf});
 }
 
+// Adds the surfaces of the berries, one flower mesh where any is in bloom or the fruit is a bramble's, and the foliage.
 void add_meshes(GrownBunch& grown, const BunchRequest& request, const Values& values, const Envelope& envelope,
                 std::span<const BerryBody> bodies) {
   grown.surfaces = surfaces_of(bodies, grown.form, request.berry_segments, size_at(values[age]) <= size_at(0));
@@ -156,6 +167,7 @@ void add_meshes(GrownBunch& grown, const BunchRequest& request, const Values& va
   grown.foliage = foliage_for(request, values, envelope, grown.internodes, grown.notes);
 }
 
+// The measures of the grown bunch inside the outlines of its one or two bunches.
 std::vector<float> measures_of(const GrownBunch& grown, std::span<const BunchEnvelope> bounds) {
   std::vector<HungEnvelope> envelopes;
   for (const BunchEnvelope& bound : bounds) envelopes.push_back({bound.envelope, bound.stance});
@@ -164,57 +176,60 @@ std::vector<float> measures_of(const GrownBunch& grown, std::span<const BunchEnv
 
 // Adds a note if there are fewer berries than requested, or as many as allowed.
 void remark_crop(const Crop& crop, const CropTarget& target, std::size_t flowers, std::vector<std::string>& notes) {
-  if (crop.set.full)
-    notes.push_back("A bunch has " + std::to_string(target.limit) +
-                    " berries at the most; larger berries or a smaller profile fill the outline.");
+  if (crop.set.full) notes.push_back(message(messages::bunch::bunch_full, target.limit));
   const auto lost = std::count(crop.swollen.lost.begin(), crop.swollen.lost.end(), RemovalReason::no_room);
   const std::size_t found_room = crop.fruitlets.size() - static_cast<std::size_t>(lost);
   if (target.count == 0 || static_cast<float>(found_room) >= count_met * target.count || flowers == 0) return;
-  const std::string requested = std::to_string(static_cast<std::uint32_t>(target.count)) + " berries asked for";
+  const auto requested = static_cast<std::uint32_t>(target.count);
   if (static_cast<float>(flowers) < target.count)
-    notes.push_back("The grammar bears " + std::to_string(flowers) + " flowers, fewer than the " + requested + ".");
+    notes.push_back(message(messages::bunch::fewer_flowers_than_berries, flowers, requested));
   else
-    notes.push_back("Of the " + requested + " " + std::to_string(found_room) +
-                    " found room; smaller berries or a larger profile leave room for more.");
+    notes.push_back(message(messages::bunch::fewer_berries_fit, found_room, requested));
 }
 
-std::string_view outcome_text(RemovalReason why) {
+// The trace's words for the reason why a flower has no berry.
+const MessageCode<0>& outcome_of(RemovalReason why) {
   switch (why) {
     case RemovalReason::not_set:
-      return "; its flower did not set, for more flowers than berries were wanted";
+      return messages::bunch::trace_not_set;
     case RemovalReason::no_room:
-      return "; its berry was pressed harder than berries can be, and withered";
+      return messages::bunch::trace_no_room;
     case RemovalReason::outside:
-      return "; its berry could not be kept within the outline, and withered";
+      return messages::bunch::trace_outside;
     case RemovalReason::by_hand:
-      return "; its berry was taken off by hand";
+      break;
   }
-  return {};
+  return messages::bunch::trace_by_hand;
 }
 
 // Adds the outcome of each flower to the trace of its module.
 void trace_outcomes(lsystem::DerivationTrace& trace, std::span<const Flower> flowers, const Crop& crop,
                     const Harvest& hung) {
+  const auto add = [&](std::uint32_t module, const MessageCode<0>& outcome) {
+    trace.add_response(module, "; " + message(outcome).encoded());
+  };
   for (std::size_t k = 0; k < hung.berries.size(); ++k)
     if (const std::uint32_t module = hung.berries[k].module; module != no_module)
-      trace.add_response(module, crop.set.volumes[hung.flowers[k]] > 0 ? "; its flower set, and it bears the berry"
-                                                                       : "; its flower does not set");
+      add(module, crop.set.volumes[hung.flowers[k]] > 0 ? messages::bunch::trace_flower_sets
+                                                        : messages::bunch::trace_flower_fails);
   for (const Thinned& one : hung.thinned) {
     const auto flower =
         std::find_if(flowers.begin(), flowers.end(), [&](const Flower& each) { return each.id == one.id; });
-    if (flower != flowers.end() && flower->module != no_module)
-      trace.add_response(flower->module, outcome_text(one.why));
+    if (flower != flowers.end() && flower->module != no_module) add(flower->module, outcome_of(one.why));
   }
 }
 
 }  // namespace
 
+// Grows a bunch of the requested age, step by step: skeleton and flowers, the flowers that set, their swelling, the
+// bent skeleton, then traits, meshes and measures.
 Diagnostic grow_natural(const BunchRequest& request, const Values& values, const Limits& limits, GrownBunch& grown) {
   auto sprouted = sprout(request, values, limits, grown.notes);
   if (!sprouted) return sprouted.error();
   Sprout& bunch = sprouted.value();
   const std::span<const Flower> flowers = bunch.flowers;
 
+  // The crop: which flowers set, and how their berries swell against each other up to the age.
   const glm::vec3 sunward = towards_sun(values[sun], values[sun_height]);
   const std::vector<Situation> situations = situate(flowers, bunch.internodes, bunch.bounds, values[size], sunward);
   const CropTarget target = crop_target_for(request, values, limits, bunch.plans);
@@ -222,6 +237,7 @@ Diagnostic grow_natural(const BunchRequest& request, const Values& values, const
   const Crop crop = grow_crop(bunch, hanging, buds_of(flowers, situations, values, request.seed),
                               shares_of(flowers, situations, values, request.seed), target, sizes_until(values[age]));
 
+  // The bunch at its age: bent by the berries' weight, with its peduncle, its berries and their traits.
   const float size_now = size_at(values[age]);
   const std::vector<FlowerOutcome> outcomes = outcomes_of(crop, flowers, request.seed, values[age], size_now);
   BentSkeleton bent = bend_skeleton(bunch.internodes, flowers, hanging, outcomes, crop.swollen.ends, size_now);
@@ -230,6 +246,7 @@ Diagnostic grow_natural(const BunchRequest& request, const Values& values, const
   const Season season{values[age], values[sunlight], values[vigour], values[seeds]};
   grown.traits = ripen(hung, crop, flowers, situations, season, sunward, request.seed);
 
+  // The results, then meshes and measures of them.
   if (bunch.trace) {
     trace_outcomes(*bunch.trace, flowers, crop, hung);
     grown.trace = std::move(bunch.trace);

@@ -31,25 +31,27 @@ TextConstants constants_of(const lsystem::BoundProgram& text, const TextConstant
 struct NaturalPlan {
   Plan plan;  // the paper's counts, for display
   Envelope envelope;
-  float length = 0;   // of the rachis
-  float spacing = 0;  // between its nodes
-  float step = 0;     // between the nodes of a first-order axis
-  float stride = 0;   // between those of a second-order axis
-  float twig = 0, stalk = 0;
-  float girth = 0, fine = 0;  // widths of the rachis and of a pedicel
-  std::vector<float> arm;     // of each axis from the top; below 0 a raceme's single pedicel
-  std::vector<float> way;     // azimuth round the rachis, degrees
-  std::vector<float> aim;     // angle to the rachis
-  std::vector<float> node;    // number of its first node among the nodes of all axes, from 1
-  std::vector<float> beyond;  // of each node: how far beyond its twig an axis of second order may go
+  float length = 0;                // of the rachis
+  float spacing = 0;               // between its nodes
+  float first_order_spacing = 0;   // between the nodes of a first-order axis
+  float second_order_spacing = 0;  // between those of a second-order axis
+  float twig = 0, pedicel_length = 0;
+  float rachis_width = 0, pedicel_width = 0;
+  std::vector<float> arm = {};     // length of each first-order axis from the top; below 0 a raceme's single pedicel
+  std::vector<float> way = {};     // its azimuth round the rachis, degrees
+  std::vector<float> aim = {};     // its angle to the rachis
+  std::vector<float> node = {};    // number of its first node among the nodes of all axes, from 1
+  std::vector<float> beyond = {};  // of each node: how far beyond its twig an axis of second order may go
   float berries = 0;  // how many there are to be: as requested, or enough to fill the outline to the requested density
   float berry = 0;    // volume of one
   float room = 0;     // upper bound of the number of berries: somewhat more than the outline's volume
   bool overfull = false;  // whether the density would require more berries than allowed
 };
 
-// `start`: the azimuth of the first axis if all sides were alike; degrees.
-NaturalPlan make_natural_plan(const Profile& profile, const Values& values, float most_berries,
+// Plans a bunch from its outline and parameters: first the sizes of its parts, then how many berries are wanted and
+// have room, then the nodes, set closer step by step until there are enough flowers for the berries. `start`: the
+// azimuth of the first axis if all sides were alike; degrees.
+NaturalPlan make_natural_plan(const Profile& profile, const Values& values, float max_berries,
                               const TextConstants& text = {}, float start = 0);
 
 // The share of the outline's volume that berries of a density (OIV 204, 1 … 9) usually take; the start value of

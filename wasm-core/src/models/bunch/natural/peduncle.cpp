@@ -8,12 +8,15 @@
 #include "foundation/random.hpp"
 
 namespace panicle::bunch {
+
+// The peduncle is the stalk of the bunch.
+
 namespace {
 
-constexpr float shortest = 0.001f;                    // metres above p1, below which no peduncle is drawn
-constexpr float least_bow = 0.04f, most_bow = 0.14f;  // sideways offset of its upper end, over its length
-constexpr float least_node = 0.4f, most_node = 0.6f;  // height of its node, over its length from p1
-constexpr float half_node = 0.0022f;                  // metres
+constexpr float shortest = 0.001f;                   // metres above p1, below which no peduncle is drawn
+constexpr float least_bow = 0.04f, max_bow = 0.14f;  // sideways offset of its upper end, over its length
+constexpr float least_node = 0.4f, max_node = 0.6f;  // height of its node, over its length from p1
+constexpr float half_node = 0.0022f;                 // metres
 
 constexpr float slim = 0.0013f;         // metres: radius from which a rachis is thick enough
 constexpr std::int32_t node_piece = 2;  // the piece that ends at the node
@@ -26,6 +29,7 @@ struct Ring {
 
 }  // namespace
 
+// The length from the root to the first place at which an internode has more than one child, or none.
 float length_to_first_branch(const std::vector<Internode>& internodes) {
   std::vector<std::uint32_t> children(internodes.size(), 0);
   std::vector<std::size_t> child(internodes.size(), 0);
@@ -43,14 +47,18 @@ float length_to_first_branch(const std::vector<Internode>& internodes) {
   return length;
 }
 
+// Puts a peduncle, drawn as a few pieces between rings, above the root of the internodes, in metres; of `length` from
+// its upper end to the first branch, or with a `fork` to the root. Returns by how many places the indices of the
+// internodes have moved; 0 if there is nothing to add.
 std::int32_t add_peduncle(std::vector<Internode>& internodes, float length, std::uint64_t seed, const Fork& fork) {
+  // Length, bow, and the place of the node, where a second bunch forks off.
   const bool forks = fork.root >= 0;
   const float above = forks ? std::max(length, shortest) + fork.height : length - length_to_first_branch(internodes);
   if (internodes.empty() || above < shortest) return 0;
   const auto random_value = [seed](std::uint64_t which) { return random_unit(seed, hash_text("peduncle"), which); };
   const SinCos way = sincos_degrees(360 * random_value(0));
-  const float bow = above * (least_bow + (most_bow - least_bow) * random_value(1));
-  const float node = forks ? fork.height / above : least_node + (most_node - least_node) * random_value(2);
+  const float bow = above * (least_bow + (max_bow - least_bow) * random_value(1));
+  const float node = forks ? fork.height / above : least_node + (max_node - least_node) * random_value(2);
   const float half = std::min({half_node / above, 0.5f * node, 0.5f * (1 - node)});
   const SinCos off = sincos_degrees(360 * random_value(3));
   const Ring rings[] = {{1, 1.6f},    {1 - 0.3f * (1 - node), 1.35f}, {node + half, 1.28f},
@@ -77,6 +85,7 @@ std::int32_t add_peduncle(std::vector<Internode>& internodes, float length, std:
       stalk.push_back(piece);
     }
   }
+  // The bunch's own internodes come behind the peduncle's: at its end, or a second bunch at its node.
   const auto moved = static_cast<std::int32_t>(stalk.size());
   if (forks) internodes[static_cast<std::size_t>(fork.root)].start = stalk[node_piece].end;
   for (std::size_t i = 0; i < internodes.size(); ++i) {

@@ -15,6 +15,7 @@ inline float bunch_random_value(std::uint64_t seed, std::string_view stream, std
                                 std::uint32_t bunch) {
   return random_unit(bunch ? second_seed(seed) : seed, hash_text(stream), address);
 }
+// A random number, 0 … 1, of a flower for one purpose, named by `stream`.
 inline float random_value_of(const Flower& flower, std::uint64_t seed, std::string_view stream) {
   return bunch_random_value(seed, stream, flower.address, flower.bunch);
 }

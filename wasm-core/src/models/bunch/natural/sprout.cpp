@@ -7,6 +7,7 @@
 #include "foundation/random.hpp"
 #include "models/bunch/derived_bunch.hpp"
 #include "models/bunch/grammars.hpp"
+#include "models/bunch/messages.generated.hpp"
 #include "models/bunch/natural/individual.hpp"
 #include "models/bunch/natural/ripening.hpp"
 #include "models/bunch/natural/wing.hpp"
@@ -15,23 +16,28 @@
 #include "models/bunch/roles.hpp"
 
 namespace panicle::bunch {
+
+// The rachis is the main axis of the bunch.
+
 namespace {
 
-constexpr float wider_by = 1.15f, most_wider = 2;  // factor for nodes' distances, where the plan has too many flowers
-constexpr float farthest = 1e5f;                   // limit of coordinates, millimetres from p1
+constexpr float wider_by = 1.15f, max_wider = 2;  // factor for nodes' distances, where the plan has too many flowers
+constexpr float farthest = 1e5f;                  // limit of coordinates, millimetres from p1
 constexpr Parameter used_by_plan[] = {Parameter::wi};
 
 // A drawing that stops at the limit of flowers.
 class Inflorescence final : public SkeletonDrawing {
  public:
   using SkeletonDrawing::SkeletonDrawing;
+  // Called by the turtle, the drawing pen of the L-system, for each flower.
   void sphere(const lsystem::Turtle& turtle, float radius, const lsystem::Lineage& lineage) override {
-    if (within(balls.size(), limits().organs, "flowers")) SkeletonDrawing::sphere(turtle, radius, lineage);
+    if (within(balls.size(), limits().organs, messages::bunch::flower_limit))
+      SkeletonDrawing::sphere(turtle, radius, lineage);
   }
 };
 
-// The width of a wing's rachis over the first bunch's.
-float slender_of(float wing) { return 0.5f + 0.5f * wing; }
+// The width of a wing's rachis (the wing is the second bunch) over the first bunch's, for a wing of that size.
+float rachis_factor_for(float wing) { return 0.5f + 0.5f * wing; }
 
 // A planned bunch with its bound text, not drawn yet.
 struct PlannedBunch {
@@ -39,13 +45,15 @@ struct PlannedBunch {
   std::shared_ptr<const lsystem::BoundProgram> text;
 };
 
+// Plans and draws bunches with corrected assumptions about the text, until the plan agrees with the drawing.
 class SproutBuilder {
  public:
   SproutBuilder(const BunchRequest& request, const Values& values, const Limits& limits,
                 std::shared_ptr<const lsystem::Program> program)
       : request_(request), values_(values), limits_(limits), program_(std::move(program)) {}
 
-  // `slender`: the width of its rachis over the width that the berries require.
+  // Plans a bunch for a profile, its outline; again with the text's own constants if those differ from the assumed
+  // ones. `slender`: the width of its rachis over the width that the berries require.
   Result<PlannedBunch> plan_bunch(const Profile& profile, std::uint64_t seed, float slender) {
     auto planned = plan_once(profile, seed, slender);
     if (!planned) return planned;
@@ -61,16 +69,16 @@ class SproutBuilder {
         individual(values_.profile(), request_.seed, values_[Parameter::variability], values_[Parameter::count] > 0);
     Sprout sprout;
     sprout.profile = profile;
-    if (const Diagnostic trouble = draw_one(profile, request_.seed, 1, drawing, sprout, notes);
-        trouble.reason != Reason::none)
-      return trouble;
+    if (const Diagnostic error = draw_one(profile, request_.seed, 1, drawing, sprout, notes);
+        error.reason != Reason::none)
+      return error;
     const std::size_t second_from = drawing.attached_balls();
     if (values_[Parameter::wing] > 0) {
       sprout.second_root = static_cast<std::int32_t>(drawing.segments.size());
       const float wing = values_[Parameter::wing] * wing_share(request_.seed, values_[Parameter::variability]);
-      const Diagnostic trouble =
-          draw_one(scaled(profile, wing), second_seed(request_.seed), slender_of(wing), drawing, sprout, notes);
-      if (trouble.reason != Reason::none) return trouble;
+      const Diagnostic error =
+          draw_one(scaled(profile, wing), second_seed(request_.seed), rachis_factor_for(wing), drawing, sprout, notes);
+      if (error.reason != Reason::none) return error;
     }
     loose_balls_ = drawing.finish();
     sprout.internodes = std::move(drawing.internodes);
@@ -94,7 +102,7 @@ class SproutBuilder {
   // Puts nodes farther apart, for plans that drew more flowers than allowed. Returns false after a few times: a text
   // need not use the plan.
   bool widen_spacing() {
-    if (constants_.wider >= most_wider) return false;
+    if (constants_.wider >= max_wider) return false;
     constants_.wider *= wider_by;
     return true;
   }
@@ -103,10 +111,11 @@ class SproutBuilder {
   std::uint32_t loose_balls() const { return loose_balls_; }
 
  private:
+  // Plans a bunch with the assumed constants, and binds the text to the plan's values.
   Result<PlannedBunch> plan_once(const Profile& profile, std::uint64_t seed, float slender) const {
     const float start = 360 * random_unit(seed, hash_text("first axis"), 0);
     NaturalPlan plan = make_natural_plan(profile, values_, static_cast<float>(limits_.bodies), constants_, start);
-    plan.girth *= slender;
+    plan.rachis_width *= slender;
     auto text = lsystem::bind(program_, inputs_for(plan, profile, values_), limits_);
     if (!text) return text.error();
     return PlannedBunch{std::move(plan), std::move(text.value())};
@@ -127,14 +136,12 @@ class SproutBuilder {
   // Inserts the stalk between the peduncle and the second bunch.
   void insert_wing_stalk(Sprout& sprout, std::vector<Ball>& balls) const {
     const NaturalPlan &bunch = sprout.plans[0], &wing = sprout.plans[1];
-    std::vector<Internode> stalk = wing_stalk(stalk_of(wing, bunch), sprout.bounds[1].stance, bunch.girth, wing.girth);
+    std::vector<Internode> stalk =
+        wing_stalk(stalk_of(wing, bunch), sprout.bounds[1].stance, bunch.rachis_width, wing.rachis_width);
     const auto count = static_cast<std::int32_t>(stalk.size()), root = sprout.second_root;
     const float units = 1 / values_[Parameter::unit];
     for (Internode& piece : stalk) {
-      piece.start *= units;
-      piece.end *= units;
-      piece.radius *= units;
-      piece.radius_end *= units;
+      scale(piece, units);
       if (piece.parent >= 0) piece.parent += root;
     }
     std::vector<Internode>& all = sprout.internodes;
@@ -145,6 +152,8 @@ class SproutBuilder {
       if (ball.segment >= root) ball.segment += count;
   }
 
+  // Plans, derives and draws one bunch of the plant: the main bunch first, then the wing on its stalk. The trace is
+  // that of the main bunch.
   Diagnostic draw_one(const Profile& profile, std::uint64_t seed, float slender, SkeletonDrawing& drawing,
                       Sprout& sprout, std::vector<std::string>& notes) {
     auto planned = plan_bunch(profile, seed, slender);
@@ -170,8 +179,8 @@ class SproutBuilder {
     }
     lsystem::DerivationTrace* const trace = first && sprout.trace ? &*sprout.trace : nullptr;
     drawing.set_trace(trace);
-    const Diagnostic trouble = interpret(derived_bunch.value(), limits_, drawing, trace);
-    return trouble.reason == Reason::none ? drawing.trouble() : trouble;
+    const Diagnostic error = interpret(derived_bunch.value(), limits_, drawing, trace);
+    return error.reason == Reason::none ? drawing.trouble() : error;
   }
 
   const BunchRequest& request_;
@@ -182,22 +191,21 @@ class SproutBuilder {
   std::uint32_t loose_balls_ = 0;
 };
 
+// Converts internodes from the paper's unit, `unit` millimetres; an error if one is too far away.
 Diagnostic to_millimetres(std::vector<Internode>& internodes, float unit) {
   for (Internode& internode : internodes) {
-    internode.start *= unit;
-    internode.end *= unit;
-    internode.radius *= unit;
-    internode.radius_end *= unit;
+    scale(internode, unit);
     const glm::vec3& end = internode.end;
     if (!(std::abs(end.x) < farthest && std::abs(end.y) < farthest && std::abs(end.z) < farthest))
-      return {Reason::limit,
-              "The grammar draws farther than 100 m from where the bunch hangs; make its lengths smaller.", 0, 0};
+      return {Reason::limit, message(messages::bunch::too_far)};
   }
   return {};
 }
 
 }  // namespace
 
+// Draws the skeleton and flowers of all bunches of the plant. Draws again with wider spacing if there are too many
+// flowers, and once with the number of flowers that the first drawing had.
 Result<Sprout> sprout(const BunchRequest& request, const Values& values, const Limits& limits,
                       std::vector<std::string>& notes) {
   auto program = program_for(request, grammars::grape_bunch_4, limits);

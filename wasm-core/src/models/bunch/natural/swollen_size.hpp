@@ -25,7 +25,7 @@ inline SwollenSize swollen_size(const Swelling& berry, float scale) {
 }
 
 // Upper bound of the pairs that are looked at, per berry.
-inline constexpr std::size_t most_pairs = 64;
+inline constexpr std::size_t max_pairs = 64;
 
 // Square of a sine below which cores count as parallel.
 inline constexpr float parallel_cores = 1e-5f;

@@ -5,6 +5,8 @@
 
 namespace panicle::bunch {
 
+// Computes a berry's traits at the season's age: its stage by ripening.hpp, and the number of its seeds. The flower's
+// own random values decide how early it ripens.
 Traits traits_of(const RipeningInputs& berry, const Flower& flower, const Season& season, std::uint64_t seed) {
   const float random_value = random_value_of(flower, seed, "ripen");
   const Stage stage = stage_at(season.age, {berry.along, random_value, berry.exposure, season.sunlight, season.vigour});

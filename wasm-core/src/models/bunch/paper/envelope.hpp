@@ -15,6 +15,7 @@ struct Azimuth {
   std::size_t across = 0, along = 2;  // sides of the x axis and of the z axis
   float cosine = 1, sine = 0;         // parts along each, none below 0
 
+  // The side whose direction is nearer.
   std::size_t nearest() const { return cosine >= sine ? across : along; }
   // The mean of a value of the two sides, weighted by the squares of cosine and sine.
   template <class Of>

@@ -60,7 +60,7 @@ class PaperGrowth final : public SkeletonDrawing {
                   std::uint64_t address) const;
   const ReservedRoom* find_reserved(std::uint64_t address) const;
   std::string describe_room(const Room& room, const Newborn& newborn) const;
-  std::string describe_obstacle(const Sphere& probe, std::uint32_t except) const;
+  std::string describe_obstacle(const Sphere& probe, std::uint32_t except, bool turned) const;
 
   InteractionOptions options_;
   SphereGrid structure_;

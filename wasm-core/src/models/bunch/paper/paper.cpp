@@ -10,12 +10,16 @@
 #include "models/bunch/derived_bunch.hpp"
 #include "models/bunch/grammars.hpp"
 #include "models/bunch/measures/measures.hpp"
+#include "models/bunch/messages.generated.hpp"
 #include "models/bunch/paper/growth.hpp"
 #include "models/bunch/remarks.hpp"
 #include "models/bunch/shape.hpp"
 #include "models/bunch/units.hpp"
 
 namespace panicle::bunch {
+
+// The rachis is the main axis of the bunch.
+
 namespace {
 
 // The plan: one bunch, or two on one peduncle.
@@ -24,6 +28,7 @@ struct Planned {
   std::optional<DerivedBunch> second;
 };
 
+// Binds the L-system to the inputs of a shape, and derives its string.
 Result<DerivedBunch> derived_bunch_for(const Shape& shape, const Values& values,
                                        std::shared_ptr<const lsystem::Program> program, std::uint64_t seed,
                                        std::optional<std::uint32_t> steps, const Limits& limits) {
@@ -32,6 +37,7 @@ Result<DerivedBunch> derived_bunch_for(const Shape& shape, const Values& values,
   return derive_bunch(std::move(bound.value()), seed, steps, limits);
 }
 
+// Plans and derives the bunch of the paper, and a second, smaller one if `wing` is above 0.
 Result<Planned> plan_bunches(const BunchRequest& request, const Values& values, const Limits& limits,
                              GrownBunch& grown) {
   using enum Parameter;
@@ -60,38 +66,35 @@ Result<Planned> plan_bunches(const BunchRequest& request, const Values& values, 
 Diagnostic grow_bunch(const DerivedBunch& derived_bunch, const SymbolRoles& roles, const Limits& limits,
                       PaperGrowth& growth, bool second, lsystem::DerivationTrace* trace = nullptr) {
   growth.begin(*derived_bunch.bound, roles, second, derived_bunch.seed, derived_bunch.first_axis);
-  const Diagnostic trouble = interpret(derived_bunch, limits, growth, trace);
-  return trouble.reason == Reason::none ? growth.trouble() : trouble;
+  const Diagnostic error = interpret(derived_bunch, limits, growth, trace);
+  return error.reason == Reason::none ? growth.trouble() : error;
 }
 
 // Grows both bunches. The second bunch's rachis is placed first, for it would find no way through the first's berries;
 // the berries of both come later, as in nature. `second_from` becomes the number of the second's first berry.
 Diagnostic grow_bunches(const Planned& planned, const SymbolRoles& roles, const Limits& limits, PaperGrowth& growth,
                         lsystem::DerivationTrace* trace, std::size_t& second_from) {
-  Diagnostic trouble;
+  Diagnostic error;
   if (planned.second) {
     growth.begin_rachis_pass();
-    trouble = grow_bunch(*planned.second, roles, limits, growth, true);
+    error = grow_bunch(*planned.second, roles, limits, growth, true);
     growth.end_rachis_pass();
   }
   growth.set_trace(trace);
-  if (trouble.reason == Reason::none) trouble = grow_bunch(planned.first, roles, limits, growth, false, trace);
+  if (error.reason == Reason::none) error = grow_bunch(planned.first, roles, limits, growth, false, trace);
   second_from = growth.attached_balls();
-  if (trouble.reason == Reason::none && planned.second)
-    trouble = grow_bunch(*planned.second, roles, limits, growth, true);
-  return trouble;
+  if (error.reason == Reason::none && planned.second) error = grow_bunch(*planned.second, roles, limits, growth, true);
+  return error;
 }
 
-std::vector<Internode> in_metres(std::vector<Internode> internodes, float scale) {
-  for (Internode& internode : internodes) {
-    internode.start *= scale;
-    internode.end *= scale;
-    internode.radius *= scale;
-    internode.radius_end *= scale;
-  }
+// The internodes scaled by `metres`, the size of their unit.
+std::vector<Internode> in_metres(std::vector<Internode> internodes, float metres) {
+  for (Internode& internode : internodes) scale(internode, metres);
   return internodes;
 }
 
+// Makes the berries of balls, scaled from the grammar's unit to metres. Balls from `second_from` on are of the second
+// bunch, whose modules are not traced.
 std::vector<Berry> berries_of(std::span<const Ball> balls, std::size_t second_from, float scale) {
   std::vector<std::uint64_t> addresses;
   for (const Ball& ball : balls) addresses.push_back(ball.address);
@@ -116,6 +119,7 @@ float end_reach(const lsystem::BoundProgram& text, const Values& values) {
   return std::abs(stalk) + rate(rmin) + rate(rmax);
 }
 
+// The outlines of one or both bunches, with their stances; millimetres.
 std::vector<HungEnvelope> envelopes_of(const Planned& planned, const Values& values) {
   using enum Parameter;
   const Profile profile = values.profile();
@@ -128,6 +132,7 @@ std::vector<HungEnvelope> envelopes_of(const Planned& planned, const Values& val
 
 }  // namespace
 
+// Grows a bunch as in the paper: plan, derivation, drawing among the spheres of earlier parts, notes and measures.
 Diagnostic grow_paper(const BunchRequest& request, const Values& values, const Limits& limits, GrownBunch& grown) {
   using enum Parameter;
   const auto planned = plan_bunches(request, values, limits, grown);
@@ -142,15 +147,13 @@ Diagnostic grow_paper(const BunchRequest& request, const Values& values, const L
   grown.trace = std::move(traced.value());
   lsystem::DerivationTrace* const trace = grown.trace ? &*grown.trace : nullptr;
   std::size_t second_from = 0;
-  Diagnostic trouble = grow_bunches(planned.value(), roles, limits, growth, trace, second_from);
-  if (trouble.reason != Reason::none) return trouble;
+  Diagnostic error = grow_bunches(planned.value(), roles, limits, growth, trace, second_from);
+  if (error.reason != Reason::none) return error;
   const std::uint32_t loose = growth.finish();
 
   remark_text(text, values, "paper", {}, grown.notes);
   remark_drawn({growth.internodes.size(), growth.balls.size(), loose, growth.refused()}, grown.notes);
-  if (growth.rachis_cut)
-    grown.notes.push_back(
-        "The rachis found no room and ends early; smaller berries or thinner internodes leave it more.");
+  if (growth.rachis_cut) grown.notes.push_back(message(messages::bunch::rachis_ends_early));
   const float scale = values[unit] * metres_per_millimetre;
   grown.berries = berries_of(growth.balls, second_from, scale);
   grown.internodes = in_metres(std::move(growth.internodes), scale);

@@ -4,6 +4,9 @@
 
 namespace panicle::bunch {
 
+// A pedicel is the stalk of one flower or berry; the rachis is the main axis of the bunch.
+
+// Begins to draw a bunch: the roles of the text's symbols, its usual width, and the number of its first axis.
 void SkeletonDrawing::begin(const lsystem::BoundProgram& text, const SymbolRoles& roles, bool second,
                             std::int32_t first_axis) {
   Drawing::begin();
@@ -16,12 +19,15 @@ void SkeletonDrawing::begin(const lsystem::BoundProgram& text, const SymbolRoles
   answering_ = false;
 }
 
+// Removes all that has been drawn since `begin`.
 void SkeletonDrawing::erase() {
   segments.resize(first_segment_);
   parts_.resize(first_segment_);
   balls.resize(first_ball_);
 }
 
+// Called for a query module ?E(…) of the text: reads its parameters, lets `answer` change them, and stores the answer
+// for the lines that the module draws. Traces the query and the response if requested.
 void SkeletonDrawing::query(const lsystem::Turtle& turtle, std::span<float> parameters,
                             const lsystem::Lineage& lineage) {
   answering_ = false;
@@ -32,17 +38,22 @@ void SkeletonDrawing::query(const lsystem::Turtle& turtle, std::span<float> para
   const bool is_traced_here = is_traced(lineage);
   if (is_traced_here) trace_->add_response(lineage.module, "asked" + lsystem::numbers_text(parameters));
   answer_ = answer(question, turtle, parameters, lineage);
-  if (is_traced_here) trace_->add_response(lineage.module, " →" + lsystem::numbers_text(parameters) + answer_.why);
+  if (is_traced_here) {
+    trace_->add_response(lineage.module, " →" + lsystem::numbers_text(parameters));
+    if (!answer_.why.empty()) trace_->add_response(lineage.module, "; " + answer_.why);
+  }
   answering_ = true;
   query_address_ = lineage.address;
   ++questions_;
 }
 
+// The answer to a query: here the query's own values, for there is always room.
 SkeletonDrawing::Answer SkeletonDrawing::answer(const Question& question, const lsystem::Turtle&, std::span<float>,
                                                 const lsystem::Lineage&) {
   return {question.pedicel, false, question.width, {}};
 }
 
+// Draws a segment, and records its kind, axis and place in the rachis; the width may come from the answer to its query.
 void SkeletonDrawing::line(std::int32_t id, const lsystem::Turtle& before, const lsystem::Turtle& after,
                            const lsystem::Lineage& lineage) {
   Drawing::line(id, before, after, lineage);
@@ -99,11 +110,14 @@ void SkeletonDrawing::settle_pedicels() {
   }
 }
 
+// The number of balls that hang on a segment.
 std::size_t SkeletonDrawing::attached_balls() const {
   return static_cast<std::size_t>(
       std::count_if(balls.begin(), balls.end(), [](const Ball& ball) { return ball.segment >= 0; }));
 }
 
+// Settles which lines are pedicels, and makes the internodes. Removes balls that hang on nothing, and returns their
+// number.
 std::uint32_t SkeletonDrawing::finish() {
   const auto loose = std::erase_if(balls, [](const Ball& ball) { return ball.segment < 0; });
   settle_pedicels();
@@ -111,8 +125,7 @@ std::uint32_t SkeletonDrawing::finish() {
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const Segment& segment = segments[i];
     const Part& part = parts_[i];
-    internodes.push_back({segment.parent, part.kind, part.state, part.axis, segment.start, segment.end, segment.radius,
-                          segment.radius_end, part.joint, part.module});
+    internodes.push_back({segment, part.kind, part.state, part.axis, part.joint, part.module});
   }
   return static_cast<std::uint32_t>(loose);
 }

@@ -3,9 +3,11 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "expression/number_text.hpp"
+#include "models/flower/messages.generated.hpp"
 #include "models/flower/syntax/reader.hpp"
 
 namespace panicle::flower {
@@ -19,23 +21,22 @@ constexpr std::size_t longest_name = 40;
 
 }  // namespace
 
-// `#material 4 petal "c8102e" "f6d55c"`
+// Reads `#material 4 petal "c8102e" "f6d55c"` and the settings behind it.
 bool FlowerReader::material() {
-  static constexpr const char* advice =
-      "A material is a number, a kind and one or two colours: #material 4 petal \"c8102e\".";
   Material material;
   material.place = here();
   ++at_;
-  if (at_ >= end_ || tokens_[at_].kind != TokenKind::number) return wrong(here(), advice);
+  if (at_ >= end_ || tokens_[at_].kind != TokenKind::number)
+    return wrong(here(), message(messages::flower::material_syntax));
   const float number = tokens_[at_].number;
   if (!(number >= 0 && number <= most_material && std::floor(number) == number))
-    return wrong(here(), "A material's number is a whole number from 0 to 255.");
+    return wrong(here(), message(messages::flower::material_number_syntax));
   material.number = static_cast<std::uint32_t>(number);
   for (const Material& other : program_.materials)
-    if (other.number == material.number) return wrong(here(), "This number has a material already; take one out.");
+    if (other.number == material.number) return wrong(here(), message(messages::flower::material_twice));
   ++at_;
   if (!on_name() || std::find(material_kinds.begin(), material_kinds.end(), found()) == material_kinds.end())
-    return wrong(here(), "The kinds are stem, leaf, sepal, petal, stamen, pistil and seed; '%' is none.", {found()});
+    return wrong(here(), message(messages::flower::material_kind, found_text()));
   material.kind = std::string(found());
   ++at_;
   if (!colours(material.open)) return false;
@@ -46,41 +47,41 @@ bool FlowerReader::material() {
   return true;
 }
 
-// `margin "ffffff" 0.2 light 0.6`: each once, in any order.
+// Reads `margin "ffffff" 0.2 light 0.6`: each setting once, in any order.
 bool FlowerReader::material_settings(Material& material) {
-  static constexpr std::array<std::string_view, 7> setting_names = {"foot", "margin", "veins", "light",
-                                                                    "bud",  "wilted", "name"};
-  std::array<bool, setting_names.size()> is_set{};
+  using Read = bool (*)(FlowerReader&, Material&);
+  static constexpr expression::NamedReader<Read> settings[] = {
+      {"foot", [](FlowerReader& reader, Material& of) { return reader.share(of.foot, 1); }},
+      {"margin",
+       [](FlowerReader& reader, Material& of) { return reader.colour(of.margin) && reader.share(of.margin_width, 1); }},
+      {"veins", [](FlowerReader& reader, Material& of) { return reader.veins_of(of); }},
+      {"light", [](FlowerReader& reader, Material& of) { return reader.share(of.light, 1); }},
+      {"bud", [](FlowerReader& reader, Material& of) { return reader.colours(of.bud); }},
+      {"wilted", [](FlowerReader& reader, Material& of) { return reader.colours(of.wilted); }},
+      {"name", [](FlowerReader& reader, Material& of) { return reader.part_name(of.name); }}};
+  std::array<bool, std::size(settings)> is_set{};
   while (at_ < end_) {
-    const auto word = static_cast<std::size_t>(std::find(setting_names.begin(), setting_names.end(), found()) -
-                                               setting_names.begin());
-    if (!on_name() || word == setting_names.size())
-      return wrong(here(), "Of a material one can say foot, margin, veins, light, bud, wilted and name; '%' is none.",
-                   {found()});
-    if (is_set[word]) return wrong(here(), "% has been said already; take one out.", {found()});
-    is_set[word] = true;
+    const auto* const setting = find_named(settings);
+    if (setting == nullptr) return wrong(here(), message(messages::flower::material_setting, found_text()));
+    bool& was_set = is_set[static_cast<std::size_t>(setting - settings)];
+    if (was_set) return wrong(here(), message(messages::flower::set_twice, found()));
+    was_set = true;
     ++at_;
-    const bool fine = word == 0   ? share(material.foot, 1)
-                      : word == 1 ? colour(material.margin) && share(material.margin_width, 1)
-                      : word == 2 ? veins_of(material)
-                      : word == 3 ? share(material.light, 1)
-                      : word == 4 ? colours(material.bud)
-                      : word == 5 ? colours(material.wilted)
-                                  : part_name(material.name);
-    if (!fine) return false;
+    if (!setting->read(*this, material)) return false;
   }
   return true;
 }
 
-// `"8a1030" 9 0.5`, optionally followed by `feathered`.
+// Reads the colour, count and strength of veins, `"8a1030" 9 0.5`, optionally followed by `feathered`.
 bool FlowerReader::veins_of(Material& material) {
   if (!colour(material.veins) || !share(material.vein_count, most_veins) || !share(material.vein_strength, 1))
     return false;
-  material.feathered = on_name() && found() == "feathered";
+  material.feathered = on("feathered");
   at_ += material.feathered;
   return true;
 }
 
+// Reads a quoted name: up to 40 letters, digits, spaces, hyphens and commas, not beginning with a space.
 bool FlowerReader::part_name(std::string& name) {
   const auto plain = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == ' ' || c == '-' || c == ',';
@@ -88,8 +89,7 @@ bool FlowerReader::part_name(std::string& name) {
   if (at_ >= end_ || tokens_[at_].kind != TokenKind::quoted || tokens_[at_].text.empty() ||
       tokens_[at_].text.size() > longest_name || tokens_[at_].text.front() == ' ' ||
       !std::all_of(tokens_[at_].text.begin(), tokens_[at_].text.end(), plain))
-    return wrong(here(), "A name stands in quotes, of letters, digits, spaces, commas and hyphens, at most %.",
-                 {std::to_string(longest_name)});
+    return wrong(here(), message(messages::flower::part_name, longest_name));
   name = std::string(tokens_[at_++].text);
   return true;
 }
@@ -97,29 +97,29 @@ bool FlowerReader::part_name(std::string& name) {
 // Reads a number from 0 to `most`.
 bool FlowerReader::share(float& value, float most) {
   if (at_ >= end_ || tokens_[at_].kind != TokenKind::number || !(tokens_[at_].number <= most))
-    return wrong(here(), "A number from 0 to % stands here, not '%'.", {expression::number_text(most), found()});
+    return wrong(here(), message(messages::flower::number_up_to, expression::number_text(most), found_text()));
   value = tokens_[at_++].number;
   return true;
 }
 
-// One, or two: where an organ begins, and where it ends.
+// Reads one or two colours: where an organ begins, and where it ends.
 bool FlowerReader::colours(Colours& colours) {
   if (!colour(colours.base)) return false;
   colours.tip = colours.base;
   return at_ >= end_ || tokens_[at_].kind != TokenKind::quoted || colour(colours.tip);
 }
 
+// Reads a quoted colour of six hexadecimal digits: red, green and blue from the highest bits down.
 bool FlowerReader::colour(std::uint32_t& colour) {
-  static constexpr const char* advice = "A colour is six hexadecimal digits in quotes, such as \"c8102e\".";
   if (at_ >= end_ || tokens_[at_].kind != TokenKind::quoted || tokens_[at_].text.size() != 6)
-    return wrong(here(), advice);
+    return wrong(here(), message(messages::flower::colour_syntax));
   colour = 0;
   for (const char c : tokens_[at_].text) {
     const int digit = c >= '0' && c <= '9'   ? c - '0'
                       : c >= 'a' && c <= 'f' ? c - 'a' + 10
                       : c >= 'A' && c <= 'F' ? c - 'A' + 10
                                              : -1;
-    if (digit < 0) return wrong(here(), advice);
+    if (digit < 0) return wrong(here(), message(messages::flower::colour_syntax));
     colour = 16 * colour + static_cast<std::uint32_t>(digit);
   }
   return ++at_, true;

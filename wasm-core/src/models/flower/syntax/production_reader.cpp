@@ -2,7 +2,9 @@
 #include <string>
 #include <utility>
 
+#include "expression/messages.generated.hpp"
 #include "foundation/random.hpp"
+#include "models/flower/messages.generated.hpp"
 #include "models/flower/syntax/reader.hpp"
 
 namespace panicle::flower {
@@ -15,11 +17,8 @@ using expression::TokenKind;
 constexpr std::size_t most_locals = 64;
 constexpr std::uint64_t most_code = 1'000'000;
 
-constexpr const char* three_blocks =
-    "Three blocks stand here, {before} {condition} {after}, of which any may be empty.";
-
-// C1 → 1; 0 for another name.
-std::uint32_t side_of(std::string_view name) {
+// The number of a side face from its name, such as 1 for C1; 0 for another name.
+std::uint32_t side_number_of(std::string_view name) {
   if (name.size() < 2 || name.size() > 5 || name[0] != 'C') return 0;
   std::uint32_t side = 0;
   for (const char digit : name.substr(1)) {
@@ -29,17 +28,18 @@ std::uint32_t side_of(std::string_view name) {
   return side <= generalized_map::largest_order ? side : 0;
 }
 
+// Finds a face by its name: O the base, E the end, C1 … the sides. Returns false for another name.
 bool face_named(std::string_view name, Face& face) {
   if (name == "O") return face = generalized_map::base_face, true;
   if (name == "E") return face = generalized_map::end_face, true;
-  const std::uint32_t side = side_of(name);
+  const std::uint32_t side = side_number_of(name);
   if (side > 0) face = generalized_map::side(side);
   return side > 0;
 }
 
 }  // namespace
 
-// `p00 PREDECESSOR{…}{…}{…} -> …`: its own name may be in parentheses, or missing.
+// Reads `p00 PREDECESSOR{…}{…}{…} -> …`: its own name may be in parentheses, or missing.
 bool FlowerReader::production() {
   if (on_sign('(') && at_ + 2 < end_ && tokens_[at_ + 1].kind == TokenKind::name && tokens_[at_ + 2].is(')')) {
     at_ += 3;
@@ -51,7 +51,7 @@ bool FlowerReader::production() {
   production.number = static_cast<std::uint32_t>(program_.productions.size());
   production_key_ = hash_combine(hash_text("production"), next_key());
   if (!on_name())
-    return wrong(here(), "A production begins with a volume's name: STEM -> STEM[STEM]_{E}, not with '%'.", {found()});
+    return wrong(here(), message(messages::flower::production_start, "STEM -> STEM[STEM]_{E}", found_text()));
   if (!label_named(production.predecessor)) return false;
   locals_.clear();
   of_blocks_ = {};
@@ -61,64 +61,76 @@ bool FlowerReader::production() {
   if (on_sign(':')) {
     const bool blocked =
         given.before_end > given.before || given.condition_end > given.condition || given.after_end > given.after;
-    if (blocked)
-      return wrong(production.place, "What is glued is glued as soon as its faces are adjacent; take the blocks out.");
+    if (blocked) return wrong(production.place, message(messages::flower::glue_with_blocks));
     fine = glue(production);
   } else if (on_sign('-')) {
     fine = split(given, production);
   } else if (at_ < end_ && tokens_[at_].kind == TokenKind::arrow) {
     fine = grow(given, production);
   } else {
-    return wrong(here(), "An arrow is expected here, not '%'.", {found()});
+    return wrong(here(), message(messages::flower::arrow_expected, found_text()));
   }
   if (fine) program_.productions.push_back(std::move(production));
   return fine;
 }
 
-// All three, or none.
+// Reads the blocks before a production's arrow: all three, or none.
 bool FlowerReader::blocks(Blocks& blocks) {
   if (!on_sign('{')) return true;
   if (!block(blocks.before, blocks.before_end)) return false;
-  if (!on_sign('{')) return wrong(here(), three_blocks);
+  if (!on_sign('{')) return wrong(here(), message(messages::flower::three_blocks, "{before} {condition} {after}"));
   if (!block(blocks.condition, blocks.condition_end)) return false;
-  if (!on_sign('{')) return wrong(here(), three_blocks);
+  if (!on_sign('{')) return wrong(here(), message(messages::flower::three_blocks, "{before} {condition} {after}"));
   return block(blocks.after, blocks.after_end);
 }
 
+// Skips a block in braces; `begin` and `end` become the range of tokens in it.
 bool FlowerReader::block(std::size_t& begin, std::size_t& end) {
   const SourceLocation opened = here();
   begin = ++at_;
-  while (at_ < end_ && !tokens_[at_].is('}')) ++at_;
-  if (at_ == end_) return wrong(opened, "This { is never closed.");
+  at_ = find_outside("", at_, end_, [](const Token& token) { return token.is('}'); });
+  if (at_ == end_) return never_closed(opened, "{");
   end = at_++;
   return true;
 }
 
-// `name = expression;` any number of times.
-bool FlowerReader::assignments(std::size_t begin, std::size_t end) {
+// Calls `read(name, value_end)` for each assignment `name = value;` of a block, with `at_` at its value; `advice` is
+// the error message where there is none.
+template <class Read>
+bool FlowerReader::each_assignment(std::size_t begin, std::size_t end, const Message& advice, Read read) {
   const std::size_t behind = at_;
-  at_ = begin;
-  while (at_ < end) {
-    if (tokens_[at_].kind != TokenKind::name || !next_is(at_, '=') || at_ + 2 >= end)
-      return wrong(here(), "A block gives names their values, as in {w = 2 * step;}.");
-    const std::string_view name = found();
-    if (is_reserved(name)) return wrong(here(), "% has a meaning of its own and cannot be set.", {name});
+  for (at_ = begin; at_ < end;) {
+    if (tokens_[at_].kind != TokenKind::name || !next_is(at_, '=') || at_ + 2 >= end) return wrong(here(), advice);
+    const Token& name = tokens_[at_];
     at_ += 2;
-    std::size_t semicolon = at_;
-    while (semicolon < end && !tokens_[semicolon].is(';')) ++semicolon;
-    Number value;
-    Uses uses;
-    if (!number(semicolon, Scope::production, false, value, &uses)) return false;
-    of_blocks_.add(uses);
-    if (locals_.size() == most_locals) return fail(Reason::limit, here(), "A production sets at most 64 names.");
-    lowering_.assign(name, value.value.source);
-    locals_.push_back(name);
+    const std::size_t semicolon = find_outside("", at_, end, [](const Token& token) { return token.is(';'); });
+    if (!read(name, semicolon)) return false;
     at_ = std::min(end, semicolon + 1);
   }
   at_ = behind;
   return true;
 }
 
+// Reads the assignments of a production's block; each name may be used after it.
+bool FlowerReader::assignments(std::size_t begin, std::size_t end) {
+  return each_assignment(begin, end, message(messages::flower::block_syntax, "{w = 2 * step;}"),
+                         [this](const Token& name, std::size_t value_end) {
+                           if (is_reserved(name.text))
+                             return wrong(name.place, message(messages::flower::reserved_name, name.text));
+                           Number value;
+                           Uses uses;
+                           if (!number(value_end, Scope::production, false, value, &uses)) return false;
+                           of_blocks_.add(uses);
+                           if (locals_.size() == most_locals)
+                             return fail(Reason::limit, here(), message(messages::flower::too_many_names));
+                           lowering_.assign(name.text, value.value.source);
+                           locals_.push_back(name.text);
+                           return true;
+                         });
+}
+
+// Compiles a production's condition together with the block before it, whose names it may use. A condition that depends
+// on nothing but the step is marked, so that it is evaluated once a step.
 bool FlowerReader::condition_of(const Blocks& blocks, Production& production) {
   if (blocks.condition == blocks.condition_end) return true;
   lowering_.begin_production(formals_, production_key_);
@@ -134,8 +146,8 @@ bool FlowerReader::condition_of(const Blocks& blocks, Production& production) {
   return true;
 }
 
-// Compiles the blocks of a production for one use: its draws are the same each time, and independent of other
-// productions'.
+// Compiles the blocks of a production for one use: its random values are the same each time, and independent of those
+// of other productions.
 bool FlowerReader::both_blocks(const Blocks& blocks, const Production& production) {
   lowering_.begin_production(formals_, production_key_);
   locals_.clear();
@@ -152,7 +164,7 @@ bool FlowerReader::both_blocks(const Blocks& blocks, const Production& productio
   return assignments(blocks.after, blocks.after_end);
 }
 
-// `-> STEM[STEM(…)]_{E}[PETAL]_{C1, C2}`
+// Reads the successor of a growing production, `-> STEM[STEM(…)]_{E}[PETAL]_{C1, C2}`.
 bool FlowerReader::grow(const Blocks& blocks, Production& production) {
   ++at_;
   const SourceLocation place = here();
@@ -163,21 +175,20 @@ bool FlowerReader::grow(const Blocks& blocks, Production& production) {
     Description none;
     lowering_.begin_production(formals_, next_key());
     if (!description(forms_[root], Scope::production, none)) return false;
-    if (none.given != 0)
-      return wrong(list.place,
-                   "What has grown keeps its numbers; a volume before [ has none of its own. Leave them empty.");
+    if (none.given != 0) return wrong(list.place, message(messages::flower::predecessor_with_numbers));
   }
   if (root != production.predecessor) {
     production.becomes = root;
     renamed_.push_back({place.line, production.predecessor, root});
   }
   if (at_ == end_ && production.becomes == invalid)
-    return wrong(here(), "Nothing happens here; a volume grows in brackets, as in STEM -> STEM[STEM]_{E}.");
+    return wrong(here(), message(messages::flower::no_growth, "STEM -> STEM[STEM]_{E}"));
   while (on_sign('['))
     if (!growth(blocks, production)) return false;
   return true;
 }
 
+// Reads one growth of a successor: `[PETAL(…)]_{faces}`, or for a module `[&PETAL(…){settings}]_{faces}`.
 bool FlowerReader::growth(const Blocks& blocks, Production& production) {
   const SourceLocation opened = here();
   ++at_;
@@ -185,27 +196,21 @@ bool FlowerReader::growth(const Blocks& blocks, Production& production) {
   growth.number = program_.growths++;
   growth.module = on_sign('&');
   if (growth.module) ++at_;
-  if (!on_name()) return wrong(here(), "A volume's name is expected here, not '%'.", {found()});
+  if (!on_name()) return wrong(here(), message(messages::flower::volume_name_expected, found_text()));
   const std::size_t name = at_;
   if (is_unclosed(growth.module)) return false;
   if (growth.module) {
     growth.target = find_grammar(found());
     if (growth.target == invalid)
-      return fail(Reason::undefined, here(), "There is no module %; write one behind all else, under #module %.",
-                  {found(), found()});
+      return fail(Reason::undefined, here(), message(messages::flower::unknown_module, found()));
     ++at_;
   } else if (!label_named(growth.target)) {
     return false;
   }
   // The faces follow the numbers in the text and are evaluated before them.
   const std::size_t list = at_;
-  std::size_t open = 0;
-  while (at_ < end_ && (open > 0 || !tokens_[at_].is(']'))) {
-    open += tokens_[at_].is('(');
-    open -= tokens_[at_].is(')') && open > 0;
-    ++at_;
-  }
-  if (at_ == end_) return wrong(opened, "This [ is never closed.");
+  at_ = find_outside("(", at_, end_, [](const Token& token) { return token.is(']'); });
+  if (at_ == end_) return never_closed(opened, "[");
   const std::size_t closed = at_;
   ++at_;
   const std::uint32_t begin = lowering_.here();
@@ -218,14 +223,14 @@ bool FlowerReader::growth(const Blocks& blocks, Production& production) {
   const Form form = growth.module ? forms_of_modules_[growth.target] : forms_[growth.target];
   if (!description(form, Scope::production, growth.arguments)) return false;
   if (on_sign('{') && growth.module && !settings(growth)) return false;
-  if (at_ < end_) return wrong(here(), "'%' cannot stand here; ] is expected.", {found()});
+  if (at_ < end_) return wrong(here(), message(messages::expression::expected_sign, "]", found_text()));
   end_ = end;
   at_ = behind;
   production.growths.push_back(std::move(growth));
   return true;
 }
 
-// `A[A_{E}`: the text after the missing bracket was read as the end of the name.
+// Whether a growth lacks its closing bracket, as in `A[A_{E}`: then the text after it was read as the end of the name.
 bool FlowerReader::is_unclosed(bool module) {
   const std::string_view both = found();
   const std::size_t low = both.rfind('_');
@@ -240,56 +245,54 @@ bool FlowerReader::is_unclosed(bool module) {
   const bool opens_faces = behind.empty() && next_is(at_, '{');
   if (!(module && opens_faces) && !is_known(both.substr(0, low))) return false;
   if (!opens_faces && !face_named(behind, face)) return false;
-  wrong(here(), "A ] is missing before _%: write %]_{E}.", {behind.empty() ? "{" : behind, both.substr(0, low)});
+  const std::string faces = std::string("_").append(behind.empty() ? "{" : behind);
+  const std::string example = std::string(both.substr(0, low)).append("]_{E}");
+  wrong(here(), message(messages::flower::bracket_missing, faces, example));
   return true;
 }
 
-// `{len = 60; open = age}` after a module that is called
+// Reads the settings `{len = 60; open = age}` after a module that is called.
 bool FlowerReader::settings(GrowAction& growth) {
   std::size_t begin = 0, end = 0;
   if (!block(begin, end)) return false;
-  const std::size_t behind = at_;
   program_.grammars[growth.target].draws = true;
-  for (at_ = begin; at_ < end;) {
-    if (tokens_[at_].kind != TokenKind::name || !next_is(at_, '=') || at_ + 2 >= end)
-      return wrong(here(), "A module's variables are given their values here, as in &PETAL{len = 60}.");
-    Setting setting;
-    setting.variable = find_variable(found(), growth.target);
-    if (setting.variable == invalid || program_.variables[setting.variable].grammar != growth.target)
-      return fail(Reason::undefined, here(), "The module % has no variable %; add #define %=… to it.",
-                  {program_.grammars[growth.target].name, found(), found()});
-    for (const Setting& other : growth.settings)
-      if (other.variable == setting.variable)
-        return wrong(here(), "% has been given a value already; take one out.", {found()});
-    at_ += 2;
-    std::size_t semicolon = at_;
-    while (semicolon < end && !tokens_[semicolon].is(';')) ++semicolon;
-    const std::size_t first = at_;
-    Number number;
-    Uses uses;
-    if (!this->number(semicolon, Scope::production, false, number, &uses)) return false;
-    const bool of_blocks = uses.locals;
-    if (of_blocks) uses.add(of_blocks_);
-    uses.locals = false;
-    uses_of_variables_[setting.variable].add(uses);
-    calls_.emplace_back(setting.variable, of_blocks ? read_ : Statement{first, semicolon, grammar_});
-    setting.value = number.value;
-    growth.settings.push_back(setting);
-    at_ = std::min(end, semicolon + 1);
-  }
-  at_ = behind;
+  return each_assignment(begin, end, message(messages::flower::module_settings, "&PETAL{len = 60}"),
+                         [&](const Token& name, std::size_t value_end) { return setting(growth, name, value_end); });
+}
+
+// Reads and compiles the value that a call gives to a variable of its module, and records which other variables this
+// value depends on.
+bool FlowerReader::setting(GrowAction& growth, const Token& name, std::size_t value_end) {
+  Setting setting;
+  setting.variable = find_variable(name.text, growth.target);
+  if (setting.variable == invalid || program_.variables[setting.variable].grammar != growth.target)
+    return fail(Reason::undefined, name.place,
+                message(messages::flower::module_without_variable, program_.grammars[growth.target].name, name.text));
+  for (const Setting& other : growth.settings)
+    if (other.variable == setting.variable) return wrong(name.place, message(messages::flower::set_twice, name.text));
+  const std::size_t first = at_;
+  Number number;
+  Uses uses;
+  if (!this->number(value_end, Scope::production, false, number, &uses)) return false;
+  const bool of_blocks = uses.locals;
+  if (of_blocks) uses.add(of_blocks_);
+  uses.locals = false;
+  uses_of_variables_[setting.variable].add(uses);
+  calls_.emplace_back(setting.variable, of_blocks ? read_ : Statement{first, value_end, grammar_});
+  setting.value = number.value;
+  growth.settings.push_back(setting);
   return true;
 }
 
-// Blocks are written once and compiled for every face: the total code has a limit.
+// Whether the compiled code exceeds its limit: blocks are written once and compiled for every face.
 bool FlowerReader::too_much(const SourceLocation& place) {
   read_again_ += read_here_;
   if (lowering_.here() <= most_code && read_again_ <= most_code) return false;
-  fail(Reason::limit, place, "The blocks of this text are worked out in too many places; make them shorter.");
+  fail(Reason::limit, place, message(messages::flower::blocks_too_long));
   return true;
 }
 
-// `{E}`, `{C1, C4}`, or the same without braces.
+// Reads the faces of a growth: `{E}`, `{C1, C4}`, or the same without braces.
 bool FlowerReader::faces(GrowAction& growth) {
   const SourceLocation opened = here();
   const bool braces = on_sign('{');
@@ -299,33 +302,34 @@ bool FlowerReader::faces(GrowAction& growth) {
     if (!on_sign(',')) break;
     ++at_;
   }
-  if (braces && !on_sign('}')) return wrong(at_ < end_ ? here() : opened, "The faces end with a } here.");
+  if (braces && !on_sign('}'))
+    return wrong(at_ < end_ ? here() : opened, message(messages::expression::expected_sign, "}", found_text()));
   if (braces) ++at_;
   return true;
 }
 
+// Reads a face by name (O, E, C1 …) or by number, C(…).
 bool FlowerReader::face(FaceOf& face) {
-  static constexpr const char* advice =
-      "A face is O, E, C1, C2 and so on, or C(…) with a number that is worked out; '%' is none.";
   face.place = here();
-  if (!on_name()) return wrong(here(), advice, {found()});
+  if (!on_name()) return wrong(here(), message(messages::flower::face_syntax, found_text()));
   const std::string_view name = found();
   ++at_;
   if (name == "C" && opens(at_)) {
     ++at_;
-    std::size_t end = at_;
-    if (!entry_end(end)) return wrong(face.place, "This ( is never closed.");
+    const std::size_t end = entry_end();
+    if (end == end_) return never_closed(face.place);
     Number number;
     if (!this->number(end, Scope::production, true, number)) return false;
-    if (!expect(')', "A ) is expected here, not '%'.")) return false;
+    if (!expect(')')) return false;
     face.worked_out = true;
     face.source = number.value.source;
     return true;
   }
-  return face_named(name, face.face) || wrong(face.place, advice, {name});
+  return face_named(name, face.face) ||
+         wrong(face.place, message(messages::flower::face_syntax, message(messages::expression::term_quoted, name)));
 }
 
-// `VOL : VOL_C1 < VOL_C3 -> VOL_C1 | VOL_C3`
+// Reads a gluing production, `VOL : VOL_C1 < VOL_C3 -> VOL_C1 | VOL_C3`.
 bool FlowerReader::glue(Production& production) {
   production.kind = Production::Kind::glue;
   ++at_;
@@ -336,17 +340,16 @@ bool FlowerReader::glue(Production& production) {
     const SourceLocation place = places[i] = here();
     if (!label_with_face(labels[i], sides[i])) return false;
     if (i == 0 && labels[0] != production.predecessor)
-      return wrong(place, "The first face is one of % here, which stands before the colon.",
-                   {program_.labels[production.predecessor].name});
+      return wrong(place, message(messages::flower::glue_first_face, program_.labels[production.predecessor].name));
     if (i > 1 && (labels[i] != labels[i - 2] || sides[i] != sides[i - 2]))
-      return wrong(place, "Behind the arrow stand the same two faces, with | between them.");
-    if (i == 0 && !expect('<', "A < is expected here: two faces that are adjacent, as in A_C1 < A_C3.")) return false;
+      return wrong(place, message(messages::flower::glue_same_faces));
+    if (i == 0 && !expect('<', messages::flower::glue_syntax)) return false;
     if (i == 1) {
       if (!(at_ < end_ && tokens_[at_].kind == TokenKind::arrow))
-        return wrong(here(), "An arrow is expected here, not '%'.", {found()});
+        return wrong(here(), message(messages::flower::arrow_expected, found_text()));
       ++at_;
     }
-    if (i == 2 && !expect('|', "A | is expected here, between the faces that are glued.")) return false;
+    if (i == 2 && !expect('|')) return false;
   }
   production.face = sides[0];
   production.other = labels[1];
@@ -354,17 +357,16 @@ bool FlowerReader::glue(Production& production) {
   return true;
 }
 
-// `VOLA -E-> VOLB VOLC`
+// Reads a splitting production, `VOLA -E-> VOLB VOLC`.
 bool FlowerReader::split(const Blocks& blocks, Production& production) {
   production.kind = Production::Kind::split;
   ++at_;
   FaceOf where;
   if (!face(where)) return false;
-  if (where.worked_out)
-    return wrong(where.place, "What is split is split at a face that has a name: O, E, C1, C2 and so on.");
+  if (where.worked_out) return wrong(where.place, message(messages::flower::split_face));
   production.face = where.face;
   if (!(at_ < end_ && tokens_[at_].kind == TokenKind::arrow))
-    return wrong(here(), "An arrow is expected here, as in A -E-> B C.");
+    return wrong(here(), message(messages::flower::split_arrow));
   ++at_;
   const std::uint32_t begin = lowering_.here();
   if (!both_blocks(blocks, production) || too_much(where.place)) return false;
@@ -375,28 +377,25 @@ bool FlowerReader::split(const Blocks& blocks, Production& production) {
          description(forms_[production.part], Scope::production, production.part_description);
 }
 
-// `PETAL_C3`
+// Reads a label with a face, `PETAL_C3`.
 bool FlowerReader::label_with_face(std::uint32_t& label, Face& face) {
-  static constexpr const char* advice = "A volume and its face are expected here, as in PETAL_C3, not '%'.";
-  if (!on_name()) return wrong(here(), advice, {found()});
+  if (!on_name()) return wrong(here(), message(messages::flower::volume_and_face_expected, found_text()));
   const std::string_view both = found();
   const std::size_t low = both.rfind('_');
-  if (low == std::string_view::npos || low == 0 || low + 1 == both.size()) return wrong(here(), advice, {both});
+  if (low == std::string_view::npos || low == 0 || low + 1 == both.size())
+    return wrong(here(), message(messages::flower::volume_and_face_expected, found_text()));
   const std::string_view name = both.substr(0, low), of = both.substr(low + 1);
   label = find_label(name);
-  if (label == invalid)
-    return fail(Reason::undefined, here(), "Nothing says what '%' is; add #define %%.",
-                {name, name, numbers_of_volume});
-  if (!face_named(of, face)) return wrong(here(), advice, {both});
+  if (label == invalid) return fail(Reason::undefined, here(), message(messages::flower::undefined_volume, name));
+  if (!face_named(of, face)) return wrong(here(), message(messages::flower::volume_and_face_expected, found_text()));
   return ++at_, true;
 }
 
+// Reads the name of a volume that must be defined.
 bool FlowerReader::label_named(std::uint32_t& label) {
-  if (!on_name()) return wrong(here(), "A volume's name is expected here, not '%'.", {found()});
+  if (!on_name()) return wrong(here(), message(messages::flower::volume_name_expected, found_text()));
   label = find_label(found());
-  if (label == invalid)
-    return fail(Reason::undefined, here(), "Nothing says what '%' is; add #define %%.",
-                {found(), found(), numbers_of_volume});
+  if (label == invalid) return fail(Reason::undefined, here(), message(messages::flower::undefined_volume, found()));
   ++at_;
   return true;
 }
@@ -428,8 +427,8 @@ void FlowerReader::note_unreached() {
     // The call of an unused module may not be written yet.
     const bool called = label.grammar == 0 || reached[program_.grammars[label.grammar].axiom];
     if (called && !reached[production.predecessor])
-      program_.notes.push_back(expression::sentence("Line %: nothing grows a %, so this never comes about.",
-                                                    {std::to_string(production.place.line), label.name}));
+      program_.notes.push_back(message(messages::expression::at_line, production.place.line,
+                                       message(messages::flower::never_grown, label.name)));
   }
 }
 

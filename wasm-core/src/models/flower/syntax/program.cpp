@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "foundation/bytes.hpp"
+#include "models/flower/messages.generated.hpp"
 #include "models/flower/syntax/reader.hpp"
 #include "models/flower/text.hpp"
 
@@ -25,7 +26,7 @@ constexpr float degrees_a_radian = 57.2957795f, radians_a_degree = 0.0174532925f
 
 // Rewrites calls of Lua: math.abs(x) → abs(x), math.pi → 3.14…, math.sin(x) → sin(57.3*(x)), math.atan(x) →
 // (0.0175*atan(x)). RandomCallRewriter rewrites math.random; the expression reader refuses all other names.
-Tokens without_lua(const Tokens& tokens) {
+Tokens replace_lua_calls(const Tokens& tokens) {
   static constexpr std::string_view begins = "math.";
   const auto is_one_of = [](const auto& names, std::string_view name) {
     return std::find(std::begin(names), std::end(names), name) != std::end(names);
@@ -62,6 +63,7 @@ Tokens without_lua(const Tokens& tokens) {
     } else {
       out.push_back(token);
     }
+    // Closes the added parenthesis behind the call's own.
     if (!token.is(')') || depth == 0) continue;
     --depth;
     if (closes.empty() || closes.back() != depth) continue;
@@ -76,6 +78,7 @@ class RandomCallRewriter {
  public:
   explicit RandomCallRewriter(const Tokens& tokens) : tokens_(tokens) {}
 
+  // Returns the rewritten tokens, or the error of a call.
   Result<Tokens> rewritten() {
     while (at_ < tokens_.size()) {
       if (!tokens_[at_].is(random_number)) {
@@ -88,13 +91,14 @@ class RandomCallRewriter {
   }
 
  private:
+  // Fails with the advice on how to write a draw.
   bool wrong() {
-    trouble_ =
-        error_at(Reason::syntax, tokens_[at_].place,
-                 "A random number is drawn by math.random(from, to), with no other draw in what it is drawn from.");
+    trouble_ = error_at(Reason::syntax, tokens_[at_].place, message(messages::flower::random_syntax));
     return false;
   }
 
+  // Rewrites the call of math.random at `at_`. Returns false for draws among its limits, since a limit is written
+  // twice.
   bool rewrite_call() {
     const expression::SourceLocation place = tokens_[at_].place;
     const bool first = tokens_[at_].first_on_line;
@@ -153,29 +157,29 @@ class RandomCallRewriter {
 void sort_once_bound(Program& program, expression::Range all) {
   std::vector<std::uint32_t> owner(program.code.registers.size(), 0);
   for (const Variable& variable : program.variables) owner[variable.to] = variable.grammar;
-  std::vector<std::vector<std::uint32_t>> own(program.grammars.size());
+  std::vector<std::vector<std::uint32_t>> by_grammar(program.grammars.size());
   for (std::uint32_t at = all.begin; at < all.end; ++at) {
     const expression::Instruction& instruction = program.code.instructions[at];
     // No code uses the variables of two modules.
     const std::uint32_t grammar = std::max(owner[instruction.a], owner[instruction.b]);
     owner[instruction.out] = grammar;
-    own[grammar].push_back(at);
+    by_grammar[grammar].push_back(at);
   }
   expression::Code& code = program.code;
   std::vector<expression::Instruction> instructions;
   std::vector<expression::SourceLocation> places;
-  for (std::uint32_t g = 0; g < own.size(); ++g) {
+  for (std::uint32_t g = 0; g < by_grammar.size(); ++g) {
     expression::Range& range = program.grammars[g].once_bound;
     range.begin = all.begin + static_cast<std::uint32_t>(instructions.size());
-    for (const std::uint32_t at : own[g]) {
+    for (const std::uint32_t at : by_grammar[g]) {
       instructions.push_back(code.instructions[at]);
       places.push_back(code.places[at]);
     }
     range.end = all.begin + static_cast<std::uint32_t>(instructions.size());
   }
   for (Variable& variable : program.variables) {
-    const std::vector<std::uint32_t>& of = own[variable.grammar];
-    const auto before = std::lower_bound(of.begin(), of.end(), all.begin + variable.needs) - of.begin();
+    const std::vector<std::uint32_t>& indices = by_grammar[variable.grammar];
+    const auto before = std::lower_bound(indices.begin(), indices.end(), all.begin + variable.needs) - indices.begin();
     variable.needs = program.grammars[variable.grammar].once_bound.begin + static_cast<std::uint32_t>(before);
   }
   std::copy(instructions.begin(), instructions.end(), code.instructions.begin() + all.begin);
@@ -184,10 +188,12 @@ void sort_once_bound(Program& program, expression::Range all) {
 
 }  // namespace
 
+// The share of light that organs of a kind transmit.
 float light_through(std::string_view kind) {
   return kind == "petal" ? 0.5f : kind == "sepal" || kind == "leaf" ? 0.3f : 0;
 }
 
+// The memory that it holds, roughly.
 std::uint64_t Program::bytes() const {
   std::uint64_t bytes = bytes_of(grammars) + bytes_of(labels) + bytes_of(variables) + bytes_of(productions) +
                         bytes_of(materials) + bytes_of(structure_key) + bytes_of(notes) + bytes_of(code.instructions) +
@@ -200,20 +206,17 @@ std::uint64_t Program::bytes() const {
   return bytes;
 }
 
+// Reads a flower's text: tokens, calls of Lua, then statements, and sorts the compiled code.
 Result<Program> read_program(std::string_view text, const Limits& limits) {
-  if (text.size() > limits.text_bytes)
-    return error_at(Reason::limit, {}, "The text is longer than % bytes, which is the limit; make it shorter.",
-                    {std::to_string(limits.text_bytes)});
+  if (Diagnostic error = expression::check_length(text, limits); error.reason != Reason::none) return error;
   const auto cleaned = without_comments(text);
   if (!cleaned) return cleaned.error();
   const auto written = expression::tokenize(cleaned.value(), expression::Writing::rules);
   if (!written) return written.error();
-  const Tokens ours = without_lua(written.value());
+  const Tokens ours = replace_lua_calls(written.value());
   const auto tokens = RandomCallRewriter(ours).rewritten();
   if (!tokens) return tokens.error();
-  if (tokens->empty())
-    return error_at(Reason::syntax, {1, 1},
-                    "The text is empty; begin with #define STEM(8, 0, 0, 0, 1, 1, 1, 1) and #axiom: STEM.");
+  if (tokens->empty()) return error_at(Reason::syntax, {1, 1}, message(messages::flower::text_empty));
   Program program;
   expression::Lowering lowering(program.code);
   FlowerReader reader(tokens.value(), program, lowering);

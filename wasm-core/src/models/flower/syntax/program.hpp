@@ -51,6 +51,7 @@ inline constexpr std::array<std::string_view, words> word_names = {"step", "fina
 // The first of these words are reserved; the others are hidden by variables of the same name, as a volume's numbers
 // are.
 inline constexpr std::size_t reserved_words = 4;
+// Whether a name is a word of the language.
 inline bool is_reserved(std::string_view name) {
   return std::find(word_names.begin(), word_names.begin() + reserved_words, name) !=
          word_names.begin() + reserved_words;
@@ -70,6 +71,7 @@ struct Description {
   expression::SourceLocation place;
   std::array<expression::SourceLocation, fields> places{};  // of given fields
 
+  // Whether a field was given.
   bool has(Field field) const { return (given >> static_cast<std::uint32_t>(field) & 1) != 0; }
 };
 

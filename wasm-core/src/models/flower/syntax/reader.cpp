@@ -3,8 +3,10 @@
 #include <algorithm>
 
 #include "expression/dialect_hints.hpp"
+#include "expression/messages.generated.hpp"
 #include "expression/number_text.hpp"
 #include "foundation/random.hpp"
+#include "models/flower/messages.generated.hpp"
 
 namespace panicle::flower {
 namespace {
@@ -17,13 +19,20 @@ using expression::TokenKind;
 
 constexpr std::size_t most_labels = 4000, most_modules = 256;
 constexpr std::string_view final_step = "finalStep";
-constexpr const char* directives =
-    "A line with # is #define NAME(…), #define name=…, #axiom: NAME, #module NAME or #material; '%' is none of these.";
+// A statement continues in the next line where something has to follow.
+constexpr expression::StatementSyntax syntax{"([{", [](const Token& last, const Token& next) {
+                                               return !next.is('#') &&
+                                                      (last.kind == TokenKind::arrow || next.kind == TokenKind::arrow ||
+                                                       last.is(',') || last.is('|') || last.is('<') || last.is(':') ||
+                                                       next.is('[') || next.is('{') || next.is(':') || next.is('|'));
+                                             }};
 
+// Whether a token is the word `axiom`, in English or in the French of the thesis.
 bool is_axiom(const Token& token) { return token.is("axiom") || token.is("axiome"); }
 
 }  // namespace
 
+// Adds the dependencies of another expression.
 void FlowerReader::Uses::add(const Uses& other) {
   variables |= other.variables;
   age |= other.age;
@@ -32,12 +41,15 @@ void FlowerReader::Uses::add(const Uses& other) {
   draws |= other.draws;
 }
 
+// Prepares reading; the names of fields and words become formal parameters of all expressions.
 FlowerReader::FlowerReader(std::span<const Token> tokens, Program& program, expression::Lowering& lowering)
-    : TokenReader(tokens), program_(program), lowering_(lowering), figures_(tokens.size(), Figure::unread) {
+    : StatementReader(tokens, syntax, lowering), program_(program), figures_(tokens.size(), Figure::unread) {
   for (const std::string_view name : field_names) formals_.push_back({name, {}});
   for (const std::string_view name : word_names) formals_.push_back({name, {}});
 }
 
+// Reads the whole text: splits it into statements, declares all names, then reads the variables and after them all
+// other statements.
 bool FlowerReader::run() {
   program_.grammars.push_back({});
   grammars_.add("");
@@ -54,20 +66,19 @@ bool FlowerReader::run() {
       read_ = each;
       const bool defines = tokens_[at_].is('#') && tokens_[at_ + 1].is("define") && next_is(at_ + 2, '=');
       if (defines != of_variables) continue;
-      if (!statement(each)) return false;
-      if (at_ < end_) return wrong(here(), "'%' cannot stand here; take it out, or begin a new line.", {found()});
+      if (!statement(each) || !at_statement_end()) return false;
     }
   }
   for (const Grammar& grammar : program_.grammars)
     if (grammar.axiom == invalid)
       return wrong(grammar.name.empty() ? SourceLocation{1, 1} : grammar.place,
-                   "Nothing says what %% begins with; write #axiom: and a volume's name.",
-                   {grammar.name.empty() ? "the flower" : "the module ", grammar.name});
+                   grammar.name.empty() ? message(messages::flower::no_axiom)
+                                        : message(messages::flower::module_without_axiom, grammar.name));
   finish();
   return true;
 }
 
-// A module's numbers are those of its first volume.
+// Determines which lists of numbers a module takes: those of its first volume.
 void FlowerReader::find_forms_of_modules() {
   forms_of_modules_.assign(program_.grammars.size(), Form::plain);
   for (const Statement& each : statements_) {
@@ -77,6 +88,7 @@ void FlowerReader::find_forms_of_modules() {
   }
 }
 
+// Divides the text into statements, each with the number of its grammar: 0 for the main one, then by module.
 bool FlowerReader::split_statements() {
   end_ = tokens_.size();
   std::uint32_t grammar = 0;
@@ -95,13 +107,15 @@ bool FlowerReader::split_statements() {
   return true;
 }
 
+// Reads `#module NAME`, up to `end`, and begins its grammar.
 bool FlowerReader::begin_module(std::size_t end) {
   end_ = end;
   at_ += 2;
-  if (!on_name() || at_ + 1 < end) return wrong(here(), "A module has a name: #module PETAL.");
+  if (!on_name() || at_ + 1 < end) return wrong(here(), message(messages::flower::module_syntax));
   if (grammars_.find(found()) != expression::Names::none)
-    return wrong(here(), "There is a module % already; take one out, or call it otherwise.", {found()});
-  if (program_.grammars.size() > most_modules) return fail(Reason::limit, here(), "There are more than 256 modules.");
+    return wrong(here(), message(messages::flower::module_twice, found()));
+  if (program_.grammars.size() > most_modules)
+    return fail(Reason::limit, here(), message(messages::flower::too_many_modules));
   grammars_.add(found());
   Grammar& grammar = program_.grammars.emplace_back();
   grammar.name = std::string(found());
@@ -109,46 +123,32 @@ bool FlowerReader::begin_module(std::size_t end) {
   return true;
 }
 
-// A statement continues in the next line within brackets, and where something has to follow.
-std::size_t FlowerReader::statement_end(std::size_t begin) const {
-  std::size_t open = 0;
-  for (std::size_t at = begin; at < tokens_.size(); ++at) {
-    const Token& token = tokens_[at];
-    if (at > begin && token.first_on_line && open == 0) {
-      const Token& before = tokens_[at - 1];
-      const bool goes_on = !token.is('#') && (before.kind == TokenKind::arrow || token.kind == TokenKind::arrow ||
-                                              before.is(',') || before.is('|') || before.is('<') || before.is(':') ||
-                                              token.is('[') || token.is('{') || token.is(':') || token.is('|'));
-      if (!goes_on) return at;
-    }
-    if (token.is('(') || token.is('{') || token.is('[')) ++open;
-    if ((token.is(')') || token.is('}') || token.is(']')) && open > 0) --open;
-  }
-  return tokens_.size();
-}
-
+// Declares the volume or variable of a `#define`; other statements declare nothing, and an unknown directive is an
+// error.
 bool FlowerReader::declare(const Statement& statement) {
   at_ = statement.begin;
   end_ = statement.end;
   grammar_ = statement.grammar;
   if (!on_sign('#')) return true;
   ++at_;
-  if (on_name() && (is_axiom(tokens_[at_]) || found() == "material")) return true;
-  if (!on_name() || found() != "define") return wrong(here(), directives, {found()});
+  if (on("axiom") || on("axiome") || on("material")) return true;
+  if (!on("define")) return wrong(here(), message(messages::flower::directive_syntax, found_text()));
   ++at_;
-  if (!on_name()) return wrong(here(), "A name is expected here, as in #define STEM(8, 0, 0, 0, 1, 1, 1, 1).");
+  if (!on_name()) return wrong(here(), message(messages::flower::define_syntax));
   return next_is(at_, '=') ? declare_variable(statement) : declare_volume(statement);
 }
 
+// Declares a volume by its `#define`, before its numbers are read; counts its commas to know whether its lists have a
+// translation.
 bool FlowerReader::declare_volume(const Statement& statement) {
   const SourceLocation place = here();
   const std::string key = key_of(found(), statement.grammar);
   if (labels_.find(key) != expression::Names::none)
-    return wrong(place, "There is a volume % already; take one out, or call it otherwise.", {found()});
-  if (program_.labels.size() == most_labels) return fail(Reason::limit, place, "There are more than 4000 volumes.");
+    return wrong(place, message(messages::flower::volume_twice, found()));
+  if (program_.labels.size() == most_labels)
+    return fail(Reason::limit, place, message(messages::flower::too_many_volumes));
   if (at_ + 1 < end_ && !opens(at_ + 1))
-    return wrong(tokens_[at_ + 1].place, "A volume has % behind its name, a variable = and its value.",
-                 {numbers_of_volume});
+    return wrong(tokens_[at_ + 1].place, message(messages::flower::definition_syntax));
   labels_.add(key);
   Label& label = program_.labels.emplace_back();
   label.name = std::string(found());
@@ -164,29 +164,30 @@ bool FlowerReader::declare_volume(const Statement& statement) {
   return true;
 }
 
+// Declares a variable by its `#define`, before its value is read, so that statements above may use it.
 bool FlowerReader::declare_variable(const Statement& statement) {
   const std::string_view name = found();
   if (name == final_step) return true;
-  if (is_reserved(name)) return wrong(here(), "% has a meaning of its own here; call the variable otherwise.", {name});
+  if (is_reserved(name)) return wrong(here(), message(messages::flower::reserved_name, name));
   const std::string key = key_of(name, statement.grammar);
-  if (variables_.find(key) != expression::Names::none)
-    return wrong(here(), "% has been given a value already; take one out.", {name});
+  if (variables_.find(key) != expression::Names::none) return wrong(here(), message(messages::flower::set_twice, name));
   if (program_.variables.size() == most_variables)
-    return fail(Reason::limit, here(), "There are more than 1000 variables.");
+    return fail(Reason::limit, here(), message(messages::flower::too_many_variables));
   variables_.add(key);
   Variable& variable = program_.variables.emplace_back();
   variable.name = std::string(name);
   variable.grammar = statement.grammar;
   variable.to = lowering_.define(key);
-  expression::Range& all = program_.grammars[statement.grammar].variables;
-  if (all.end == 0) all.begin = static_cast<std::uint32_t>(program_.variables.size() - 1);
-  all.end = static_cast<std::uint32_t>(program_.variables.size());
+  expression::Range& range = program_.grammars[statement.grammar].variables;
+  if (range.end == 0) range.begin = static_cast<std::uint32_t>(program_.variables.size() - 1);
+  range.end = static_cast<std::uint32_t>(program_.variables.size());
   keys_of_variables_.push_back(spelled_.emplace_back(key));
   uses_of_variables_.emplace_back();
   definitions_.push_back(statement);
   return true;
 }
 
+// Reads one statement: an axiom, a material, a definition or a production.
 bool FlowerReader::statement(const Statement&) {
   if (!on_sign('#')) return production();
   ++at_;
@@ -196,18 +197,17 @@ bool FlowerReader::statement(const Statement&) {
   return definition();
 }
 
+// Reads a definition of a variable or of a volume.
 bool FlowerReader::definition() { return next_is(at_, '=') ? variable() : volume(); }
 
+// Reads the numbers of a volume's definition; without them it takes its face's sides and 1 mm.
 bool FlowerReader::volume() {
   const std::uint32_t at = find_label(found());
   Label& label = program_.labels[at];
   const SourceLocation place = here();
   ++at_;
   if (at_ == end_) {
-    program_.notes.push_back(expression::sentence(
-        "% is defined without numbers: it has as many sides as the face that it grows on, and is 1 mm in all "
-        "directions.",
-        {label.name}));
+    program_.notes.push_back(message(messages::flower::without_numbers, label.name));
     return true;
   }
   lowering_.begin_production(formals_, hash_combine(hash_text("volume"), next_key()));
@@ -215,15 +215,16 @@ bool FlowerReader::volume() {
   return description(forms_[at], Scope::description, label.description);
 }
 
+// Reads the value of a variable or of finalStep; only variables declared before it may be used.
 bool FlowerReader::variable() {
   const std::string_view name = found();
   const SourceLocation place = here();
   at_ += 2;
-  if (at_ == end_) return wrong(here(), "A value is missing here, as in #define %=7.", {name});
+  if (at_ == end_) return wrong(here(), message(messages::flower::value_missing, name));
   lowering_.begin_production(formals_, hash_combine(hash_text("variable"), next_key()));
   Grammar& grammar = program_.grammars[grammar_];
   if (name == final_step) {
-    if (grammar.final_step.value.given) return wrong(place, "finalStep has been given already; take one out.");
+    if (grammar.final_step.value.given) return wrong(place, message(messages::flower::set_twice, "finalStep"));
     known_variables_ = static_cast<std::uint32_t>(program_.variables.size());
     return number(end_, Scope::variable, true, grammar.final_step);
   }
@@ -236,29 +237,24 @@ bool FlowerReader::variable() {
   return true;
 }
 
-// `#axiom: STEM`, or `#axiom: STEM(12, …)`
+// Reads an axiom, `#axiom: STEM` or `#axiom: STEM(12, …)`.
 bool FlowerReader::axiom() {
   Grammar& grammar = program_.grammars[grammar_];
-  if (grammar.axiom != invalid) return wrong(here(), "What it begins with has been said already; take one out.");
+  if (grammar.axiom != invalid) return wrong(here(), message(messages::flower::axiom_twice));
   ++at_;
-  if (!expect(':', "A colon is expected here, as in #axiom: STEM.")) return false;
+  if (!expect(':', messages::flower::axiom_syntax)) return false;
   if (!label_named(grammar.axiom)) return false;
   lowering_.begin_production(formals_, hash_combine(hash_text("axiom"), next_key()));
   return description(forms_[grammar.axiom], Scope::description, grammar.axiom_arguments);
 }
 
-// Finds the comma or the ) that ends the current entry.
-bool FlowerReader::entry_end(std::size_t& end) const {
-  std::size_t open = 0;
-  for (end = at_; end < end_; ++end) {
-    const Token& token = tokens_[end];
-    if (open == 0 && (token.is(',') || token.is(')'))) return true;
-    open += token.is('(') || token.is('[');
-    open -= (token.is(')') || token.is(']')) && open > 0;
-  }
-  return false;
+// The index of the comma or bracket that ends the current entry of a list; `end_` if there is none.
+std::size_t FlowerReader::entry_end() const {
+  return find_outside("([", at_, end_, [](const Token& token) { return token.is(',') || token.is(')'); });
 }
 
+// Reads and compiles a list of a volume's numbers in parentheses, if there is one. Entries may be empty; lists of 8
+// have no translation, those of 9 do, others by the `form`.
 bool FlowerReader::description(Form form, Scope scope, Description& description) {
   const std::uint32_t begin = lowering_.here();
   description.code = {begin, begin};
@@ -268,8 +264,8 @@ bool FlowerReader::description(Form form, Scope scope, Description& description)
   std::vector<std::pair<std::size_t, std::size_t>> entries;
   ++at_;
   for (;;) {
-    std::size_t end = at_;
-    if (!entry_end(end)) return wrong(opened, "This ( is never closed.");
+    const std::size_t end = entry_end();
+    if (end == end_) return never_closed(opened);
     entries.push_back({at_, end});
     at_ = end;
     if (on_sign(')')) break;
@@ -282,17 +278,12 @@ bool FlowerReader::description(Form form, Scope scope, Description& description)
     const auto [first, end] = entries[5];
     const bool nothing =
         first == end || (end == first + 1 && tokens_[first].kind == TokenKind::number && tokens_[first].number == 0);
-    if (!nothing)
-      return wrong(tokens_[first].place, "There are ten numbers here, one more than a volume has: %.",
-                   {numbers_of_volume});
+    if (!nothing) return wrong(tokens_[first].place, message(messages::flower::ten_numbers));
     program_.notes.push_back(
-        expression::sentence("Line %: ten numbers are one angle too many; the sixth, which is 0, is passed over.",
-                             {std::to_string(opened.line)}));
+        message(messages::expression::at_line, opened.line, message(messages::flower::sixth_ignored)));
     entries.erase(entries.begin() + 5);
   }
-  if (entries.size() > fields)
-    return wrong(opened, "A volume has eight numbers, %, or nine with T behind N; here are %.",
-                 {numbers_of_volume, std::to_string(entries.size())});
+  if (entries.size() > fields) return wrong(opened, message(messages::flower::volume_numbers, entries.size()));
   const bool translated = entries.size() == 9 || (entries.size() != 8 && form == Form::translated);
   for (std::size_t i = 0; i < entries.size(); ++i) {
     auto [first, end] = entries[i];
@@ -312,10 +303,12 @@ bool FlowerReader::description(Form form, Scope scope, Description& description)
   return true;
 }
 
+// Reads and compiles an expression up to `end`. `of_map`: the map depends on it; `used`, unless null, becomes its
+// dependencies.
 bool FlowerReader::number(std::size_t end, Scope scope, bool of_map, Number& number, Uses* used) {
   for (std::size_t at = at_; at < end; ++at)
     if (figures_[at] == Figure::unread) figures_[at] = Figure::free;
-  if (of_map) pin_figures(at_, end);
+  if (of_map) pin_numbers(at_, end);
   if (!knows_functions(end)) return false;
   Expression tree;
   const std::size_t whole = end_;
@@ -325,13 +318,7 @@ bool FlowerReader::number(std::size_t end, Scope scope, bool of_map, Number& num
   if (!read) return false;
   Uses uses;
   if (!rewritten(tree, scope, uses, number.draws)) return false;
-  const std::uint32_t begin = lowering_.here();
-  const auto source = lowering_.lower(tree);
-  if (!source) {
-    trouble_ = source.error();
-    return false;
-  }
-  number.value = {true, {begin, lowering_.here()}, source.value(), tree.place};
+  if (!compile(tree, number.value)) return false;
   if (of_map) mark_rebuilding(uses);
   if (used != nullptr) *used = uses;
   return true;
@@ -345,24 +332,20 @@ bool FlowerReader::knows_functions(std::size_t end) {
     const auto is_called = [&](const expression::Function& function) { return function.name == name; };
     if (std::any_of(expression::functions.begin(), expression::functions.end(), is_called)) continue;
     // The expression reader has a message of its own for these.
-    if (!expression::foreign_function(name).empty()) continue;
-    std::string known = "math.random";
-    for (const expression::Function& function : expression::functions)
-      if (!expression::is_space_query(function.op)) known.append(", ").append(function.name);
-    return fail(Reason::undefined, tokens_[at].place, "There is no function '%'; there are %.", {name, known});
+    if (expression::foreign_function(name) != nullptr) continue;
+    return fail(Reason::undefined, tokens_[at].place,
+                message(messages::flower::unknown_function, name, expression::known_functions("math.random")));
   }
   return true;
 }
 
-// Replaces names by the variables of this grammar, or of the text.
+// Replaces names by the variables of this grammar, or of the text, and records the dependencies of the expression: in
+// `uses`, and in `draws` whether it has random values. Returns false with the error in `trouble()`.
 bool FlowerReader::rewritten(Expression& tree, Scope scope, Uses& uses, bool& draws) {
   for (Node& node : tree.nodes) {
-    if (node.kind == Node::Kind::element)
-      return wrong(node.place, "There are no lists in a flower's grammar; numbers stand in round brackets.");
+    if (node.kind == Node::Kind::element) return wrong(node.place, message(messages::flower::no_arrays));
     if (node.kind == Node::Kind::operation && expression::is_space_query(node.op))
-      return wrong(node.place,
-                   "% asks about a place of the plant, which a flower's grammar does not know; take it out.",
-                   {node.name});
+      return wrong(node.place, message(messages::flower::no_space_queries, node.name));
     draws |= node.kind == Node::Kind::operation && expression::is_random(node.op);
     uses.draws |= draws;
     // Some bounds are refused, which is known only when the value is drawn.
@@ -381,9 +364,7 @@ bool FlowerReader::rewritten(Expression& tree, Scope scope, Uses& uses, bool& dr
       if (formal == formals_.size()) return unknown(node, scope);
       const bool is_age = formal == static_cast<std::size_t>(Word::age);
       if (scope == Scope::variable && !is_age)
-        return wrong(node.place,
-                     "A variable has one value, and % is another from volume to volume; use it in a production.",
-                     {node.name});
+        return wrong(node.place, message(messages::flower::not_constant, node.name));
       uses.age |= is_age;
       uses.values |= formal < fields;
       continue;
@@ -394,17 +375,15 @@ bool FlowerReader::rewritten(Expression& tree, Scope scope, Uses& uses, bool& dr
   return true;
 }
 
+// Fails with the message for an undefined name.
 bool FlowerReader::unknown(const Node& node, Scope scope) {
   if (scope == Scope::variable)
-    return fail(Reason::undefined, node.place, "Nothing above this line gives % a value; add #define %=… before it.",
-                {node.name, node.name});
-  return fail(Reason::undefined, node.place,
-              "There is no '%' here; add #define %=…, or use step, finalStep, face, age, along, beside or a number of "
-              "the volume "
-              "that it grows from (N, T, atx, aty, atz, H, L, W, m).",
-              {node.name, node.name});
+    return fail(Reason::undefined, node.place, message(messages::flower::undefined_variable, node.name));
+  return fail(Reason::undefined, node.place, message(messages::flower::undefined_name, node.name));
 }
 
+// Records that the map depends on these parts of a plant. Names that blocks set depend on the names that the blocks use
+// and on the numbers in the present statement.
 void FlowerReader::mark_rebuilding(const Uses& uses) {
   rebuilding_ |= uses.variables;
   program_.age_rebuilds |= uses.age;
@@ -414,21 +393,23 @@ void FlowerReader::mark_rebuilding(const Uses& uses) {
     Uses of_blocks = of_blocks_;
     of_blocks.locals = false;
     mark_rebuilding(of_blocks);
-    pin_figures(read_.begin, read_.end);
+    pin_numbers(read_.begin, read_.end);
   }
 }
 
-void FlowerReader::pin_figures(std::size_t begin, std::size_t end) {
+// Marks the number tokens in a range as part of the structure key: the map depends on them.
+void FlowerReader::pin_numbers(std::size_t begin, std::size_t end) {
   std::fill(figures_.begin() + static_cast<std::ptrdiff_t>(begin), figures_.begin() + static_cast<std::ptrdiff_t>(end),
             Figure::pinned);
 }
 
-// Lines are part of the key, since notes name them.
+// Writes the key by which same_map compares texts: all tokens but those of materials, with 0 in place of figures that
+// the map does not depend on. Lines are part of the key, since notes name them.
 void FlowerReader::append_structure_key() {
   for (std::size_t i = 0; i < definitions_.size(); ++i)
-    if (program_.variables[i].rebuilds) pin_figures(definitions_[i].begin, definitions_[i].end);
+    if (program_.variables[i].rebuilds) pin_numbers(definitions_[i].begin, definitions_[i].end);
   for (const auto& [variable, statement] : calls_)
-    if (program_.variables[variable].rebuilds) pin_figures(statement.begin, statement.end);
+    if (program_.variables[variable].rebuilds) pin_numbers(statement.begin, statement.end);
   program_.structure_key.reserve(5 * tokens_.size());
   std::uint32_t grammar = 0;
   for (const Statement& each : statements_) {
@@ -456,26 +437,33 @@ void FlowerReader::append_structure_key() {
       for (const Setting& setting : growth.settings) add(setting.value);
 }
 
+// The name of a symbol with its grammar, unique in the text.
 std::string FlowerReader::key_of(std::string_view name, std::uint32_t grammar) const {
   return (program_.grammars[grammar].name + ':').append(name);
 }
 
+// The index of a label by its name; `invalid` if there is none.
 std::uint32_t FlowerReader::find_label(std::string_view name) const {
   const std::uint32_t found = labels_.find(key_of(name, grammar_));
   return found == expression::Names::none ? invalid : found;
 }
 
+// The index of a variable of a module, `grammar`, or else of the whole text, which is grammar 0; `invalid` if there is
+// none of that name.
 std::uint32_t FlowerReader::find_variable(std::string_view name, std::uint32_t grammar) const {
   std::uint32_t found = variables_.find(key_of(name, grammar));
   if (found == expression::Names::none) found = variables_.find(key_of(name, 0));
   return found == expression::Names::none ? invalid : found;
 }
 
+// The index of a module's grammar by its name; `invalid` if there is none.
 std::uint32_t FlowerReader::find_grammar(std::string_view name) const {
   const std::uint32_t found = grammars_.find(name);
   return found == expression::Names::none || found == 0 ? invalid : found;
 }
 
+// Completes the program when all statements are read: which variables change the structure, the ranges of productions
+// by predecessor, and the notes.
 void FlowerReader::finish() {
   // A variable that depends on others, or is given by a call, passes its dependence on to those. Calls may come in any
   // order, so this repeats until nothing changes.
@@ -495,17 +483,16 @@ void FlowerReader::finish() {
   std::stable_sort(program_.productions.begin(), program_.productions.end(),
                    [](const Production& a, const Production& b) { return a.predecessor < b.predecessor; });
   for (std::uint32_t i = 0; i < program_.productions.size(); ++i) {
-    expression::Range& of = program_.labels[program_.productions[i].predecessor].productions;
-    if (of.end == 0) of.begin = i;
-    of.end = i + 1;
+    expression::Range& range = program_.labels[program_.productions[i].predecessor].productions;
+    if (range.end == 0) range.begin = i;
+    range.end = i + 1;
   }
   note_unreached();
   for (const Renamed& each : renamed_) {
     const Label& to = program_.labels[each.to];
     if (to.productions.size() == 0) continue;
-    program_.notes.push_back(
-        expression::sentence("Line %: % becomes %, whose productions then hold for it.",
-                             {std::to_string(each.line), program_.labels[each.from].name, to.name}));
+    program_.notes.push_back(message(messages::expression::at_line, each.line,
+                                     message(messages::flower::renamed, program_.labels[each.from].name, to.name)));
   }
 }
 

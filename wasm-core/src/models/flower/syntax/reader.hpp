@@ -7,8 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "expression/lowering.hpp"
-#include "expression/token_reader.hpp"
+#include "expression/statement_reader.hpp"
 #include "models/flower/syntax/program.hpp"
 
 namespace panicle::flower {
@@ -17,15 +16,14 @@ namespace panicle::flower {
 enum class Form : std::uint8_t { plain, translated };
 
 inline constexpr std::size_t most_variables = 1000;
-inline constexpr const char* numbers_of_volume = "(N, atx, aty, atz, H, L, W, m)";
 
-class FlowerReader : expression::TokenReader {
+class FlowerReader : expression::StatementReader {
  public:
   FlowerReader(std::span<const expression::Token> tokens, Program& program, expression::Lowering& lowering);
 
   // False: `trouble()`.
   bool run();
-  const Diagnostic& trouble() const { return trouble_; }
+  using StatementReader::trouble;
 
  private:
   struct Statement {
@@ -52,7 +50,6 @@ class FlowerReader : expression::TokenReader {
   void find_forms_of_modules();
   bool declare_volume(const Statement& statement);
   bool declare_variable(const Statement& statement);
-  std::size_t statement_end(std::size_t at) const;
 
   // Second pass.
   bool statement(const Statement& statement);
@@ -70,6 +67,9 @@ class FlowerReader : expression::TokenReader {
   bool production();
   bool blocks(Blocks& blocks);
   bool block(std::size_t& begin, std::size_t& end);
+  // Reads `name = expression;` any number of times: `read(name, end)` reads an expression, which ends at `end`.
+  template <class Read>
+  bool each_assignment(std::size_t begin, std::size_t end, const Message& advice, Read read);
   bool assignments(std::size_t begin, std::size_t end);
   bool condition_of(const Blocks& blocks, Production& production);
   bool both_blocks(const Blocks& blocks, const Production& production);
@@ -77,6 +77,7 @@ class FlowerReader : expression::TokenReader {
   bool growth(const Blocks& blocks, Production& production);
   bool is_unclosed(bool module);
   bool settings(GrowAction& growth);
+  bool setting(GrowAction& growth, const expression::Token& name, std::size_t value_end);
   bool too_much(const expression::SourceLocation& place);
   bool faces(GrowAction& growth);
   bool face(FaceOf& face);
@@ -87,7 +88,8 @@ class FlowerReader : expression::TokenReader {
 
   // Reads `( , , 2, )`, where there is one: given values, each in its field.
   bool description(Form form, Scope scope, Description& description);
-  bool entry_end(std::size_t& end) const;
+  // The comma or the ) that ends the current entry; the statement's end for none.
+  std::size_t entry_end() const;
   // Compiles an expression. `used`: its dependences.
   bool number(std::size_t end, Scope scope, bool of_map, Number& number, Uses* used = nullptr);
   bool knows_functions(std::size_t end);
@@ -95,9 +97,8 @@ class FlowerReader : expression::TokenReader {
   bool unknown(const expression::Node& node, Scope scope);
   void mark_rebuilding(const Uses& uses);
   // Marks figures that the map depends on.
-  void pin_figures(std::size_t begin, std::size_t end);
+  void pin_numbers(std::size_t begin, std::size_t end);
   void append_structure_key();
-  bool opens(std::size_t at) const { return at < end_ && tokens_[at].is('('); }
   std::uint32_t find_label(std::string_view name) const;
   std::uint32_t find_variable(std::string_view name, std::uint32_t grammar) const;
   std::uint32_t find_grammar(std::string_view name) const;
@@ -107,7 +108,6 @@ class FlowerReader : expression::TokenReader {
   void finish();
 
   Program& program_;
-  expression::Lowering& lowering_;
   std::vector<expression::Named> formals_;
   std::vector<Statement> statements_;
   std::vector<Form> forms_;             // of labels

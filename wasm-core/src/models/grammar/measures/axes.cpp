@@ -9,6 +9,8 @@
 
 namespace panicle::grammar {
 
+// The number of axes, branches with at least one line, and their highest order; 0 for the main axis. `lines` are in the
+// order of the string's modules.
 Axes axes_of(const lsystem::String& string, std::span<const Mark> lines) {
   Axes found;
   // Whether each open axis has a line.

@@ -9,30 +9,28 @@
 #include <utility>
 #include <vector>
 
+#include "foundation/vectors.hpp"
+#include "mesh/normals.hpp"
 #include "mesh/polygon.hpp"
 #include "models/grammar/measures/axes.hpp"
 #include "models/grammar/measures/leaf_coverage.hpp"
 #include "models/grammar/measures/measures.generated.hpp"
 #include "models/grammar/surfaces.hpp"
 #include "plant/branching.hpp"
+#include "plant/measures.hpp"
 
 namespace panicle::grammar {
 namespace {
-
-constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
 
 // Whether a tag is a surface of the material of blades.
 bool is_leaf(std::uint32_t tag) {
   return tag >= first_surface_tag && surfaces[tag - first_surface_tag].material == "blade";
 }
 
-struct Values {
-  std::vector<float> all = std::vector<float>(measure_count, nothing);
-  void set(Measure measure, double value) { all[static_cast<std::size_t>(measure)] = static_cast<float>(value); }
-};
-
+// A bounding box that grows.
 class Box {
  public:
+  // Extends the box to a ball of radius `about`.
   void add(const glm::vec3& place, float about = 0) {
     low_ = glm::min(low_, place - about);
     high_ = glm::max(high_, place + about);
@@ -44,6 +42,7 @@ class Box {
   glm::vec3 low_{std::numeric_limits<float>::max()}, high_{-std::numeric_limits<float>::max()};
 };
 
+// The bounding box of lines, organs and polygons, in metres. Surfaces count as points at their bases.
 Box box_of(const Plant& plant, const Sketch& sketch, float metres) {
   Box box;
   for (const Segment& segment : plant.segments) {
@@ -56,17 +55,15 @@ Box box_of(const Plant& plant, const Sketch& sketch, float metres) {
   return box;
 }
 
+// The area of a triangle.
 double area_of(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-  return 0.5 * static_cast<double>(glm::length(glm::cross(b - a, c - a)));
+  return static_cast<double>(triangle_area(a, b, c));
 }
 
 // Area of a surface at size 1.
 double area_of_surface(std::uint32_t which) {
   const Mesh leaf = make_surface(which);
-  const auto at = [&](std::size_t i) {
-    const float* place = &leaf.positions[3 * std::size_t{leaf.indices[i]}];
-    return glm::vec3(place[0], place[1], place[2]);
-  };
+  const auto at = [&](std::size_t i) { return vector_at(leaf.positions, leaf.indices[i]); };
   double sum = 0;
   for (std::size_t i = 0; i + 2 < leaf.indices.size(); i += 3) sum += area_of(at(i), at(i + 1), at(i + 2));
   return sum;
@@ -90,7 +87,8 @@ double leaf_area(const Plant& plant, const Polygons& polygons, double metres, Wo
   return filled * metres * metres + surface_area;
 }
 
-void measure_areas(Plant& plant, const Areas& areas, Values& values) {
+// Measures the areas: volumes, and the share of each surface that leaves cover.
+void measure_areas(Plant& plant, const Areas& areas, Measures<Measure>& values) {
   if (areas.size() == 0) return;
   std::vector<Leaf> leaves;
   for (const Organ& organ : plant.organs)
@@ -112,8 +110,9 @@ void measure_areas(Plant& plant, const Areas& areas, Values& values) {
 
 }  // namespace
 
+// Measures the plant: sizes, branching, organs, leaf area and the areas to grow into.
 void measure(Plant& plant, const MeasureInput& input) {
-  Values values;
+  Measures<Measure> values(measure_count);
   const Sketch& sketch = input.sketch;
   const glm::dvec3 size = box_of(plant, sketch, input.metres).size();
   values.set(Measure::height, 100 * size.y);
@@ -138,7 +137,7 @@ void measure(Plant& plant, const MeasureInput& input) {
   values.set(Measure::polygons, static_cast<double>(sketch.polygons.all.size()));
   values.set(Measure::leaf_area, 1e4 * leaf_area(plant, sketch.polygons, input.metres, input.budget));
   measure_areas(plant, input.areas, values);
-  plant.measures = std::move(values.all);
+  plant.measures = values.take();
 }
 
 }  // namespace panicle::grammar

@@ -8,21 +8,24 @@
 
 #include "foundation/mathematics.hpp"
 #include "models/leaf/measures/measures.generated.hpp"
+#include "plant/measures.hpp"
 
 namespace panicle::particles::leaf {
 namespace {
 
-constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
+constexpr float not_measured = std::numeric_limits<float>::quiet_NaN();
 // Leaf lengths along a vein between which its heading is measured, clear of the curve where it leaves; and how far to
 // both sides of that place its parent's heading is measured.
 constexpr float heading_from = 0.02f, heading_to = 0.08f, parent_reach = 0.05f;
 // The same for a primary, clear of where primaries run together at the petiole.
 constexpr float primary_from = 0.05f, primary_to = 0.25f;
 
+// The k-th place of a vein.
 const glm::vec3& place_of(const Measured& leaf, const Vein& vein, std::size_t k) {
   return leaf.crowds[vein.crowd].places[vein.places[k]];
 }
 
+// The length of a vein, in leaf lengths.
 float length_of(const Measured& leaf, const Vein& vein) {
   float length = 0;
   for (std::size_t k = 1; k < vein.places.size(); ++k)
@@ -31,7 +34,7 @@ float length_of(const Measured& leaf, const Vein& vein) {
 }
 
 // The point `reach` along a vein from its place k, towards its end (or, `back`, its beginning).
-glm::vec3 ahead(const Measured& leaf, const Vein& vein, std::size_t k, float reach, bool back) {
+glm::vec3 point_along(const Measured& leaf, const Vein& vein, std::size_t k, float reach, bool back) {
   glm::vec3 at = place_of(leaf, vein, k);
   while (back ? k > 0 : k + 1 < vein.places.size()) {
     const glm::vec3& to = place_of(leaf, vein, back ? --k : ++k);
@@ -48,27 +51,31 @@ float primary_angle_of(const Measured& leaf) {
   std::vector<float> headings;
   for (const Vein& vein : leaf.veins) {
     if (vein.order != 1 || vein.parent >= 0) continue;
-    const glm::vec3 way = ahead(leaf, vein, 0, primary_to, false) - ahead(leaf, vein, 0, primary_from, false);
+    const glm::vec3 way =
+        point_along(leaf, vein, 0, primary_to, false) - point_along(leaf, vein, 0, primary_from, false);
     // degrees from upwards, to the left
     if (glm::length(way) > 0) headings.push_back(arc_tangent(-way.x, way.y) * 180 / pi);
   }
-  if (headings.size() < 2) return nothing;
+  if (headings.size() < 2) return not_measured;
   const auto [least, most] = std::minmax_element(headings.begin(), headings.end());
   return (*most - *least) / static_cast<float>(headings.size() - 1);
 }
 
-struct Leaving {
+// Where and how a vein leaves its parent: the distance from the parent's beginning in leaf lengths, the angle in
+// degrees, and whether to its left.
+struct LeavingPlace {
   float along, angle;  // from the parent's beginning, leaf lengths; degrees
   bool left;
 };
 
 // Finds where a vein leaves its parent. Returns false if the vein or the parent has no heading.
-bool leaving(const Measured& leaf, const Vein& vein, Leaving& found) {
+bool find_leaving(const Measured& leaf, const Vein& vein, LeavingPlace& found) {
   const Vein& parent = leaf.veins[static_cast<std::size_t>(vein.parent)];
   const auto at = std::find(parent.places.begin(), parent.places.end(), vein.places[0]);
   const auto k = static_cast<std::size_t>(at - parent.places.begin());
-  const glm::vec3 heading = ahead(leaf, parent, k, parent_reach, false) - ahead(leaf, parent, k, parent_reach, true);
-  const glm::vec3 way = ahead(leaf, vein, 0, heading_to, false) - ahead(leaf, vein, 0, heading_from, false);
+  const glm::vec3 heading =
+      point_along(leaf, parent, k, parent_reach, false) - point_along(leaf, parent, k, parent_reach, true);
+  const glm::vec3 way = point_along(leaf, vein, 0, heading_to, false) - point_along(leaf, vein, 0, heading_from, false);
   const float lengths = glm::length(heading) * glm::length(way);
   if (!(lengths > 0)) return false;
   found.angle = arc_cosine(glm::dot(heading, way) / lengths) * 180 / pi;
@@ -79,10 +86,12 @@ bool leaving(const Measured& leaf, const Vein& vein, Leaving& found) {
   return true;
 }
 
+// Mean angle of secondary veins in degrees, and their mean spacing in leaf lengths.
 struct Secondaries {
-  float angle = nothing, spacing = nothing;  // degrees, leaf lengths
+  float angle = not_measured, spacing = not_measured;  // degrees, leaf lengths
 };
 
+// The mean angle of the secondary veins, and their mean distance along the midrib on each side.
 Secondaries secondaries_of(const Measured& leaf) {
   struct Place {
     std::int32_t parent;
@@ -93,8 +102,8 @@ Secondaries secondaries_of(const Measured& leaf) {
   float angles = 0;
   for (const Vein& vein : leaf.veins) {
     if (vein.order != 2 || vein.parent < 0 || leaf.veins[static_cast<std::size_t>(vein.parent)].order != 1) continue;
-    Leaving one{};
-    if (!leaving(leaf, vein, one)) continue;
+    LeavingPlace one{};
+    if (!find_leaving(leaf, vein, one)) continue;
     angles += one.angle;
     places.push_back({vein.parent, one.left, one.along});
   }
@@ -114,6 +123,7 @@ Secondaries secondaries_of(const Measured& leaf) {
   return found;
 }
 
+// The length of the closed margin, in lengths of the leaf.
 float perimeter_of(const Margin& margin) {
   float length = 0;
   for (std::size_t i = 0; i < margin.points.size(); ++i)
@@ -123,9 +133,11 @@ float perimeter_of(const Margin& margin) {
 
 }  // namespace
 
+// The measures of a leaf in the order of the table: lengths in millimetres, areas in square centimetres; NaN for those
+// that do not apply.
 std::vector<float> measures_of(const Measured& leaf) {
-  std::vector<float> values(measure_count, nothing);
-  const auto set = [&](Measure measure, float value) { values[static_cast<std::size_t>(measure)] = value; };
+  Measures<Measure> values(measure_count);
+  const auto set = [&](Measure measure, float value) { values[measure] = value; };
   const float mm = 1000 * leaf.length, surface = leaf.outline.area() * mm * mm, round = perimeter_of(leaf.margin) * mm;
   const glm::vec3 size = leaf.outline.high() - leaf.outline.low();
   using enum Measure;
@@ -136,6 +148,7 @@ std::vector<float> measures_of(const Measured& leaf) {
   set(slenderness, size.y / size.x);
   set(roundness, 4 * pi * surface / (round * round));
 
+  // Sums over veins: lengths by order, the covered area, and the forks, where two pieces or more lead to one place.
   std::uint32_t orders_found = 0, fork_count = 0;
   std::array<float, 3> lengths{}, counts{};
   float whole = 0, covered = 0;
@@ -165,14 +178,14 @@ std::vector<float> measures_of(const Measured& leaf) {
   set(forks, static_cast<float>(fork_count));
   set(orders, static_cast<float>(orders_found));
   for (std::uint32_t k = 0; k < 3; ++k) {
-    values[static_cast<std::size_t>(count_1) + k] = counts[k];
-    values[static_cast<std::size_t>(density_1) + k] = 10 * lengths[k] / surface;
+    set(static_cast<Measure>(static_cast<std::uint32_t>(count_1) + k), counts[k]);
+    set(static_cast<Measure>(static_cast<std::uint32_t>(density_1) + k), 10 * lengths[k] / surface);
   }
   set(primary_angle, primary_angle_of(leaf));
   const Secondaries secondaries = secondaries_of(leaf);
   set(secondary_angle, secondaries.angle);
   set(secondary_spacing, secondaries.spacing * mm);
-  return values;
+  return values.take();
 }
 
 }  // namespace panicle::particles::leaf

@@ -14,6 +14,8 @@ constexpr float straight = 0.05f;     // degrees below which there is no curl
 
 }  // namespace
 
+// The place of a point p of the flat chart (leaf lengths) on the bent middle surface, in metres. `folded` is the sine
+// and cosine of the fold's angle.
 glm::vec3 Bending::sheet(const glm::vec2& p, const SinCos& folded) const {
   // Across: both halves turned up, round at the crease.
   const float radius = crease * half_width, out = std::sqrt(p.x * p.x + radius * radius) - radius;
@@ -30,6 +32,7 @@ glm::vec3 Bending::sheet(const glm::vec2& p, const SinCos& folded) const {
   return scale * glm::vec3(x, (radius_of_arc + z) * sine, (radius_of_arc + z) * cosine - radius_of_arc);
 }
 
+// The unit normal of the upper face, from central differences.
 glm::vec3 Bending::normal(const glm::vec2& p) const {
   const SinCos folded = sincos_degrees(fold);
   const auto at = [&](float x, float y) { return sheet(p + glm::vec2(x, y), folded); };
@@ -39,6 +42,7 @@ glm::vec3 Bending::normal(const glm::vec2& p) const {
   return length > 0 ? normal / length : glm::vec3(0, 0, 1);
 }
 
+// The place `above` metres over the middle surface at the point p of the chart.
 glm::vec3 Bending::operator()(const glm::vec2& p, float above) const {
   const glm::vec3 flat = sheet(p, sincos_degrees(fold));
   return above == 0 ? flat : flat + above * normal(p);

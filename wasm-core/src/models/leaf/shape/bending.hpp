@@ -22,7 +22,7 @@ struct Bending {
   glm::vec3 normal(const glm::vec2& p) const;
 
  private:
-  // The mid-surface. `folded`: of the angle `fold`.
+  // A point of the bent mid-surface, metres. `folded`: sine and cosine of the angle `fold`.
   glm::vec3 sheet(const glm::vec2& p, const SinCos& folded) const;
 };
 

@@ -5,20 +5,19 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "foundation/vectors.hpp"
+#include "mesh/normals.hpp"
 #include "mesh/triangulation.hpp"
 #include "models/leaf/blade_points.hpp"
 
 namespace panicle::particles::leaf {
 namespace {
 
-constexpr float groove = 0.4f;       // groove depth above, over the ridge's height below
-constexpr float thin_margin = 0.5f;  // of the blade's thickness
+constexpr float groove_over_ridge = 0.4f;  // depth of grooves in the upper face, over height of ridges on the lower
+constexpr float thin_margin = 0.5f;        // of the blade's thickness
 
-glm::vec3 vector_at(const std::vector<float>& values, std::size_t row) {
-  return {values[3 * row], values[3 * row + 1], values[3 * row + 2]};
-}
-
-// Adds walls from the upper to the lower ring, with vertices of their own.
+// Adds the walls between the upper and the lower face along the margin, with vertices of their own. `ring` is the
+// number of points on the margin, which come first in both meshes.
 void add_rim(Mesh& lower, const Mesh& upper, std::size_t ring) {
   const auto first = static_cast<std::uint32_t>(lower.positions.size() / 3);
   const auto count = static_cast<std::uint32_t>(ring);
@@ -27,10 +26,9 @@ void add_rim(Mesh& lower, const Mesh& upper, std::size_t ring) {
     const glm::vec3 along =
         vector_at(upper.positions, (i + 1) % ring) - vector_at(upper.positions, (i + ring - 1) % ring);
     const glm::vec3 outward = glm::cross(along, top - bottom);
-    const float length = glm::length(outward);
     for (const glm::vec3& place : {top, bottom}) {
       put(lower.positions, place);
-      put(lower.normals, length > 0 ? outward / length : glm::vec3(0, 0, 1));
+      put(lower.normals, unit_normal(outward));
       put(lower.uvs, {upper.uvs[2 * i], upper.uvs[2 * i + 1]});
     }
   }
@@ -43,6 +41,7 @@ void add_rim(Mesh& lower, const Mesh& upper, std::size_t ring) {
 
 }  // namespace
 
+// The square around the outline that textures show.
 ChartSquare chart_square(const Outline& outline) {
   const glm::vec3 size = outline.high() - outline.low();
   const float side = std::max(size.x, size.y);
@@ -50,6 +49,7 @@ ChartSquare chart_square(const Outline& outline) {
   return {{middle.x - 0.5f * side, middle.y - 0.5f * side}, side};
 }
 
+// Builds the upper and the lower face of a blade; empty if the outline is too narrow to be triangulated.
 std::vector<PlantMesh> make_blade(const Margin& margin, const Outline& outline, std::span<const VeinPiece> veins,
                                   const Bending& bending, const BladeForm& form) {
   const BladePoints placed = place_points(margin, outline, veins, form.detail);
@@ -68,6 +68,7 @@ std::vector<PlantMesh> make_blade(const Margin& margin, const Outline& outline, 
       used.push_back(i);
     }
   const ChartSquare square = chart_square(outline);
+  // Both faces from the middle surface: half of the thickness to either side, and the relief of the veins.
   Mesh upper, lower;
   std::vector<float> edge;
   for (std::size_t k = 0; k < used.size(); ++k) {
@@ -76,7 +77,7 @@ std::vector<PlantMesh> make_blade(const Margin& margin, const Outline& outline, 
     const glm::vec3 middle = bending(p), normal = bending.normal(p);
     const float half = 0.5f * form.thickness * (k < placed.ring ? thin_margin : 1.0f);
     const float ridge = k < placed.ring ? 0 : form.relief * bending.scale * placed.rise[i];
-    put(upper.positions, middle + (half - std::min(groove * ridge, half)) * normal);
+    put(upper.positions, middle + (half - std::min(groove_over_ridge * ridge, half)) * normal);
     put(lower.positions, middle - (half + ridge) * normal);
     put(upper.normals, normal);
     put(lower.normals, -normal);
@@ -90,6 +91,7 @@ std::vector<PlantMesh> make_blade(const Margin& margin, const Outline& outline, 
     put(lower.indices, corner(0), corner(2), corner(1));
   }
   add_rim(lower, upper, placed.ring);
+  // The rim's own vertices lie on the margin.
   std::vector<float> edge_below = edge;
   edge_below.resize(lower.positions.size() / 3, 0);
   std::vector<PlantMesh> faces;

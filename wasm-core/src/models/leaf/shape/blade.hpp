@@ -32,9 +32,10 @@ struct ChartSquare {
 ChartSquare chart_square(const Outline& outline);
 
 // Two meshes of the material `blade`, together closed: `upper`, the face that looks to +Z while flat; `lower`, the
-// other and the rim around. Normals are those of the bent blade; the relief of veins is left to a normal map, which has
-// all veins and no corners. Both have the chart as texture coordinates, and the column of their vertices `edge`
-// (float32: distance from the margin, leaf lengths, about). Empty where the outline cannot be triangulated.
+// other and the rim around. Veins raise the lower face, and sink the upper by less. Normals ignore this relief: the
+// normal map shows it, with finer veins than the mesh has. Both have the chart as texture coordinates, and the column
+// of their vertices `edge` (float32: approximate distance from the margin, leaf lengths). Empty where the outline
+// cannot be triangulated.
 std::vector<PlantMesh> make_blade(const Margin& margin, const Outline& outline, std::span<const VeinPiece> veins,
                                   const Bending& bending, const BladeForm& form);
 

@@ -5,21 +5,23 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "models/leaf/messages.generated.hpp"
+
 namespace panicle::particles::leaf {
 namespace {
 
-constexpr std::size_t fewest_points = 3, most_points = 400;
+constexpr std::size_t fewest_points = 3, max_points = 400;
 constexpr float farthest = 4;        // leaf lengths from where the petiole joins
 constexpr double least_area = 1e-3;  // square leaf lengths
 constexpr float piece = 0.015f;      // length of the spline's pieces, about
-constexpr float fewest_pieces = 2, most_pieces = 32;
+constexpr float fewest_pieces = 2, max_pieces = 32;
 constexpr float lattice = 1048576;      // 2²⁰
 constexpr float flattest_tooth = 0.7f;  // cosine of the least turn of the margin at a tooth's tip
 
-Diagnostic bad(std::string message) { return {Reason::bad_input, std::move(message)}; }
-
+// Rounds a coordinate to the lattice, on which tests for crossings are exact.
 float snapped(float v) { return std::floor(v * lattice + 0.5f) / lattice; }
 
+// The signed area of a polygon, by the shoelace formula; positive if it runs counter-clockwise.
 double area_of(std::span<const glm::vec2> points) {
   double twice = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -29,24 +31,29 @@ double area_of(std::span<const glm::vec2> points) {
   return 0.5 * twice;
 }
 
-// Twice the area of a triangle of lattice points, exactly.
-std::int64_t turn(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c) {
+// The orientation of three lattice points: twice the signed area of their triangle, exactly; positive for a turn to the
+// left.
+std::int64_t orientation(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c) {
   const auto whole = [](float v) { return static_cast<std::int64_t>(v * lattice); };
   return (whole(b.x) - whole(a.x)) * (whole(c.y) - whole(a.y)) - (whole(b.y) - whole(a.y)) * (whole(c.x) - whole(a.x));
 }
 
-bool apart(float a, float b, float c, float d) {
+// Whether the range between a and b and that between c and d do not overlap.
+bool ranges_apart(float a, float b, float c, float d) {
   return std::max(a, b) < std::min(c, d) || std::max(c, d) < std::min(a, b);
 }
 
-bool meet(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c, const glm::vec2& d) {
-  if (apart(a.x, b.x, c.x, d.x) || apart(a.y, b.y, c.y, d.y)) return false;
-  const std::int64_t c_side = turn(a, b, c), d_side = turn(a, b, d), a_side = turn(c, d, a), b_side = turn(c, d, b);
+// Whether the segments ab and cd cross or touch.
+bool segments_meet(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c, const glm::vec2& d) {
+  if (ranges_apart(a.x, b.x, c.x, d.x) || ranges_apart(a.y, b.y, c.y, d.y)) return false;
+  const std::int64_t c_side = orientation(a, b, c), d_side = orientation(a, b, d), a_side = orientation(c, d, a),
+                     b_side = orientation(c, d, b);
   return !((c_side > 0 && d_side > 0) || (c_side < 0 && d_side < 0) || (a_side > 0 && b_side > 0) ||
            (a_side < 0 && b_side < 0));
 }
 
-// The control of the spline at `at`, on the way to `to`, where it comes from `before`.
+// The Bézier handle of a centripetal Catmull-Rom spline at the point `at` on the way to `to`, where it comes from
+// `before`.
 glm::vec2 handle(const glm::vec2& before, const glm::vec2& at, const glm::vec2& to) {
   const float back = std::sqrt(glm::distance(at, before)), on = std::sqrt(glm::distance(to, at));
   if (back == 0 || on == 0) return at + (to - at) / 3.0f;
@@ -54,18 +61,21 @@ glm::vec2 handle(const glm::vec2& before, const glm::vec2& at, const glm::vec2& 
          (3 * back * (back + on));
 }
 
+// Whether the outline has a corner at such a point.
 bool sharp(PointKind kind) { return kind == PointKind::corner || kind == PointKind::pointed_tip; }
 
-// A cubic from one control point to the next.
+// A cubic Bézier curve from one control point to the next; `first` and `second` are its handles.
 struct Span {
   glm::vec2 from, first, second, to;
 
+  // The point at t, 0 … 1, of the Bézier curve.
   glm::vec2 at(float t) const {
     const float s = 1 - t;
     return s * s * s * from + 3 * s * s * t * first + 3 * s * t * t * second + t * t * t * to;
   }
 };
 
+// Makes the cubic from control point `i` to the next one of the closed outline, by the neighbours of both.
 Span span_after(std::span<const ControlPoint> points, std::size_t i) {
   const std::size_t count = points.size();
   const ControlPoint &b = points[i], &c = points[(i + 1) % count];
@@ -79,9 +89,10 @@ Span span_after(std::span<const ControlPoint> points, std::size_t i) {
   return span;
 }
 
-// Calls `see` with every pair of edges that cross or touch until it returns true.
+// Calls `visit` with each pair of edges of a closed polygon that cross or touch, until it returns true. Edges are
+// sorted into rows, and compared with the earlier ones of their rows.
 template <class See>
-void each_crossing(std::span<const glm::vec2> points, const See& see) {
+void each_crossing(std::span<const glm::vec2> points, const See& visit) {
   const std::size_t count = points.size();
   float low = points[0].y, high = low;
   for (const glm::vec2& p : points) {
@@ -96,22 +107,23 @@ void each_crossing(std::span<const glm::vec2> points, const See& see) {
   const auto end = [&](std::size_t i) { return points[(i + 1) % count]; };
   const auto met = [&](std::size_t k, std::size_t i) {
     const bool after = (k + 1) % count == i, before = (i + 1) % count == k;
-    if (!after && !before) return meet(points[k], end(k), points[i], end(i));
+    if (!after && !before) return segments_meet(points[k], end(k), points[i], end(i));
     // Neighbours share a corner; they must not overlap.
     const std::size_t first = after ? k : i;
     const glm::vec2 a = points[first], b = end(first), c = points[(first + 2) % count];
-    return turn(a, b, c) == 0 && glm::dot(b - a, c - b) < 0;
+    return orientation(a, b, c) == 0 && glm::dot(b - a, c - b) < 0;
   };
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t from = row_of(std::min(points[i].y, end(i).y)), to = row_of(std::max(points[i].y, end(i).y));
     for (std::size_t row = from; row <= to; ++row) {
       for (const std::size_t k : edges[row])
-        if (met(k, i) && see(EdgePair{k, i})) return;
+        if (met(k, i) && visit(EdgePair{k, i})) return;
       edges[row].push_back(i);
     }
   }
 }
 
+// Lists the lobe tips, and finds the leaf's own tip: the highest of them, or the highest point where there is none.
 void find_tips(std::span<const ControlPoint> points, Margin& margin) {
   std::size_t tip = 0;
   const auto higher = [&](std::size_t i) {
@@ -141,6 +153,7 @@ void find_teeth(std::span<const ControlPoint> points, Margin& margin) {
 
 }  // namespace
 
+// The outline where none is given: an ovate leaf with a pointed tip.
 std::vector<ControlPoint> default_outline() {
   constexpr glm::vec2 half[] = {{0.16f, 0.05f}, {0.28f, 0.22f}, {0.3f, 0.4f}, {0.24f, 0.62f}, {0.12f, 0.84f}};
   std::vector<ControlPoint> points{{{0, 0}, PointKind::corner}};
@@ -150,32 +163,35 @@ std::vector<ControlPoint> default_outline() {
   return points;
 }
 
+// Reads an outline from rows of x, y and kind, and makes it counter-clockwise. Unknown kinds become smooth, with a
+// note; fails for points too far away and outlines without area.
 Result<std::vector<ControlPoint>> read_outline(std::span<const float> rows, std::vector<std::string>& notes) {
   if (rows.empty()) return default_outline();
-  if (rows.size() % 3 != 0) return bad("The block outline is no list of points: give x, y and kind of each.");
+  if (rows.size() % 3 != 0) return bad_input(message(messages::leaf::outline_not_rows));
   const std::size_t count = rows.size() / 3;
-  if (count < fewest_points || count > most_points)
-    return bad("The outline has " + std::to_string(count) + " points: give 3 to 400.");
+  if (count < fewest_points || count > max_points)
+    return bad_input(message(messages::leaf::outline_point_count, count));
   std::vector<ControlPoint> points;
   bool odd = false;
   for (std::size_t i = 0; i < count; ++i) {
     const glm::vec2 place(rows[3 * i], rows[3 * i + 1]);
     if (!(std::fabs(place.x) <= farthest && std::fabs(place.y) <= farthest))
-      return bad("Point " + std::to_string(i + 1) + " of the outline is not within four leaf lengths of the petiole.");
+      return bad_input(message(messages::leaf::outline_point_too_far, i + 1));
     const float kind = rows[3 * i + 2];
     const bool known = kind == 0 || kind == 1 || kind == 2 || kind == 3;
     odd = odd || !known;
     points.push_back({place, known ? static_cast<PointKind>(kind) : PointKind::smooth});
   }
-  if (odd) notes.push_back("Points of the outline whose kind is not 0 to 3 were taken as smooth.");
+  if (odd) notes.push_back(message(messages::leaf::outline_kinds_unknown));
   std::vector<glm::vec2> places;
   for (const ControlPoint& point : points) places.push_back(point.place);
   const double area = area_of(places);
-  if (!(std::fabs(area) >= least_area)) return bad("The outline holds no area: move its points apart.");
+  if (!(std::fabs(area) >= least_area)) return bad_input(message(messages::leaf::outline_without_area));
   if (area < 0) std::reverse(points.begin() + 1, points.end());
   return points;
 }
 
+// All pairs of edges of a closed polygon that cross or touch.
 std::vector<EdgePair> crossings(std::span<const glm::vec2> points) {
   std::vector<EdgePair> all;
   each_crossing(points, [&](const EdgePair& pair) {
@@ -185,6 +201,7 @@ std::vector<EdgePair> crossings(std::span<const glm::vec2> points) {
   return all;
 }
 
+// The first such pair; an EdgePair of equal edges if there is none.
 EdgePair crossing(std::span<const glm::vec2> points) {
   EdgePair first;
   each_crossing(points, [&](const EdgePair& pair) {
@@ -194,6 +211,7 @@ EdgePair crossing(std::span<const glm::vec2> points) {
   return first;
 }
 
+// Samples the closed outline as a polygon, and finds its tips and teeth. Fails if it has no area or crosses itself.
 Result<Margin> spline(std::span<const ControlPoint> points) {
   const std::size_t count = points.size();
   Margin margin;
@@ -201,7 +219,7 @@ Result<Margin> spline(std::span<const ControlPoint> points) {
   for (std::size_t i = 0; i < count; ++i) {
     const ControlPoint &b = points[i], &c = points[(i + 1) % count];
     const Span span = span_after(points, i);
-    const float pieces = std::clamp(std::ceil(glm::distance(b.place, c.place) / piece), fewest_pieces, most_pieces);
+    const float pieces = std::clamp(std::ceil(glm::distance(b.place, c.place) / piece), fewest_pieces, max_pieces);
     margin.controls.push_back(margin.points.size());
     for (float k = 0; k < pieces; ++k) {
       const glm::vec2 p = span.at(k / pieces), place(snapped(p.x), snapped(p.y));
@@ -212,10 +230,10 @@ Result<Margin> spline(std::span<const ControlPoint> points) {
   }
   while (margin.points.size() > 1 && margin.points.back() == margin.points.front()) margin.points.pop_back();
   for (std::size_t& at : margin.controls) at = std::min(at, margin.points.size() - 1);
-  if (margin.points.size() < fewest_points) return bad("The outline holds no area: move its points apart.");
+  if (margin.points.size() < fewest_points) return bad_input(message(messages::leaf::outline_without_area));
   if (const EdgePair cross = crossing(margin.points); cross.first != cross.second)
-    return bad("The outline crosses itself, after its point " + std::to_string(control_of[cross.first] + 1) +
-               " and after its point " + std::to_string(control_of[cross.second] + 1) + ": move one of them.");
+    return bad_input(
+        message(messages::leaf::outline_crosses_itself, control_of[cross.first] + 1, control_of[cross.second] + 1));
   find_tips(points, margin);
   find_teeth(points, margin);
   return margin;

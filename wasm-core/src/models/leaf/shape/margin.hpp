@@ -13,6 +13,7 @@ namespace panicle::particles::leaf {
 
 enum class PointKind : std::uint32_t { smooth, corner, round_tip, pointed_tip };
 
+// Whether the kind of a margin's point is one of the tips.
 inline bool tip_kind(PointKind kind) { return kind >= PointKind::round_tip; }
 
 // Lengths in leaf lengths: the petiole joins at the origin, the tip is about (0, 1).

@@ -49,14 +49,14 @@ class SideVeins {
     bool at_margin = false;  // whether it ended at the margin
   };
   std::vector<Start> starts(const Midrib& midrib, std::uint32_t count, float side, bool fan) const;
-  float bent(const Midrib& midrib, const Start& start, float gone) const;
+  float angle_after(const Midrib& midrib, const Start& start, float walked) const;
   Vein walk(const Midrib& midrib, const Start& start, float side, const Part& part) const;
   Vein arched(const Midrib& midrib, const Start& start, float side, const Part& part, const Vein* above,
-              float clear) const;
+              float clearance) const;
   std::vector<glm::vec3> teeth(float side, const Part& part) const;
   void into_teeth(const Midrib& midrib, std::span<Vein> veins, std::span<const glm::vec3> teeth) const;
-  std::vector<glm::vec3> way(const Midrib& midrib, std::size_t root, const glm::vec3& end, float bend) const;
-  bool open(const glm::vec3& from, std::span<const glm::vec3> places, float clear, float near_end) const;
+  std::vector<glm::vec3> curve_to(const Midrib& midrib, std::size_t root, const glm::vec3& end, float bend) const;
+  bool is_clear(const glm::vec3& start, std::span<const glm::vec3> places, float clearance, float near_end) const;
 
   const RibPlan& plan_;
   const Margin& margin_;

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "models/leaf/messages.generated.hpp"
 #include "models/leaf/shape/margin.hpp"
 
 namespace panicle::particles::leaf {
@@ -23,6 +24,7 @@ constexpr float longest_edge = 0.015f;  // leaf lengths
 // beginning of the next.
 using Profile = std::span<const glm::vec2>;
 
+// The profile of a tooth of a shape. Those of doubly serrate margins have a smaller tooth on the way to the tip.
 Profile profile_of(ToothShape shape) {
   static constexpr glm::vec2 dentate[] = {{0, 0}, {0.22f, 0.4f}, {0.5f, 1}, {0.78f, 0.4f}};
   static constexpr glm::vec2 serrate[] = {{0, 0}, {0.25f, 0.42f}, {0.55f, 0.78f}, {0.86f, 1}, {0.93f, 0.4f}};
@@ -36,31 +38,36 @@ Profile profile_of(ToothShape shape) {
   return profiles[static_cast<std::size_t>(shape)];
 }
 
-// A closed polygon, parametrised by length.
-class Rail {
+// A closed polygon, parametrised by the length along it from its first point.
+class ArcLength {
  public:
-  explicit Rail(std::span<const glm::vec2> points) : points_(points), lengths_{0} {
+  // Sums the lengths of a line's pieces.
+  explicit ArcLength(std::span<const glm::vec2> points) : points_(points), lengths_{0} {
     for (std::size_t i = 0; i < points.size(); ++i)
       lengths_.push_back(lengths_[i] + glm::distance(points[i], points[(i + 1) % points.size()]));
   }
   float length() const { return lengths_.back(); }
+  // The length at a point.
   float at(std::size_t point) const { return lengths_[point]; }
+  // The edge that a length is on.
   std::size_t edge(float length) const {
     const auto after = std::upper_bound(lengths_.begin(), lengths_.end(), length);
     const auto found = static_cast<std::size_t>(after - lengths_.begin());
     return std::min(found > 0 ? found - 1 : 0, points_.size() - 1);
   }
+  // The point at a length.
   glm::vec2 place(float length) const {
     const std::size_t i = edge(length);
-    const float whole = lengths_[i + 1] - lengths_[i];
-    return points_[i] +
-           (whole > 0 ? (length - lengths_[i]) / whole : 0) * (points_[(i + 1) % points_.size()] - points_[i]);
+    const float edge_length = lengths_[i + 1] - lengths_[i];
+    return points_[i] + (edge_length > 0 ? (length - lengths_[i]) / edge_length : 0) *
+                            (points_[(i + 1) % points_.size()] - points_[i]);
   }
-  // The direction into the blade, unit; averaged over `reach`, so that it does not jump at the polygon's corners.
+  // The unit vector into the blade at a length; averaged over `reach` to both sides, so that it does not jump at the
+  // polygon's corners.
   glm::vec2 inwards(float length, float reach) const {
-    const glm::vec2 way = place(std::min(length + reach, lengths_.back())) - place(std::max(length - reach, 0.0f));
-    const float size = glm::length(way);
-    return size > 0 ? glm::vec2(-way.y, way.x) / size : glm::vec2(0);
+    const glm::vec2 chord = place(std::min(length + reach, lengths_.back())) - place(std::max(length - reach, 0.0f));
+    const float chord_length = glm::length(chord);
+    return chord_length > 0 ? glm::vec2(-chord.y, chord.x) / chord_length : glm::vec2(0);
   }
 
  private:
@@ -75,16 +82,18 @@ struct Stretch {
   bool to_end;
 };
 
+// Divides the margin into stretches from a sinus to a lobe's tip and on to the next sinus: the deepest point between
+// two tips.
 std::vector<Stretch> stretches_of(const Margin& margin) {
   const std::size_t count = margin.points.size();
   std::vector<std::size_t> tips = margin.tips;
   if (std::find(tips.begin(), tips.end(), margin.tip) == tips.end()) tips.push_back(margin.tip);
   std::erase(tips, 0u);
   std::sort(tips.begin(), tips.end());
-  std::vector<Stretch> all;
-  std::size_t from = 0;
+  std::vector<Stretch> stretches;
+  std::size_t start = 0;
   for (std::size_t k = 0; k < tips.size(); ++k) {
-    all.push_back({from, tips[k], true});
+    stretches.push_back({start, tips[k], true});
     std::size_t sinus = count;
     if (k + 1 < tips.size()) {
       sinus = tips[k] + 1;
@@ -97,10 +106,10 @@ std::vector<Stretch> stretches_of(const Margin& margin) {
         }
       // In lobes that are wider than their sinus is deep, a place about midway is as good.
     }
-    all.push_back({tips[k], sinus, false});
-    from = sinus;
+    stretches.push_back({tips[k], sinus, false});
+    start = sinus;
   }
-  return all;
+  return stretches;
 }
 
 // The width of the blade at each point of the margin: the diameter of the greatest inscribed disc that touches the
@@ -111,30 +120,33 @@ std::vector<float> widths_of(std::span<const glm::vec2> points) {
   const auto cross = [](const glm::vec2& a, const glm::vec2& b) { return a.x * b.y - a.y * b.x; };
   std::vector<float> widths(count, std::numeric_limits<float>::max());
   for (std::size_t i = 0; i < count; ++i) {
-    const glm::vec2 here = points[i], along = points[(i + 1) % count] - points[(i + count - 1) % count];
-    const float size = glm::length(along);
-    if (!(size > 0)) continue;
-    const glm::vec2 inwards = glm::vec2(-along.y, along.x) / size;
+    const glm::vec2 point = points[i], tangent = points[(i + 1) % count] - points[(i + count - 1) % count];
+    const float tangent_length = glm::length(tangent);
+    if (!(tangent_length > 0)) continue;
+    const glm::vec2 inwards = glm::vec2(-tangent.y, tangent.x) / tangent_length;
     for (std::size_t k = 0; k < count; ++k) {
       if (k == i) continue;
       const std::size_t next = k + 1 < count ? k + 1 : 0;
-      const glm::vec2 from = points[k] - here, to = points[next] - here;
-      if (const float ahead = glm::dot(inwards, from); ahead > 0)
-        widths[i] = std::min(widths[i], glm::dot(from, from) / ahead);
-      const float one = cross(inwards, from), other = cross(inwards, to);
-      if (next == i || (one > 0) == (other > 0)) continue;
-      if (const float far = glm::dot(inwards, from + one / (one - other) * (to - from)); far > 0)
-        widths[i] = std::min(widths[i], far);
+      const glm::vec2 edge_start = points[k] - point, edge_end = points[next] - point;
+      if (const float ahead = glm::dot(inwards, edge_start); ahead > 0)
+        widths[i] = std::min(widths[i], glm::dot(edge_start, edge_start) / ahead);
+      const float cross_start = cross(inwards, edge_start), cross_end = cross(inwards, edge_end);
+      if (next == i || (cross_start > 0) == (cross_end > 0)) continue;
+      if (const float depth =
+              glm::dot(inwards, edge_start + cross_start / (cross_start - cross_end) * (edge_end - edge_start));
+          depth > 0)
+        widths[i] = std::min(widths[i], depth);
     }
   }
   return widths;
 }
 
+// One tooth: its range along the margin, the stretch it is in, and its depth.
 struct Tooth {
-  float from, to;     // along the margin
-  bool to_end;        // whether it leans towards `to`
-  float first, last;  // of its stretch
-  float share = 1;    // of its regular depth; 0: it is left out
+  float from, to;                    // along the margin
+  bool to_end;                       // whether it leans towards `to`
+  float stretch_start, stretch_end;  // along the margin
+  float share = 1;                   // of its regular depth; 0: it is left out
 };
 
 // A margin while teeth are cut into it, with the tooth of each of its points.
@@ -142,6 +154,7 @@ struct Cut {
   Margin margin;
   std::vector<std::int32_t> owners;
 
+  // Adds a point of the tooth `owner` (−1: none), rounded to the lattice, unless it repeats the last one.
   void add(const glm::vec2& p, std::int32_t owner) {
     const glm::vec2 place(std::floor(p.x * lattice + 0.5f) / lattice, std::floor(p.y * lattice + 0.5f) / lattice);
     if (!margin.points.empty() && margin.points.back() == place) return;
@@ -150,49 +163,53 @@ struct Cut {
   }
 };
 
+// Cutter of teeth into a margin. Teeth that turn out to cross others are made less deep with `lower`, then all are cut
+// again.
 class Cutter {
  public:
   Cutter(const Margin& margin, const Teeth& teeth)
       : margin_(margin),
         options_(teeth),
-        rail_(margin.points),
+        arc_length_(margin.points),
         widths_(widths_of(margin.points)),
         stretches_(stretches_of(margin)) {
-    const float side = 0.5f * rail_.length(), entire = options_.entire * side;
-    for (const Stretch& one : stretches_) {
-      const float first = std::max(rail_.at(one.first), entire),
-                  last = std::min(rail_.at(one.last), rail_.length() - entire);
+    const float side = 0.5f * arc_length_.length(), entire = options_.entire * side;
+    for (const Stretch& stretch : stretches_) {
+      const float first = std::max(arc_length_.at(stretch.first), entire),
+                  last = std::min(arc_length_.at(stretch.last), arc_length_.length() - entire);
       const float count = std::floor(static_cast<float>(options_.count) * (last - first) / (side - entire) + 0.5f);
-      const auto at = [&](float k) { return k < count ? first + k / count * (last - first) : last; };
-      for (float k = 0; k < count; ++k) teeth_.push_back({at(k), at(k + 1), one.to_end, first, last});
+      const auto tooth_start = [&](float k) { return k < count ? first + k / count * (last - first) : last; };
+      for (float k = 0; k < count; ++k)
+        teeth_.push_back({tooth_start(k), tooth_start(k + 1), stretch.to_end, first, last});
     }
     for (Tooth& tooth : teeth_)
-      if (deepest(tooth) < least_left * options_.depth * (tooth.to - tooth.from)) tooth.share = 0;
+      if (greatest_depth(tooth) < least_left * options_.depth * (tooth.to - tooth.from)) tooth.share = 0;
   }
 
+  // Cuts all teeth with their present depths.
   Cut cut() const {
     Cut cut;
     std::size_t tooth = 0;
-    for (const Stretch& one : stretches_) {
-      float at = rail_.at(one.first);
-      const float end = rail_.at(one.last);
-      cut.add(margin_.points[one.first], -1);
-      if (std::find(margin_.tips.begin(), margin_.tips.end(), one.first) != margin_.tips.end())
+    for (const Stretch& stretch : stretches_) {
+      float position = arc_length_.at(stretch.first);
+      const float end = arc_length_.at(stretch.last);
+      cut.add(margin_.points[stretch.first], -1);
+      if (std::find(margin_.tips.begin(), margin_.tips.end(), stretch.first) != margin_.tips.end())
         cut.margin.tips.push_back(cut.margin.points.size() - 1);
-      if (one.first == margin_.tip) cut.margin.tip = cut.margin.points.size() - 1;
+      if (stretch.first == margin_.tip) cut.margin.tip = cut.margin.points.size() - 1;
       for (; tooth < teeth_.size() && teeth_[tooth].from < end; ++tooth) {
-        add_plain(cut, at, teeth_[tooth].from, -1);
+        add_plain(cut, position, teeth_[tooth].from, -1);
         add_tooth(cut, tooth);
-        at = teeth_[tooth].to;
+        position = teeth_[tooth].to;
       }
-      add_plain(cut, at, end, -1);
+      add_plain(cut, position, end, -1);
     }
     while (cut.margin.points.back() == cut.margin.points.front()) cut.margin.points.pop_back();
     return cut;
   }
 
-  // Cuts those teeth less deep, and leaves out those that would get too shallow. Returns false if all of them are left
-  // out already.
+  // Halves the depth of the teeth `owners` (−1: none), and leaves out those that would get too shallow. Returns false
+  // if all of them are left out already.
   bool lower(std::span<const std::int32_t> owners) {
     bool any = false;
     for (const std::int32_t owner : owners) {
@@ -204,38 +221,44 @@ class Cutter {
     return any;
   }
 
+  // The numbers of all teeth and of those left out.
   std::size_t number() const { return teeth_.size(); }
+  // The number of teeth for which there was no room.
   std::size_t left_out() const {
     return static_cast<std::size_t>(
         std::count_if(teeth_.begin(), teeth_.end(), [](const Tooth& tooth) { return tooth.share == 0; }));
   }
 
  private:
+  // The width of the blade at a length along the margin, interpolated between its points.
   float width(float length) const {
-    const std::size_t i = rail_.edge(length);
-    const float from = rail_.at(i), to = rail_.at(i + 1), t = to > from ? (length - from) / (to - from) : 0;
+    const std::size_t i = arc_length_.edge(length);
+    const float edge_start = arc_length_.at(i), edge_end = arc_length_.at(i + 1),
+                t = edge_end > edge_start ? (length - edge_start) / (edge_end - edge_start) : 0;
     return (1 - t) * widths_[i] + t * widths_[(i + 1) % widths_.size()];
   }
 
-  float deep(const Tooth& tooth, float length) const {
-    const float near_end = std::min(length - tooth.first, tooth.last - length);
+  // The depth of a tooth with a share of 1 at a position along the margin.
+  float depth_at(const Tooth& tooth, float length) const {
+    const float near_end = std::min(length - tooth.stretch_start, tooth.stretch_end - length);
     return std::max(
         std::min({options_.depth * (tooth.to - tooth.from), slope_at_tips * near_end, share_of_width * width(length)}),
         0.0f);
   }
 
-  float deepest(const Tooth& tooth) const {
-    constexpr float places = 6;
-    float most = 0;
-    for (float k = 0; k <= places; ++k)
-      most = std::max(most, deep(tooth, tooth.from + k / places * (tooth.to - tooth.from)));
-    return most;
+  // The greatest depth along a tooth, sampled.
+  float greatest_depth(const Tooth& tooth) const {
+    constexpr float samples = 6;
+    float greatest = 0;
+    for (float k = 0; k <= samples; ++k)
+      greatest = std::max(greatest, depth_at(tooth, tooth.from + k / samples * (tooth.to - tooth.from)));
+    return greatest;
   }
 
-  // Adds the margin's own points in between.
+  // Adds the margin's own points between two lengths.
   void add_plain(Cut& cut, float from, float to, std::int32_t owner) const {
-    for (std::size_t i = rail_.edge(from) + 1; i < margin_.points.size() && rail_.at(i) < to; ++i)
-      if (rail_.at(i) > from) cut.add(margin_.points[i], owner);
+    for (std::size_t i = arc_length_.edge(from) + 1; i < margin_.points.size() && arc_length_.at(i) < to; ++i)
+      if (arc_length_.at(i) > from) cut.add(margin_.points[i], owner);
   }
 
   // Adds a tooth, with the notch towards the tip that it leans away from, if it has a neighbour there.
@@ -243,37 +266,41 @@ class Cutter {
     const Tooth& tooth = teeth_[number];
     const auto owner = static_cast<std::int32_t>(number);
     if (tooth.share == 0) return add_plain(cut, tooth.from, tooth.to, owner);
-    const float whole = tooth.to - tooth.from;
+    const float tooth_length = tooth.to - tooth.from;
     const Profile profile = profile_of(options_.shape);
     std::vector<glm::vec2> places;  // along the margin, how far out
     for (std::size_t i = 0; i < profile.size(); ++i) {
-      const glm::vec2 here = profile[i], next = i + 1 < profile.size() ? profile[i + 1] : glm::vec2(1, 0);
-      const float pieces = std::clamp(std::ceil(whole * (next.x - here.x) / longest_edge), 1.0f, 64.0f);
+      const glm::vec2 corner = profile[i], next_corner = i + 1 < profile.size() ? profile[i + 1] : glm::vec2(1, 0);
+      const float pieces = std::clamp(std::ceil(tooth_length * (next_corner.x - corner.x) / longest_edge), 1.0f, 64.0f);
       for (float piece = 0; piece < pieces; ++piece) {
-        const glm::vec2 at = here + (piece / pieces) * (next - here);
-        places.push_back({tooth.to_end ? tooth.from + at.x * whole : tooth.to - at.x * whole, at.y});
+        const glm::vec2 profile_point = corner + (piece / pieces) * (next_corner - corner);
+        places.push_back(
+            {tooth.to_end ? tooth.from + profile_point.x * tooth_length : tooth.to - profile_point.x * tooth_length,
+             profile_point.y});
       }
     }
     if (!tooth.to_end) std::reverse(places.begin(), places.end());
     for (const glm::vec2& place : places) {
       const float length = place.x, out = place.y;
       const bool notch = out == 0;
-      if (notch && (length <= tooth.first || length >= tooth.last)) continue;
-      glm::vec2 p = rail_.place(length);
-      const float share = notch ? std::min(tooth.share, beyond(number)) : tooth.share;
-      if (const float inwards = (1 - out) * share * deep(tooth, length); inwards > 0)
-        p += inwards * rail_.inwards(length, 0.5f * longest_edge);
+      if (notch && (length <= tooth.stretch_start || length >= tooth.stretch_end)) continue;
+      glm::vec2 p = arc_length_.place(length);
+      const float share = notch ? std::min(tooth.share, notch_neighbour_share(number)) : tooth.share;
+      if (const float inwards = (1 - out) * share * depth_at(tooth, length); inwards > 0)
+        p += inwards * arc_length_.inwards(length, 0.5f * longest_edge);
       cut.add(p, owner);
       if (out == 1) cut.margin.teeth.push_back(cut.margin.points.size() - 1);
     }
   }
 
   // The share of the tooth on the other side of a tooth's notch.
-  float beyond(std::size_t number) const { return teeth_[teeth_[number].to_end ? number - 1 : number + 1].share; }
+  float notch_neighbour_share(std::size_t number) const {
+    return teeth_[teeth_[number].to_end ? number - 1 : number + 1].share;
+  }
 
   const Margin& margin_;
   const Teeth& options_;
-  Rail rail_;
+  ArcLength arc_length_;
   std::vector<float> widths_;
   std::vector<Stretch> stretches_;
   std::vector<Tooth> teeth_;
@@ -281,6 +308,7 @@ class Cutter {
 
 }  // namespace
 
+// Cuts teeth into a margin; teeth that would meet are lowered or left out, with a note.
 Margin toothed(const Margin& margin, const Teeth& teeth, std::vector<std::string>& notes) {
   if (teeth.count == 0) return margin;
   Cutter cutter(margin, teeth);
@@ -297,8 +325,7 @@ Margin toothed(const Margin& margin, const Teeth& teeth, std::vector<std::string
     cut = cutter.cut();
   }
   if (const std::size_t out = cutter.left_out(); out > 0)
-    notes.push_back("Teeth that would have met were left out: " + std::to_string(out) + " of " +
-                    std::to_string(cutter.number()) + ".");
+    notes.push_back(message(messages::leaf::teeth_left_out, out, cutter.number()));
   return std::move(cut.margin);
 }
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "models/leaf/messages.generated.hpp"
 #include "models/leaf/rib_plan.hpp"
 #include "models/particles/particle_system.hpp"
 #include "models/particles/polish.hpp"
@@ -29,10 +30,11 @@ glm::vec3 base_of(const Outline& outline, std::vector<std::string>& notes) {
   glm::vec2 nearest = outline.points()[0];
   for (const glm::vec2& p : outline.points())
     if (glm::length(p) < glm::length(nearest)) nearest = p;
-  notes.push_back("The petiole's place, 0, 0, is outside the outline: it joins at the margin's nearest place.");
+  notes.push_back(message(messages::leaf::petiole_outside));
   return {nearest.x, nearest.y, 0};
 }
 
+// Collects the parameters of the teeth.
 Teeth teeth_of(const Values& values) {
   using enum Parameter;
   return {.count = values.whole(teeth),
@@ -41,6 +43,7 @@ Teeth teeth_of(const Values& values) {
           .entire = 0.01f * values[entire]};
 }
 
+// Collects the parameters of the ribs.
 RibPlan plan_of(const Values& values) {
   using enum Parameter;
   return {.kind = static_cast<RibKind>(values.whole(ribs)),
@@ -52,6 +55,7 @@ RibPlan plan_of(const Values& values) {
           .course = static_cast<Course>(values.whole(course))};
 }
 
+// The rules of the particles' motion; lengths are multiples of `apart`, the mean distance of starts.
 Rules rules_of(const Values& values, float apart) {
   using enum Parameter;
   return {.step = values[step] * apart,
@@ -62,9 +66,10 @@ Rules rules_of(const Values& values, float apart) {
           .join = values[join] * apart};
 }
 
-// Assigns each start to the ribs nearest to it; of equally near ones to the first.
-std::vector<std::vector<glm::vec3>> shared_out(const std::vector<glm::vec3>& starts, std::span<const Ribs> trees,
-                                               const Outline& outline) {
+// Assigns each start to the tree of ribs that is nearest to it; of equally near ones to the first. Returns the starts
+// of each tree.
+std::vector<std::vector<glm::vec3>> starts_by_tree(const std::vector<glm::vec3>& starts, std::span<const Ribs> trees,
+                                                   const Outline& outline) {
   if (trees.size() == 1) return {starts};
   // One grid of all: all trees share their first place.
   Ribs all{{trees[0].places[0]}, {-1}};
@@ -86,6 +91,8 @@ std::vector<std::vector<glm::vec3>> shared_out(const std::vector<glm::vec3>& sta
 
 }  // namespace
 
+// Grows the veins in the flat outline: margin and teeth, ribs, then particles that run from scattered starts to the
+// ribs and down to the petiole. Fails for outlines that are not valid and when the limits' moves are used up.
 Result<Veins> grow_veins(const LeafRequest& leaf_request, const Limits& limits, std::vector<std::string>& notes) {
   using enum Parameter;
   const Values& values = leaf_request.values;
@@ -95,6 +102,7 @@ Result<Veins> grow_veins(const LeafRequest& leaf_request, const Limits& limits, 
   Outline outline(margin.points);
   Veins veins{
       .margin = std::move(margin), .outline = std::move(outline), .crowds = {}, .all = {}, .tally = {}, .timeline = {}};
+  // The ribs, and the places where particles start.
   std::uint32_t count = values.whole(particles);
   if (leaf_request.draft) count = std::min(count, draft_particles);
   veins.spacing = std::sqrt(veins.outline.area() / static_cast<float>(count));
@@ -105,14 +113,15 @@ Result<Veins> grow_veins(const LeafRequest& leaf_request, const Limits& limits, 
   const std::vector<Ribs> trees = build_ribs(plan_of(values), veins.margin, veins.outline, base, notes);
   const auto starts =
       scatter_all(veins.outline, static_cast<Pattern>(values.whole(pattern)), count, leaf_request.seed).points;
-  if (starts.empty()) notes.push_back("No particle found room in the outline: give more, or another seed.");
+  if (starts.empty()) notes.push_back(message(messages::leaf::no_particle_fits));
 
   std::vector<std::unique_ptr<const Venation>> guides;
   for (const Ribs& ribs_of_target : trees)
     guides.push_back(std::make_unique<const Venation>(veins.outline, ribs_of_target, values[slant], veins.spacing));
-  const auto shares = shared_out(starts, trees, veins.outline);
+  const auto shares = starts_by_tree(starts, trees, veins.outline);
   const double all = static_cast<double>(values[energy]) * static_cast<double>(starts.size());
   std::uint64_t moves = 0;
+  // Runs the particles of each target on their own, and smooths their trails.
   for (std::size_t k = 0; k < guides.size(); ++k) {
     const Venation& guide = *guides[k];
     ParticleSystem crowd(shares[k], static_cast<double>(values[energy]), guide, rules);

@@ -7,6 +7,7 @@ import type { Field } from "../../../specimen/model_schema";
 import { type Notes, quote } from "../../../specimen/notes";
 import { readList, readNumbers } from "../../../specimen/read_values";
 import { readWithin } from "../../../specimen/read_within";
+import { text } from "../messages.generated";
 import type { BunchSpecimen } from "../specimen";
 
 /** Ranges of the number of rachis segments, and of segments of each first-order axis. */
@@ -28,20 +29,30 @@ export const grammarInputs: Field<BunchSpecimen> = {
 	],
 };
 
+/** Reads `m`, or the list of `n`; values out of range are replaced, with a note. */
 function readInput(specimen: BunchSpecimen, key: string, value: unknown, notes: Notes): void {
 	if (key === "m") {
-		const m = readWithin(INPUT_M, key, value, "the profile's", notes);
+		const m = readWithin(INPUT_M, key, value, text("profile_value_used"), notes);
 		if (m !== undefined) specimen.inputs = { ...specimen.inputs, m };
 		return;
 	}
-	const given = readList(value);
-	const n = readNumbers(given.slice(0, INPUT_N_LENGTH));
+	const values = readList(value);
+	const n = readNumbers(values.slice(0, INPUT_N_LENGTH));
 	if (!n || n.length === 0) {
-		notes.add(key, `${quote(value)} is not a list of numbers like “1,2”`, "the profile's is used");
+		notes.add(key, text.message("not_a_list", { value: quote(value) }), text("profile_values_used"));
 		return;
 	}
-	if (given.length > n.length) notes.add(key, `${given.length} values are too many`, `the first ${n.length} are used`);
-	specimen.inputs = { ...specimen.inputs, n: n.map((each) => readWithin(INPUT_N, key, each, 0, notes) ?? 0) };
+	if (values.length > n.length) {
+		notes.add(
+			key,
+			text.message("too_many_values", { count: values.length }),
+			text("first_values_used", { count: n.length }),
+		);
+	}
+	specimen.inputs = {
+		...specimen.inputs,
+		n: n.map((each) => readWithin(INPUT_N, key, each, text("zero_used"), notes) ?? 0),
+	};
 }
 
 /**
@@ -55,8 +66,8 @@ function matchInputs(specimen: BunchSpecimen, notes: Notes): void {
 	else if (n.length !== m - 1) {
 		notes.add(
 			"n",
-			`m = ${m} needs ${m - 1} ${m === 2 ? "value" : "values"}, not ${n.length}`,
-			"the profile's are used",
+			text.message("wrong_number_of_values", { m, needed: m - 1, given: n.length }),
+			text("profile_values_used"),
 		);
 		specimen.inputs = { m };
 	}

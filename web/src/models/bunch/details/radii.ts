@@ -1,5 +1,7 @@
 /** Keeps the smallest radius of the paper's berries at or below the largest. */
+
 import type { Field } from "../../../specimen/model_schema";
+import { text } from "../messages.generated";
 import type { BunchSpecimen } from "../specimen";
 
 export const radii: Field<BunchSpecimen> = {
@@ -7,7 +9,7 @@ export const radii: Field<BunchSpecimen> = {
 	agree: ({ parameters }, notes) => {
 		const { rmin, rmax } = parameters;
 		if (rmin <= rmax) return;
-		notes.add("rmin", `${rmin} is above rmax, ${rmax}`, "the two are swapped");
+		notes.add("rmin", text.message("rmin_above_rmax", { rmin, rmax }), text("radii_swapped"));
 		parameters.rmin = rmax;
 		parameters.rmax = rmin;
 	},

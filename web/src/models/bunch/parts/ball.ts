@@ -7,7 +7,9 @@ import { COARSE, type Pattern } from "./skin_rules";
 export class Ball {
 	readonly #centre: Float32Array;
 	readonly #axis: Float32Array;
-	readonly #width: number;
+	/** Half width, metres. */
+	readonly #halfWidth: number;
+	/** Half width by half length, less 1: added to the identity along the axis, it makes the berry round. */
 	readonly #stretch: number;
 	#x = 0;
 	#y = 0;
@@ -18,14 +20,17 @@ export class Ball {
 	height = 0;
 
 	constructor(berries: Berries, index: number) {
-		const [width, length] = halvesOf(berries, index);
+		const [halfWidth, halfLength] = halvesOf(berries, index);
 		this.#centre = berries.spheres.subarray(4 * index, 4 * index + 3);
 		this.#axis = berries.directions.subarray(3 * index, 3 * index + 3);
-		this.#width = width;
-		this.#stretch = width / length - 1;
+		this.#halfWidth = halfWidth;
+		this.#stretch = halfWidth / halfLength - 1;
 	}
 
-	/** Moves to the point whose x, y and z start at index `at`. */
+	/**
+	 * Converts a point of the bunch to berry space and makes it the current point.
+	 * @param at index of its x in `positions`
+	 */
 	enter(positions: ArrayLike<number>, at: number): void {
 		const centre = this.#centre;
 		const axis = this.#axis;
@@ -33,9 +38,9 @@ export class Ball {
 		const y = positions[at + 1] - centre[1];
 		const z = positions[at + 2] - centre[2];
 		const shift = (x * axis[0] + y * axis[1] + z * axis[2]) * this.#stretch;
-		this.#x = (x + axis[0] * shift) / this.#width;
-		this.#y = (y + axis[1] * shift) / this.#width;
-		this.#z = (z + axis[2] * shift) / this.#width;
+		this.#x = (x + axis[0] * shift) / this.#halfWidth;
+		this.#y = (y + axis[1] * shift) / this.#halfWidth;
+		this.#z = (z + axis[2] * shift) / this.#halfWidth;
 		this.along = this.#x * axis[0] + this.#y * axis[1] + this.#z * axis[2];
 		this.height = Math.sqrt(this.#x * this.#x + this.#y * this.#y + this.#z * this.#z);
 	}
@@ -51,9 +56,12 @@ export class Ball {
 		return noise(x, y, z);
 	}
 
-	/** Returns the point in the space of a pattern's noise. */
-	in(phase: number, { cells, phase: apart }: Pattern): [x: number, y: number, z: number] {
-		const shift = phase * apart;
+	/**
+	 * Returns the current point in the space of a pattern's noise.
+	 * @param phase of the berry, which shifts the noise
+	 */
+	in(phase: number, { cells, phase: offsetPerPhase }: Pattern): [x: number, y: number, z: number] {
+		const shift = phase * offsetPerPhase;
 		return [this.#x * cells + shift, this.#y * cells + shift, this.#z * cells + shift];
 	}
 }

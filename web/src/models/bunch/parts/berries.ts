@@ -29,7 +29,7 @@ export function sharedBerries(grown: BunchPlant, berry: Mesh, dress: BunchDress)
 	const mesh = {
 		...berry,
 		name: "Berry",
-		colours: scarred(berry, linear(look.skin), bunchSkin(grown, dress).fruit.scar),
+		colours: scarredColours(berry, linear(look.skin), bunchSkin(grown, dress).fruit.scar),
 	};
 	return { name: GROUP, shape: { mesh, material: plainSkin(look), instances: { transforms, each } } };
 }
@@ -45,20 +45,21 @@ export function naturalBerries(grown: BunchPlant, surfaces: BerrySurfaces, dress
 	const material = naturalSkin(dress.look, skin.fruit, meanColour(painted.colours), meanOf(berries, "width", 0));
 	const flowers = flowersByBerry(grown);
 	const children = Array.from({ length: berries.count }, (_, i): Part => {
-		const flower = flowers.get(i);
+		const flowerParts = flowers.get(i);
 		return {
 			name: berryName(i, berries.count),
 			shape: {
 				...berryShape(grown, i, surfaces, painted, material),
-				finer: async () => (await import("./berry_finer")).berryFiner(grown, i, surfaces, skin),
+				loadDetail: async () => (await import("./berry_finer")).berryFiner(grown, i, surfaces, skin),
 			},
 			extras: berryExtras(grown, i),
-			...(flower ? { children: flower } : {}),
+			...(flowerParts ? { children: flowerParts } : {}),
 		};
 	});
 	return { name: GROUP, children };
 }
 
+/** Returns the shape of one berry with surfaces of its own. */
 function berryShape(
 	{ berries }: BunchPlant,
 	index: number,
@@ -68,15 +69,15 @@ function berryShape(
 ): Shape {
 	const [first, last] = [(index * 3 * uvs.length) / 2, ((index + 1) * 3 * uvs.length) / 2];
 	const [x, y, z] = berries.spheres.subarray(4 * index, 4 * index + 4);
-	const own = (all: Float32Array) => all.subarray(first, last);
+	const ofBerry = (values: Float32Array) => values.subarray(first, last);
 	const percent = RIPENESS_STEP * Math.round((100 * traitOf(berries, index, "turned")) / RIPENESS_STEP);
 	return {
 		mesh: {
-			positions: own(positions),
-			normals: own(normals),
+			positions: ofBerry(positions),
+			normals: ofBerry(normals),
 			uvs,
 			indices,
-			colours: own(colours),
+			colours: ofBerry(colours),
 			...(sky ? { sky: sky.subarray(first / 3, last / 3) } : {}),
 		},
 		material,
@@ -120,12 +121,12 @@ function flowersByBerry(grown: BunchPlant): Map<number, Part[]> {
 	}
 	for (const { piece, berry, transforms } of flowersOf(grown)) {
 		const mesh = meshes.get(piece);
-		const own = parts.get(berry) ?? [];
-		parts.set(berry, own);
+		const ofBerry = parts.get(berry) ?? [];
+		parts.set(berry, ofBerry);
 		for (let at = 0; mesh && at < transforms.length; at += TRANSFORM) {
 			const instances = { transforms: Float32Array.from(transforms.slice(at, at + TRANSFORM)) };
 			const name = pieceName(piece, berry, berries.count, at / TRANSFORM);
-			own.push({ name, shape: { mesh, material: FLOWERS, instances } });
+			ofBerry.push({ name, shape: { mesh, material: FLOWERS, instances } });
 		}
 	}
 	return parts;
@@ -138,15 +139,19 @@ export function placeOf({ spheres, directions }: Berries, index: number, scale: 
 	return [x, y, z, turn.x, turn.y, turn.z, turn.w, scale * radius];
 }
 
-/** Returns colours of one skin, browned at the tip scar. */
-function scarred({ uvs }: Mesh, skin: Colour, scar: number): Float32Array {
-	return eachVertex(uvs, (v) => {
+/**
+ * Returns the vertices' colours of one skin, browned at the tip scar: 3 × vertices.
+ * @param scar value of v from which on the scar lies
+ */
+function scarredColours({ uvs }: Mesh, skin: Colour, scar: number): Float32Array {
+	return coloursByV(uvs, (v) => {
 		const share = scarShare(v, scar);
 		return skin.map((value, k) => value * (1 + (SCAR_TINT[k] - 1) * share)) as Colour;
 	});
 }
 
-function eachVertex(uvs: Float32Array, colourAt: (v: number) => Colour): Float32Array {
+/** Returns the vertices' colours, which depend on v (second number of each uv) only: 3 × vertices. */
+function coloursByV(uvs: Float32Array, colourAt: (v: number) => Colour): Float32Array {
 	const colours = new Float32Array(1.5 * uvs.length);
 	for (let vertex = 0; vertex < uvs.length / 2; vertex++) colours.set(colourAt(uvs[2 * vertex + 1]), 3 * vertex);
 	return colours;

@@ -28,6 +28,7 @@ const YOUNG = linear("86a046");
 
 /** Returns the tint of the berry with that id, which depends on nothing else that grows; a few berries ripen late. */
 export function berryTint(skin: Skin, id: number, { exposure, set, shrivel }: Condition): BerryTint {
+	// A random value of −2 … 2 times the look's unevenness, with a mean of 0: the sum of two uniform ones.
 	const centred = (stream: number) => 2 * skin.uneven * (hashFraction(id, stream) + hashFraction(id, stream + 16) - 1);
 	const late = 2 * skin.uneven * smoothstep(0.86, 1, hashFraction(id, 3));
 	const own = toLch(skin.ripe);
@@ -46,15 +47,18 @@ export function berryTint(skin: Skin, id: number, { exposure, set, shrivel }: Co
 		hue: green.hue + 0.06 * centred(8) - 0.06 * sunned,
 	});
 	return {
-		ripe: dried(ripe, shrivel),
-		unripe: dried(unripe, shrivel),
+		ripe: driedColour(ripe, shrivel),
+		unripe: driedColour(unripe, shrivel),
 		bloom: (1 + 0.5 * centred(4)) * (1 - 0.45 * shrivel) * (0.25 + 0.75 * set),
 		phase: hashFraction(id, 5),
 	};
 }
 
-/** Returns a raisin's colour: browner, and darker the paler it was; pale ones are amber. */
-function dried(colour: Colour, shrivel: number): Colour {
+/**
+ * Returns a raisin's colour: browner, and darker the paler it was; pale ones are amber.
+ * @param shrivel how far the berry has dried, 0 … 1
+ */
+function driedColour(colour: Colour, shrivel: number): Colour {
 	const { lightness, chroma } = toLch(colour);
 	const pale = smoothstep(0.45, 0.75, lightness);
 	const raisin = fromLch({

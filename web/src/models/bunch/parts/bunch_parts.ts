@@ -1,8 +1,10 @@
 /** Splits a bunch into parts: axes with their pedicels, berries, cane, leaves and petioles. */
+
 import { linear, meanColour } from "../../../plant/colour";
 import type { Material } from "../../../plant/material";
 import { cut, type Part, type Shape } from "../../../plant/part";
 import type { BunchPlant, Foliage, StemMesh } from "../bunch_plant";
+import { text } from "../messages.generated";
 import type { Look } from "../specimen";
 import { naturalBerries, sharedBerries } from "./berries";
 import { autumnOf, foliageColours } from "./foliage_colour";
@@ -19,7 +21,7 @@ import { stemColours } from "./stem_colour";
 export function* bunchParts(grown: BunchPlant, dress: BunchDress): Generator<Part> {
 	const { stem, berry, surfaces, berries, foliage } = grown;
 	if (!stem || (berries.count > 0 && !berry && !surfaces)) {
-		throw new Error("This growth has no meshes to export: grow it with meshes.");
+		throw new Error(text("no_meshes"));
 	}
 	yield* stemsOf(grown, stem, dress.look);
 	if (berries.count > 0 && surfaces) yield naturalBerries(grown, surfaces, dress);
@@ -27,6 +29,7 @@ export function* bunchParts(grown: BunchPlant, dress: BunchDress): Generator<Par
 	if (foliage) yield* foliageOf(grown, foliage);
 }
 
+/** Yields the rachis and each axis with its pedicels as parts with vertex colours. */
 function* stemsOf(grown: BunchPlant, stem: StemMesh, { stem: hex }: Look): Generator<Part> {
 	const colours = stemColours(grown, stem, hex);
 	const material = stemMaterial(colours.length > 0 ? meanColour(colours) : linear(hex));
@@ -36,6 +39,7 @@ function* stemsOf(grown: BunchPlant, stem: StemMesh, { stem: hex }: Look): Gener
 	}
 }
 
+/** Yields a part per leaf, petiole and cane, in autumn's colours as far as the berries have dried. */
 function* foliageOf({ berries }: BunchPlant, foliage: Foliage): Generator<Part> {
 	const autumn = autumnOf(berries);
 	const colours = foliageColours(foliage, autumn);
@@ -54,7 +58,10 @@ function* foliageOf({ berries }: BunchPlant, foliage: Foliage): Generator<Part> 
 	}
 }
 
-/** Parts with a colour texture need no variant: colours of vertices only darken it. */
+/**
+ * Returns that a shape has a variant without vertex colours; shapes with a colour texture need none, because their
+ * vertex colours only darken it.
+ */
 function variantOf({ textures }: Material): Pick<Shape, "variant"> {
 	return textures?.colour ? {} : { variant: "" };
 }

@@ -56,14 +56,18 @@ export function autumnOf(berries: Berries): number {
 	return Math.round(SHADES * meanOf(berries, "shrivel", 0)) / SHADES;
 }
 
-/** Returns the brightest colour of a leaf between its veins: its texture has it, and vertices darken it. */
+/**
+ * Returns the brightest colour of a leaf between its veins: its texture has it, and vertices darken it.
+ * @param autumn 0 … 1: how far leaves have turned
+ */
 export function brightestLeaf(autumn: number): Colour {
 	const turned = smoothstep(AUTUMN[0] - 0.25, AUTUMN[0] + 0.1, autumn);
 	return LEAF.upper.map((value, k) => Math.max(BRIGHTEST[0] * value, BRIGHTEST[1] * turned * LEAF.late[k])) as Colour;
 }
 
 /**
- * Returns 3 × vertices, linear light; for leaves with veins as shares of the brightest colour.
+ * Returns the colours of the foliage's vertices: 3 × vertices, linear light; for leaves with veins as shares of the
+ * brightest colour, which their texture has.
  * @param autumn 0 … 1: how far leaves have turned
  */
 export function foliageColours({ positions, uvs, parts, veins }: Foliage, autumn: number): Float32Array {
@@ -72,13 +76,13 @@ export function foliageColours({ positions, uvs, parts, veins }: Foliage, autumn
 	for (const { kind, firstVertex, vertexCount } of parts) {
 		for (let vertex = firstVertex; vertex < firstVertex + vertexCount; vertex++) {
 			const [x, y, z] = positions.subarray(3 * vertex, 3 * vertex + 3);
-			const place: Place = {
+			const vertexLook: VertexLook = {
 				broad: noise(BROAD * x, BROAD * y, BROAD * z),
 				mottle: noise(MOTTLE * x, MOTTLE * y, MOTTLE * z),
 				u: uvs[2 * vertex],
 				v: uvs[2 * vertex + 1],
 			};
-			const colour = COLOURS[kind](place, autumn);
+			const colour = COLOURS[kind](vertexLook, autumn);
 			const shares = kind === "leaf" && veins ? colour.map((value, k) => Math.min(1, value / brightest[k])) : colour;
 			colours.set(shares, 3 * vertex);
 		}
@@ -86,14 +90,16 @@ export function foliageColours({ positions, uvs, parts, veins }: Foliage, autumn
 	return colours;
 }
 
-interface Place {
+/** Noise, 0 … 1, and texture coordinates of a vertex. */
+interface VertexLook {
 	broad: number;
 	mottle: number;
 	u: number;
 	v: number;
 }
 
-const COLOURS: Record<FoliagePart["kind"], (place: Place, autumn: number) => Colour> = {
+/** Colours at a vertex by kind of part; `autumn` is as in `foliageColours`. */
+const COLOURS: Record<FoliagePart["kind"], (vertexLook: VertexLook, autumn: number) => Colour> = {
 	leaf({ broad, mottle, u, v }, autumn) {
 		const away = Math.hypot(u - GREENEST[0], v - GREENEST[1]);
 		const turned = smoothstep(AUTUMN[0], AUTUMN[1], autumn * (0.6 + 0.5 * broad + 0.5 * away));
@@ -108,6 +114,7 @@ const COLOURS: Record<FoliagePart["kind"], (place: Place, autumn: number) => Col
 	},
 };
 
+/** Multiplies a colour by a factor. */
 function scaled(colour: Colour, factor: number): Colour {
 	return colour.map((value) => value * factor) as Colour;
 }

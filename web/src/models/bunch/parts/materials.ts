@@ -23,9 +23,9 @@ const WAX_ON_MIRROR = 0.8;
 /** Least coat worth a viewer's cost. */
 const LEAST_COAT = 0.04;
 /** Most transmitted light: above it berries look like glass in viewers that show only stems behind them. */
-const MOST_PASSING = 0.3;
+const MAX_TRANSMISSION = 0.3;
 /** Least transmission worth the viewers' extra render pass. */
-const LEAST_PASSING = 0.04;
+const LEAST_TRANSMISSION = 0.04;
 
 /** Returns the material of the paper's berries: one colour, one skin. */
 export function plainSkin(look: Look): Material {
@@ -52,20 +52,28 @@ export function naturalSkin(look: Look, { rind, gloss }: FruitSkin, colour: Colo
 		...sheen,
 		...(look.bloom > 0 ? { specular: 1 - WAX_ON_MIRROR * look.bloom } : {}),
 		...(coat >= LEAST_COAT ? { clearcoat: { factor: coat, roughness: COAT_ROUGHNESS } } : {}),
-		...flesh(look, width),
+		...fleshOf(look, width),
 	};
 }
 
-/** Returns the transmission of the flesh: one path through a mean berry gives the flesh's own colour. */
-function flesh(look: Look, width: number): Pick<Material, "flesh"> {
+/**
+ * Returns the transmission of the flesh: one path through a mean berry gives the flesh's own colour. None where too
+ * little light passes.
+ * @param width of a mean berry, metres
+ */
+function fleshOf(look: Look, width: number): Pick<Material, "flesh"> {
 	const skin = linear(look.skin);
-	const factor = MOST_PASSING * look.glow * smoothstep(0.5, 0.75, toLch(skin).lightness);
-	if (factor < LEAST_PASSING) return {};
+	const factor = MAX_TRANSMISSION * look.glow * smoothstep(0.5, 0.75, toLch(skin).lightness);
+	if (factor < LEAST_TRANSMISSION) return {};
 	const brightest = Math.max(...skin);
 	const colour = skin.map((value) => Math.max(0.02, value / brightest)) as Colour;
 	return { flesh: { factor, thickness: width, colour, distance: width } };
 }
 
+/**
+ * Returns the sheen of the waxy bloom; none without bloom.
+ * @param bloom 0 … 1
+ */
 function bloomSheen(bloom: number): Pick<Material, "sheen"> {
 	if (bloom <= 0) return {};
 	return { sheen: { colour: BLOOM_COLOUR.map((value) => value * bloom) as Colour, roughness: BLOOM_ROUGHNESS } };

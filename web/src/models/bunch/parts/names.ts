@@ -16,7 +16,7 @@ export function berryName(index: number, count: number): string {
 
 const PIECE_TITLES = { stamens: "Flower", cap: "Cap", pistil: "Pistil", petals: "Petals", calyx: "Calyx" } as const;
 
-/** Returns the title of a piece of a flower; the stamens stand for the flower. */
+/** Returns the title of a piece of a flower: the stamens, its most visible part, are called the flower. */
 export function pieceTitle(piece: FlowerPiece): string {
 	return PIECE_TITLES[piece];
 }
@@ -24,11 +24,13 @@ export function pieceTitle(piece: FlowerPiece): string {
 /**
  * Returns the name of a piece of the flower of berry `index`: `Flower 001`, `Cap 001`; of those beside it `Flower
  * 001.2` and so on.
+ * @param sideFlower 0 for the berry's own flower, from 1 for those beside it
  */
-export function pieceName(piece: FlowerPiece, index: number, count: number, beside: number): string {
-	return `${pieceTitle(piece)} ${berryNumber(index, count)}${beside > 0 ? `.${beside + 1}` : ""}`;
+export function pieceName(piece: FlowerPiece, index: number, count: number, sideFlower: number): string {
+	return `${pieceTitle(piece)} ${berryNumber(index, count)}${sideFlower > 0 ? `.${sideFlower + 1}` : ""}`;
 }
 
+/** Returns the number of a berry, from 1, padded with zeros to at least three digits. */
 function berryNumber(index: number, count: number): string {
 	return String(index + 1).padStart(Math.max(3, String(count).length), "0");
 }

@@ -42,8 +42,9 @@ export type BunchDress = Pick<BunchSpecimen, "look"> & {
 };
 
 /**
- * Returns how far a colour is that of an opaque rind: tan and brown without vividness (duku, longan), or brick red
- * (lychee).
+ * Returns how far a colour is that of an opaque rind, 0 … 1: tan and brown without vividness (duku, longan), or brick
+ * red (lychee).
+ * @param hue radians; the three are coordinates in Oklch
  */
 function rindness(lightness: number, chroma: number, hue: number): number {
 	const degrees = (hue * 180) / Math.PI;
@@ -61,18 +62,19 @@ const HARD = 0.5;
 /**
  * Returns the flesh under a colour: pale or vivid skins transmit light; dark ones redden it, since anthocyanins absorb
  * red least.
+ * @param transmission factor on the translucency; 1 for a look with half glow
  */
-function fleshUnder(colour: Colour, passing: number): Flesh {
+function fleshUnder(colour: Colour, transmission: number): Flesh {
 	const { lightness, chroma } = toLch(colour);
 	const pale = smoothstep(0.35, 0.8, lightness);
 	const vivid = smoothstep(0.1, 0.2, chroma);
 	const dark = 1 - smoothstep(0.25, 0.5, lightness);
 	const brightest = Math.max(colour[0], colour[1], colour[2], 1e-3);
-	const own: Colour = [colour[0] / brightest, colour[1] / brightest, colour[2] / brightest];
-	const through = mixed(own, [1, 0.12, 0.16], 0.75 * dark);
+	const saturated: Colour = [colour[0] / brightest, colour[1] / brightest, colour[2] / brightest];
+	const through = mixed(saturated, [1, 0.12, 0.16], 0.75 * dark);
 	const density = mix(1.1, 0.42, pale) + 1.9 * dark;
 	return {
-		translucency: clamp((0.2 + 0.5 * pale + 0.4 * vivid - 0.06 * dark) * passing),
+		translucency: clamp((0.2 + 0.5 * pale + 0.4 * vivid - 0.06 * dark) * transmission),
 		absorption: through.map((channel) => density * (0.4 - Math.log(clamp(channel, 0.02, 1)))) as Colour,
 	};
 }
@@ -86,17 +88,17 @@ export function skinOf(look: Look, kind: Fruit = "grape", guess = false): Skin {
 	const unripe = linear(look.unripe);
 	const { lightness, chroma, hue } = toLch(ripe);
 	const rind = guess ? rindness(lightness, chroma, hue) : 0;
-	const own = FRUIT_SKINS[kind];
-	const fruit = { ...own, rind: Math.max(own.rind, rind), flesh: own.flesh * (1 - 0.92 * rind) };
-	const passing = 2 * clamp(look.glow) * fruit.flesh;
+	const fruitSkin = FRUIT_SKINS[kind];
+	const fruit = { ...fruitSkin, rind: Math.max(fruitSkin.rind, rind), flesh: fruitSkin.flesh * (1 - 0.92 * rind) };
+	const transmission = 2 * clamp(look.glow) * fruit.flesh;
 	const pale = smoothstep(0.35, 0.8, lightness);
 	// Wax scatters short waves a little more, which is visible on dark skins.
 	const wax = mixed(fromLch({ lightness: 0.74, chroma: 0.04, hue: 4.75 }), mixed(ripe, [1, 1, 1], 0.72), 0.6 * pale);
 	return {
 		ripe,
 		unripe,
-		ripeFlesh: fleshUnder(ripe, passing),
-		unripeFlesh: fleshUnder(unripe, HARD * passing),
+		ripeFlesh: fleshUnder(ripe, transmission),
+		unripeFlesh: fleshUnder(unripe, HARD * transmission),
 		wax,
 		bloom: clamp(look.bloom),
 		lenticels: clamp(look.lenticels),

@@ -3,7 +3,7 @@ import { mix, smoothstep } from "../../../plant/colour";
 import { WAX } from "./skin_rules";
 
 /**
- * Returns the depth of wax at a point.
+ * Returns the optical depth of wax at a point.
  * @param bloom of the berry, 0 … 1
  * @param coarse noise at the point, 0 … 1; `fine` is finer than vertices
  * @param up how far its normal points up, −1 … 1
@@ -11,9 +11,9 @@ import { WAX } from "./skin_rules";
  */
 export function waxDepth(bloom: number, coarse: number, fine: number, up: number, pressed: number): number {
 	const touched = smoothstep(WAX.pressed[0], WAX.pressed[1], pressed + WAX.pressedFine * (fine - 0.5));
-	const left = (1 - touched) * smoothstep(WAX.brushed[0], WAX.brushed[1], coarse + WAX.fine * fine);
+	const unbrushed = (1 - touched) * smoothstep(WAX.brushed[0], WAX.brushed[1], coarse + WAX.fine * fine);
 	const patches = smoothstep(WAX.patches[0], WAX.patches[1], WAX.coarseShare * coarse + WAX.fineShare * fine);
-	return WAX.depth * bloom * mix(WAX.rubbed, 1, left) * mix(WAX.bare, 1, patches) * (WAX.side + WAX.up * up);
+	return WAX.depth * bloom * mix(WAX.rubbed, 1, unbrushed) * mix(WAX.bare, 1, patches) * (WAX.side + WAX.up * up);
 }
 
 /** Returns the share of the skin that wax of a depth hides, seen face on. */

@@ -26,29 +26,37 @@ const LARGEST = 6000;
 const STEP = 1;
 const FACTOR = 1.01;
 /** Multiple of a step with Shift. */
-const FAR = 10;
+const LARGE_STEPS = 10;
 
-/** Places a picture as high as the bunch, in the middle of the view. */
+/**
+ * Returns the placement of a picture as high as the bunch, in the middle of the view.
+ * @param length of the bunch, pixels of the profile
+ */
 export function fitted({ width, height }: Pick<ImageBitmap, "width" | "height">, length: number): Placement {
 	const scale = length / height;
 	return { x: (-width * scale) / 2, y: 0, scale };
 }
 
+/** Moves a placement by a distance in pixels of the profile. */
 export function shifted({ x, y, scale }: Placement, by: Point): Placement {
 	return { x: x + by.x, y: y + by.y, scale };
 }
 
-/** Scales a picture about a point of the view. */
+/** Returns the placement of a picture scaled about a point of the view, which stays in place; limits its size. */
 export function zoomed<P extends Placement & Pick<Photo, "picture">>(
 	photo: P,
 	factor: number,
-	about: Point,
+	fixedPoint: Point,
 ): Placement {
 	const { x, y, scale, picture } = photo;
 	const longer = Math.max(picture.width, picture.height);
-	const after = Math.min(Math.max(scale * factor, SMALLEST / longer), LARGEST / longer);
-	const by = after / scale;
-	return { x: about.x + by * (x - about.x), y: about.y + by * (y - about.y), scale: after };
+	const newScale = Math.min(Math.max(scale * factor, SMALLEST / longer), LARGEST / longer);
+	const appliedFactor = newScale / scale;
+	return {
+		x: fixedPoint.x + appliedFactor * (x - fixedPoint.x),
+		y: fixedPoint.y + appliedFactor * (y - fixedPoint.y),
+		scale: newScale,
+	};
 }
 
 /** Returns the centre of a placed picture. */
@@ -56,14 +64,17 @@ export function middleOf({ x, y, scale, picture }: Placement & Pick<Photo, "pict
 	return { x: x + (scale * picture.width) / 2, y: y + (scale * picture.height) / 2 };
 }
 
-/** Moves and scales a picture with two fingers; the points under them stay under them, except for rotation. */
+/**
+ * Returns the placement after two fingers moved from one pair of points to another; the points under them stay under
+ * them, except for rotation.
+ */
 export function pinched(photo: Photo, from: readonly [Point, Point], to: readonly [Point, Point]): Placement {
-	const apart = ([a, b]: readonly [Point, Point]) => Math.hypot(a.x - b.x, a.y - b.y);
-	const between = ([a, b]: readonly [Point, Point]) => ({ x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 });
-	const [before, after] = [between(from), between(to)];
-	const factor = apart(from) > 0 ? apart(to) / apart(from) : 1;
-	const larger = { ...photo, ...zoomed(photo, factor, before) };
-	return shifted(larger, { x: after.x - before.x, y: after.y - before.y });
+	const distance = ([a, b]: readonly [Point, Point]) => Math.hypot(a.x - b.x, a.y - b.y);
+	const middle = ([a, b]: readonly [Point, Point]) => ({ x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 });
+	const [before, after] = [middle(from), middle(to)];
+	const factor = distance(from) > 0 ? distance(to) / distance(from) : 1;
+	const scaled = { ...photo, ...zoomed(photo, factor, before) };
+	return shifted(scaled, { x: after.x - before.x, y: after.y - before.y });
 }
 
 const ARROWS: Readonly<Record<string, Point>> = {
@@ -78,10 +89,10 @@ export function nudged(
 	photo: Photo,
 	{ key, shiftKey }: Pick<KeyboardEvent, "key" | "shiftKey">,
 ): Placement | undefined {
-	const far = shiftKey ? FAR : 1;
+	const steps = shiftKey ? LARGE_STEPS : 1;
 	const arrow = ARROWS[key];
-	if (arrow) return shifted(photo, { x: far * arrow.x, y: far * arrow.y });
+	if (arrow) return shifted(photo, { x: steps * arrow.x, y: steps * arrow.y });
 	const grows = key === "+" || key === "=" || key === "*";
 	if (!grows && key !== "-" && key !== "_") return undefined;
-	return zoomed(photo, grows ? FACTOR ** far : FACTOR ** -far, middleOf(photo));
+	return zoomed(photo, grows ? FACTOR ** steps : FACTOR ** -steps, middleOf(photo));
 }

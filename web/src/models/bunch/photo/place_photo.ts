@@ -1,6 +1,8 @@
 /** Places photographs behind flat views. */
+
 import { PictureError, readBitmap } from "../../../ui/read_bitmap";
 import { FILE_TOPIC } from "../../../ui/tool";
+import { text } from "../messages.generated";
 import type { BunchContext } from "../ui/context";
 import { photo } from "../ui/photo";
 import { fitted } from "./photo";
@@ -19,13 +21,9 @@ export async function placePhoto(context: BunchContext, file: Blob): Promise<voi
 		const place = fitted(picture, context.state.specimen.parameters.l);
 		context.setToolState(photo, { picture, ...place, view: before?.view ?? "front", opacity: OPACITY, loose: true });
 		before?.picture.close();
-		context.notify(
-			"The photograph lies behind the view",
-			["Drag it to its place, scale it with the wheel or two fingers, then fasten it and fit the handles."],
-			{ topic: FILE_TOPIC, brief: true },
-		);
+		context.notify(text("photo_placed"), [text("photo_placed_help")], { topic: FILE_TOPIC, brief: true });
 	} catch (error) {
 		if (!(error instanceof PictureError)) throw error;
-		context.notify("The photograph was not taken", [error.message], { topic: FILE_TOPIC });
+		context.notify(text("photo_unusable"), [error.message], { topic: FILE_TOPIC });
 	}
 }

@@ -42,9 +42,10 @@ import wingedCylindrical from "./winged-cylindrical.json";
  * finds no room and is cut.
  */
 export const PRESET_KINDS = [
-	{ key: "shape", title: "Shapes" },
-	{ key: "variety", title: "Varieties" },
-	{ key: "fruit", title: "Other fruits" },
+	{ key: "shape", title: "Shapes", family: "grapes" },
+	{ key: "variety", title: "Varieties", family: "grapes" },
+	{ key: "fruit", title: "Other fruits", family: "grapes" },
+	{ key: "figure", title: "Figures of the paper", family: "grapes", fromPaper: true },
 ] as const satisfies readonly PresetKind[];
 
 /** A preset's file, which stores choices by name. */
@@ -54,18 +55,8 @@ interface PresetFile extends Omit<Preset, "kind" | "parameters"> {
 
 /** All presets. */
 export const PRESETS: readonly Preset[] = [
-	...ofKind("shape", [
-		shortConical,
-		shoulderedConical,
-		longConical,
-		cylindrical,
-		wingedCylindrical,
-		doubleBunchWinged,
-		grape15a,
-		grape15b,
-		grape15c,
-		grape15d,
-	]),
+	...ofKind("shape", [shortConical, shoulderedConical, longConical, cylindrical, wingedCylindrical, doubleBunchWinged]),
+	...ofKind("figure", [grape15a, grape15b, grape15c, grape15d]),
 	...ofKind("fruit", [redcurrant, rubus, lychee, longan, duku]),
 	...ofKind("variety", [
 		pinotNoir,
@@ -87,6 +78,7 @@ export const PRESETS: readonly Preset[] = [
 	]),
 ];
 
+/** Returns the presets of a kind from their files, with choices as numbers. */
 function ofKind(kind: (typeof PRESET_KINDS)[number]["key"], files: readonly PresetFile[]): Preset[] {
 	// Varieties were added with the natural procedure.
 	const since = kind === "variety" ? { since: 2 } : {};

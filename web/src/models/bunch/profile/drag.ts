@@ -47,16 +47,16 @@ const BOTH_LOCKED: Locks = { leftRight: true, frontBack: true };
 
 /** Completes a change by its locks: omitted sides take their opposite's numbers. */
 export function withOpposites<C extends Partial<BunchShape>>(changed: C, locks?: Locks): C {
-	const followed = { ...changed };
+	const completed = { ...changed };
 	for (const side of SIDE_HANDLES) {
 		const { opposite, lock } = SIDES[side];
 		if (!locks?.[lock]) continue;
 		for (const axis of ["w", "r"] as const) {
 			const value = changed[`${side}${axis}`];
-			if (value !== undefined && changed[`${opposite}${axis}`] === undefined) followed[`${opposite}${axis}`] = value;
+			if (value !== undefined && changed[`${opposite}${axis}`] === undefined) completed[`${opposite}${axis}`] = value;
 		}
 	}
-	return followed;
+	return completed;
 }
 
 /**

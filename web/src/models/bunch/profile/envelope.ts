@@ -30,14 +30,23 @@ const ARC_STEPS = 12;
 export function endReach(parameters: Parameters, w: number): number {
 	if (w < PIXELS_PER_AXIS_SEGMENT / 2) return w;
 	const natural = PROCEDURES[parameters.procedure] === "natural";
-	return Math.min(w, natural ? naturalReach(parameters) : paperReach(parameters, w));
+	return Math.min(w, natural ? naturalEndReach(parameters) : paperEndReach(parameters, w));
 }
 
-function naturalReach({ size, pedicel, unit }: Parameters): number {
+/**
+ * Returns the reach of an end structure of a natural bunch, pixels: its twig and pedicel at their angle, and the
+ * berry's whole width.
+ */
+function naturalEndReach({ size, pedicel, unit }: Parameters): number {
 	return (sine(NATURAL_AIM) * (NATURAL_TWIG * size + pedicel) + size) / (UNITS_PER_PIXEL * unit);
 }
 
-function paperReach({ li, rrf, re, rp, rmin, rmax, yaw, fit }: Parameters, w: number): number {
+/**
+ * Returns the reach of an end structure of the paper's procedure, pixels: its internode and pedicel, stretched like all
+ * axes of the side to end at its half width, and the largest berry.
+ * @param w half width of the side, pixels
+ */
+function paperEndReach({ li, rrf, re, rp, rmin, rmax, yaw, fit }: Parameters, w: number): number {
 	const n = Math.round(w / PIXELS_PER_AXIS_SEGMENT);
 	const stretch = 1 + fit * (w / (PIXELS_PER_AXIS_SEGMENT * n) - 1);
 	const stalk = li * rrf * re * (1 + rp) * stretch;
@@ -100,6 +109,7 @@ export function envelopePath(parameters: Parameters, view: View): string {
 	return `M${[...right, ...left.reverse()].join("L")}Z`;
 }
 
+/** Returns the sine of an angle in degrees. */
 function sine(degrees: number): number {
 	return Math.sin((degrees * Math.PI) / 180);
 }

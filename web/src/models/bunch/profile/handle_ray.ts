@@ -29,7 +29,9 @@ const GRAZING = 0.17;
  */
 const END_ON = 0.02;
 
+/** Returns the length of a vector. */
 const lengthOf = ([x, y, z]: BunchVector): number => Math.hypot(x, y, z);
+/** Returns the dot product of two vectors. */
 const dot = (a: BunchVector, b: BunchVector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
 /** Returns the rightward axis of a handle's view: +X in front, +Z at the side. */
@@ -37,7 +39,10 @@ export function across(handle: Handle): BunchVector {
 	return isSide(handle) && SIDES[handle].view === "side" ? [0, 0, 1] : [1, 0, 0];
 }
 
-/** Returns a handle's position in the bunch's frame. */
+/**
+ * Returns a handle's position in the bunch's frame, metres.
+ * @param unit millimetres per unit of the paper
+ */
 export function handleVector(shape: BunchShape, handle: Handle, unit: number): BunchVector {
 	const { x, y } = handlePosition(shape, handle);
 	const pixel = metresPerPixel(unit);
@@ -59,8 +64,9 @@ export function visibleFreedom(handle: Handle, { direction }: HandleRay): Freedo
 }
 
 /**
- * Returns the point where the ray meets the handle's plane, or comes nearest to its line; undefined if there is none
- * (seen end-on, or behind the camera).
+ * Returns the point where the ray meets the handle's plane, or comes nearest to its line, in pixels of the handle's flat
+ * view; undefined if there is none (seen end-on, or behind the camera).
+ * @param unit millimetres per unit of the paper
  */
 export function rayToView(
 	shape: BunchShape,
@@ -74,8 +80,8 @@ export function rayToView(
 	const axis = across(handle);
 	const from = handlePosition(shape, handle);
 	if (freedom === "level") {
-		const along = nearestOnLine(at, axis, ray);
-		return along === undefined ? undefined : { x: from.x + along / pixel, y: from.y };
+		const right = nearestOnLine(at, axis, ray);
+		return right === undefined ? undefined : { x: from.x + right / pixel, y: from.y };
 	}
 	if (freedom === "plumb") {
 		const down = nearestOnLine(at, [0, -1, 0], ray);
@@ -88,7 +94,10 @@ export function rayToView(
 	return { x: dot(hit, axis) / pixel, y: -hit[1] / pixel };
 }
 
-/** Returns the position along a line (through `point`, unit `line`) where it is nearest to the ray. */
+/**
+ * Returns the distance from `point`, along the line in the unit direction `line`, of the line's point that is nearest to
+ * the ray; undefined where the line is seen end-on or that point is behind the ray's origin.
+ */
 function nearestOnLine(point: BunchVector, line: BunchVector, { origin, direction }: HandleRay): number | undefined {
 	const size = lengthOf(direction);
 	const towards = direction.map((value) => value / size) as [number, number, number];

@@ -4,7 +4,10 @@
  * of the paper's 600 × 600 view: x away from the axis to the right, y down from p1. The side view is the bunch seen
  * from its left, so p5 stands at the right as p3 does in front.
  */
+
+import { formatNumber } from "../../../locale/format";
 import type { Point } from "../../../ui/handles/point";
+import { text } from "../messages.generated";
 import type { NumberKey } from "../parameters.generated";
 
 export type View = "front" | "side";
@@ -22,7 +25,7 @@ export interface Locks {
 }
 
 interface Side {
-	/** Word in its sliders' labels: `Right width`. */
+	/** Case of its messages. */
 	name: "right" | "left" | "front" | "back";
 	view: View;
 	/** Side of the axis in its view. */
@@ -55,6 +58,7 @@ export function metresPerPixel(unit: number): number {
 	return (UNITS_PER_PIXEL * unit) / 1000;
 }
 
+/** Returns whether a handle is one of the four side handles. */
 export function isSide(handle: Handle): handle is SideHandle {
 	return handle !== "p2";
 }
@@ -74,17 +78,22 @@ export function handlePosition(shape: BunchShape, handle: Handle): Point {
 /** A profile with the millimetres of its unit. */
 export type ScaledShape = BunchShape & Record<"unit", number>;
 
-/** Returns a handle's label: "p3, right: 64.7 mm wide, 64.7 mm down". */
+/** Returns a handle's label: "p3, right: 64.7 mm wide, 64.7 mm below the top". */
 export function handleLabel(shape: ScaledShape, handle: Handle): string {
+	const value = handleValue(shape, handle);
 	return isSide(handle)
-		? `${handle}, ${SIDES[handle].name}: ${handleValue(shape, handle)}`
-		: `p2, length: ${handleValue(shape, handle)}`;
+		? text("handle_side", { handle, side: SIDES[handle].name, value })
+		: text("handle_length", { handle, value });
 }
 
-/** Returns a handle's numbers in words: "64.7 mm wide, 64.7 mm down". */
+/** Returns a handle's numbers in words: "64.7 mm wide, 64.7 mm below the top". */
 export function handleValue(shape: ScaledShape, handle: Handle): string {
-	const text = (key: ShapeKey) => `${inMillimetres(shape, key)} mm`;
-	return isSide(handle) ? `${text(`${handle}w`)} wide, ${text(`${handle}r`)} down` : text("l");
+	return isSide(handle)
+		? text("handle_width_and_drop", {
+				width: inMillimetres(shape, `${handle}w`),
+				drop: inMillimetres(shape, `${handle}r`),
+			})
+		: `${formatNumber(inMillimetres(shape, "l"))} mm`;
 }
 
 /** Returns a length of the profile in millimetres, to a tenth. */

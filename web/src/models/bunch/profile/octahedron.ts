@@ -46,6 +46,7 @@ export class OctahedronHandles {
 	#parameters?: Parameters;
 	#hovered?: Handle;
 
+	/** Listens to the host's canvas until `dispose`. */
 	constructor(host: OctahedronHost) {
 		this.#host = host;
 		this.#renderer = new OctahedronRenderer(host.canvas);
@@ -73,12 +74,14 @@ export class OctahedronHandles {
 		return this.#renderer.object;
 	}
 
+	/** Moves outline and handles to a profile. */
 	update(parameters: Parameters): void {
 		this.#parameters = parameters;
 		this.#renderer.update(parameters);
 		this.#host.requestRender();
 	}
 
+	/** Sets the colours, which follow the page's theme. */
 	setColours(colours: OctahedronColours): void {
 		this.#renderer.setColours(colours);
 		this.#host.requestRender();
@@ -92,6 +95,7 @@ export class OctahedronHandles {
 		this.#host.requestRender();
 	}
 
+	/** Stops listening, and frees the graphics card's memory. */
 	dispose(): void {
 		this.setVisible(false);
 		const { canvas } = this.#host;
@@ -104,13 +108,14 @@ export class OctahedronHandles {
 		this.#renderer.dispose();
 	}
 
+	/** Begins a drag if the main button is pressed on a handle; the camera controls are disabled meanwhile. */
 	readonly #onPointerDown = (event: PointerEvent): void => {
 		if (event.button !== 0 || !this.#parameters) return;
 		const handle = this.#handleAt(event);
 		if (!handle) return;
 		const freedom = visibleFreedom(handle, this.#ray(event));
 		this.#freedoms.set(event.pointerId, freedom);
-		const at = this.#point(event, handle);
+		const at = this.#pointInView(event, handle);
 		if (!at || !this.#drags.begin(event.pointerId, handle, at)) return;
 		this.#host.setControlsEnabled(false);
 		this.#host.canvas.setPointerCapture(event.pointerId);
@@ -118,40 +123,46 @@ export class OctahedronHandles {
 		this.#hover(handle);
 	};
 
+	/** Moves the dragged handle; without a drag, highlights the handle under the pointer. */
 	readonly #onPointerMove = (event: PointerEvent): void => {
 		const handle = this.#drags.heldBy(event.pointerId);
 		if (handle) {
-			const at = this.#point(event, handle);
+			const at = this.#pointInView(event, handle);
 			if (at) this.#drags.move(event.pointerId, at, event);
 		} else if (event.buttons === 0 && event.pointerType !== "touch") {
 			this.#hover(this.#handleAt(event));
 		}
 	};
 
+	/** Ends the highlight when the pointer leaves the canvas. */
 	readonly #onPointerLeave = (): void => {
 		if (!this.#drags.active) this.#hover(undefined);
 	};
 
+	/** Ends the pointer's drag. */
 	readonly #onPointerEnd = (event: PointerEvent): void => {
 		if (!this.#drags.heldBy(event.pointerId)) return;
 		this.#drags.end(event.pointerId);
-		this.#released();
+		this.#endIfReleased();
 		this.#hover(event.pointerType === "touch" ? undefined : this.#handleAt(event));
 	};
 
+	/** Cancels all drags, which restores the parameters from before them. */
 	#cancel(): void {
 		if (!this.#drags.active) return;
 		this.#drags.cancel();
-		this.#released();
+		this.#endIfReleased();
 	}
 
-	#released(): void {
+	/** Enables the camera controls again when no pointer holds a handle any more. */
+	#endIfReleased(): void {
 		if (this.#drags.active) return;
 		this.#freedoms.clear();
 		this.#host.setControlsEnabled(true);
 		this.#escape.listen(false);
 	}
 
+	/** Shows a handle as hovered, or none, and updates the pointer's shape. */
 	#hover(handle: Handle | undefined): void {
 		this.#host.canvas.style.cursor = this.#drags.active ? "grabbing" : handle ? "grab" : "";
 		if (handle === this.#hovered) return;
@@ -160,30 +171,33 @@ export class OctahedronHandles {
 		this.#host.requestRender();
 	}
 
-	/** The free handle under a pointer. */
+	/** Returns the free handle under a pointer. */
 	#handleAt(event: PointerEvent): Handle | undefined {
 		if (!this.#parameters || !this.object.visible) return undefined;
 		const box = this.#host.canvas.getBoundingClientRect();
-		const places = new Map<Handle, Point>();
+		const screenPositions = new Map<Handle, Point>();
 		for (const handle of HANDLES) {
 			if (this.#drags.holds(handle)) continue;
-			const place = new Vector3(...handleVector(this.#parameters, handle, this.#parameters.unit));
-			this.object.localToWorld(place).project(this.#host.camera);
-			if (Math.abs(place.z) > 1) continue;
-			places.set(handle, { x: ((place.x + 1) / 2) * box.width, y: ((1 - place.y) / 2) * box.height });
+			const position = new Vector3(...handleVector(this.#parameters, handle, this.#parameters.unit));
+			this.object.localToWorld(position).project(this.#host.camera);
+			if (Math.abs(position.z) > 1) continue;
+			screenPositions.set(handle, { x: ((position.x + 1) / 2) * box.width, y: ((1 - position.y) / 2) * box.height });
 		}
 		const pointer = { x: event.clientX - box.left, y: event.clientY - box.top };
-		return nearest(places, pointer, event.pointerType === "touch" ? TOUCH_REACH : MOUSE_REACH);
+		return nearest(screenPositions, pointer, event.pointerType === "touch" ? TOUCH_REACH : MOUSE_REACH);
 	}
 
-	/** Returns the pointer's position in the flat view of its handle. */
-	#point(event: PointerEvent, handle: Handle): Point | undefined {
+	/**
+	 * Returns the pointer's position in the flat view of its handle, pixels; undefined where its ray misses the handle's
+	 * plane.
+	 */
+	#pointInView(event: PointerEvent, handle: Handle): Point | undefined {
 		const parameters = this.#parameters as Parameters;
 		const freedom = this.#freedoms.get(event.pointerId) ?? "plane";
 		return rayToView(parameters, handle, freedom, this.#ray(event), parameters.unit);
 	}
 
-	/** The pointer's ray in the bunch's frame. */
+	/** Returns the pointer's ray in the bunch's frame, metres. */
 	#ray({ clientX, clientY }: PointerEvent): HandleRay {
 		const box = this.#host.canvas.getBoundingClientRect();
 		const x = ((clientX - box.left) / box.width) * 2 - 1;

@@ -57,6 +57,7 @@ export class OctahedronRenderer {
 	readonly #rimMaterial = new MeshBasicMaterial({ transparent: true, depthTest: false, toneMapped: false });
 	readonly #dotMaterial = new MeshBasicMaterial({ transparent: true, depthTest: false, toneMapped: false });
 
+	/** @param canvas its size on the screen keeps the handles' size constant */
 	constructor(canvas: HTMLCanvasElement) {
 		this.#canvas = canvas;
 		this.object.name = "octahedron";
@@ -78,6 +79,7 @@ export class OctahedronRenderer {
 		this.setColours(COLOURS);
 	}
 
+	/** Moves corners and handles to a profile. */
 	update(parameters: BunchShape & { unit: number }): void {
 		for (const [index, handle] of HANDLES.entries()) {
 			const place = handleVector(parameters, handle, parameters.unit);
@@ -92,12 +94,14 @@ export class OctahedronRenderer {
 		for (const [handle, group] of this.#handles) group.userData.factor = handle === highlighted ? HIGHLIGHT : 1;
 	}
 
+	/** Sets the colours of lines, faces and handles. */
 	setColours({ line, handle, rim }: OctahedronColours): void {
 		for (const material of [this.#faceMaterial, ...this.#lineMaterials]) material.color.set(line);
 		this.#dotMaterial.color.set(handle);
 		this.#rimMaterial.color.set(rim);
 	}
 
+	/** Releases the graphics memory. */
 	dispose(): void {
 		for (const part of this.object.children)
 			if (part instanceof Mesh || part instanceof LineSegments) part.geometry.dispose();
@@ -106,6 +110,10 @@ export class OctahedronRenderer {
 		for (const material of materials) material.dispose();
 	}
 
+	/**
+	 * Creates a geometry of the shared corners.
+	 * @param index corners of its triangles or edges
+	 */
 	#geometry(index: number[]): BufferGeometry {
 		return new BufferGeometry().setAttribute("position", this.#corners).setIndex(index);
 	}

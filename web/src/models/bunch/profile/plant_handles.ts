@@ -1,6 +1,8 @@
 /** The octahedron's handles on the bunch itself. */
+
 import type { Change } from "../../../ui/editor_context";
 import type { HandlesOf, HandleVector, PlantHandle } from "../../../ui/handles/plant_handle";
+import { text } from "../messages.generated";
 import type { BunchSpecimen } from "../specimen";
 import { dragHandle } from "./drag";
 import { across, handleVector } from "./handle_ray";
@@ -32,28 +34,28 @@ export const bunchHandles: HandlesOf<BunchSpecimen> = ({ parameters }) => {
 	};
 };
 
+/** Returns a handle of the bunch's profile at its place in space. */
 function handleOf(parameters: Parameters, handle: Handle): PlantHandle {
 	const axis = across(handle);
 	const pixel = metresPerPixel(parameters.unit);
 	const from = handlePosition(parameters, handle);
-	const to = (x: number, y: number) => changed(dragHandle(parameters, handle, { x, y }), handle);
+	const dragTo = (x: number, y: number) => changeOf(dragHandle(parameters, handle, { x, y }), handle);
 	return {
 		id: handle,
-		label: isSide(handle) ? capital(SIDES[handle].name) : "Length",
+		label: isSide(handle) ? text(`side_${SIDES[handle].name}`) : text("length"),
 		value: handleValue(parameters, handle),
 		at: handleVector(parameters, handle, parameters.unit),
 		along: isSide(handle) ? [axis, VERTICAL] : [VERTICAL],
-		pull: ([x, y, z]) => to((axis[0] * x + axis[2] * z) / pixel, -y / pixel),
+		pull: ([x, y, z]) => dragTo((axis[0] * x + axis[2] * z) / pixel, -y / pixel),
 		nudge: (right, up, large) => {
 			const step = large ? LARGE_STEP : STEP;
 			// NaN leaves its coordinate unchanged, including a fraction of a pixel.
-			return to(right ? from.x + right * step : Number.NaN, up ? from.y - up * step : Number.NaN);
+			return dragTo(right ? from.x + right * step : Number.NaN, up ? from.y - up * step : Number.NaN);
 		},
 	};
 }
 
-function changed(parameters: Parameters, handle: Handle): Change {
+/** Returns the change of the parameters that a handle sets. */
+function changeOf(parameters: Parameters, handle: Handle): Change {
 	return { parameters: Object.fromEntries(handleKeys(handle).map((key) => [key, parameters[key]])) };
 }
-
-const capital = (word: string) => word.charAt(0).toUpperCase() + word.slice(1);

@@ -19,7 +19,7 @@ import {
 } from "./handles";
 import { scaleBar, type ViewFrame } from "./view_frame";
 
-/** Returns the transform of content that keeps its size on the screen at a point of the profile. */
+/** Returns the SVG transform of content at a point of the profile that keeps its size on the screen. */
 function pin(frame: ViewFrame, x: number, y: number): string {
 	return `translate(${x} ${y}) scale(${1 / frame.scale})`;
 }
@@ -86,12 +86,21 @@ export function drawGuides(shape: ScaledShape, handle: Handle, frame: ViewFrame,
 		<g transform=${pin(frame, x, y / 2)}>${r}</g>`;
 }
 
+/**
+ * Draws a value with its symbol and subscript, such as "l" or "w₃".
+ * @param index subscript of the symbol
+ * @param anchor text-anchor of the SVG text
+ */
 function drawValue(symbol: string, index: string, value: string, x: number, y: number, anchor: string): TemplateResult {
 	return svg`<text class="value" x=${x} y=${y} text-anchor=${anchor}><tspan class="symbol">${symbol}</tspan><tspan class="subscript" dy="2"
 		>${index}</tspan><tspan dy=${index ? -2 : 0}> ${value}</tspan></text>`;
 }
 
-/** Draws a scale bar at the lower left. */
+/**
+ * Draws a scale bar at the lower left.
+ * @param extent side of the visible square, pixels of the profile
+ * @param unit millimetres per unit of the paper
+ */
 export function drawScale(extent: number, unit: number, frame: ViewFrame): TemplateResult {
 	const { length, label } = scaleBar(extent, unit);
 	const pixels = length * frame.scale;

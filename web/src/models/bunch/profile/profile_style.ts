@@ -52,13 +52,13 @@ export const profileStyle = css`
 		pointer-events: none;
 	}
 	.name {
-		opacity: 0.66;
+		opacity: 0.75;
 	}
 	.symbol {
 		font: italic 400 1.25em / 0 var(--serif, Georgia, "Times New Roman", serif);
 	}
 	.subscript {
-		font-size: 0.75em;
+		font-size: 12px;
 	}
 	.value {
 		fill: var(--grip);
@@ -81,7 +81,7 @@ export const profileStyle = css`
 		translate: none;
 	}
 	sub {
-		font-size: 0.75em;
+		font-size: 12px;
 		line-height: 0;
 	}
 	.handle:is(:hover, :focus-visible, .held) .name {

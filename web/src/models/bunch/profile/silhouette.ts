@@ -34,6 +34,10 @@ const AXES: Record<View, { right: 0 | 2; eye: 0 | 2; towards: 1 | -1 }> = {
 	side: { right: 2, eye: 0, towards: -1 },
 };
 
+/**
+ * Projects berries and stems onto a view's plane, in pixels of the profile, the farthest berry first.
+ * @param unit millimetres per unit of the paper
+ */
 export function silhouette({ berries, internodes }: DrawnBunch, view: View, unit: number): Silhouette {
 	const { right, eye, towards } = AXES[view];
 	const pixel = metresPerPixel(unit);
@@ -53,14 +57,19 @@ export function silhouette({ berries, internodes }: DrawnBunch, view: View, unit
 	};
 }
 
-/** Returns the visible ellipse of a berry, an ellipsoid about its own direction. */
+/**
+ * Returns the visible ellipse of a berry, an ellipsoid about its own direction, in pixels of the profile.
+ * @param right the axis to the right of the view: 0 for x, 2 for z
+ * @param pixel metres per pixel
+ */
 function outlineOf({ directions, traits }: Berries, berry: number, right: 0 | 2, pixel: number) {
 	const [width, length] = [WIDTH, LENGTH].map((trait) => traits[TRAITS.length * berry + trait] / pixel);
-	const [along, up] = [directions[3 * berry + right], directions[3 * berry + 1]];
+	// The direction's components on the page.
+	const [across, up] = [directions[3 * berry + right], directions[3 * berry + 1]];
 	// Visible share of the direction: 1 from the side, 0 end on.
-	const seen = along * along + up * up;
+	const seen = across * across + up * up;
 	const rx = Math.sqrt(seen * length * length + (1 - seen) * width * width) / 2;
-	return { rx, ry: width / 2, turn: Math.atan2(-up, along) };
+	return { rx, ry: width / 2, turn: Math.atan2(-up, across) };
 }
 
 const WIDTH = TRAITS.indexOf("width");

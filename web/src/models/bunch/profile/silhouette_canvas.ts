@@ -21,11 +21,12 @@ export interface SilhouetteScene {
 
 /** Returns whether both give the same drawing. */
 export function sameScene(one: SilhouetteScene, other: SilhouetteScene): boolean {
-	const others = ingredients(other);
-	return ingredients(one).every((ingredient, index) => ingredient === others[index]);
+	const others = inputsOf(other);
+	return inputsOf(one).every((ingredient, index) => ingredient === others[index]);
 }
 
-function ingredients({ frame, ...scene }: SilhouetteScene): unknown[] {
+/** Returns everything that a drawing depends on, as values to compare. */
+function inputsOf({ frame, ...scene }: SilhouetteScene): unknown[] {
 	const { left, top, width, height, scale } = frame;
 	return [scene.bunch, scene.view, scene.unit, scene.ratio, scene.ink, left, top, width, height, scale];
 }
@@ -52,15 +53,15 @@ export type Pen = Pick<
 
 /** Drawing on a view's canvas. */
 export class SilhouetteDrawing {
-	#drawn?: SilhouetteScene;
-	#on?: HTMLCanvasElement;
+	#lastScene?: SilhouetteScene;
+	#lastCanvas?: HTMLCanvasElement;
 
 	/** Draws in the canvas's own colour and at the screen's density, if any input has changed. */
-	show(canvas: HTMLCanvasElement, drawn: Omit<SilhouetteScene, "ratio" | "ink">): void {
-		const scene = { ...drawn, ratio: devicePixelRatio, ink: getComputedStyle(canvas).color };
-		if (canvas === this.#on && this.#drawn && sameScene(this.#drawn, scene)) return;
-		this.#drawn = scene;
-		this.#on = canvas;
+	show(canvas: HTMLCanvasElement, content: Omit<SilhouetteScene, "ratio" | "ink">): void {
+		const scene = { ...content, ratio: devicePixelRatio, ink: getComputedStyle(canvas).color };
+		if (canvas === this.#lastCanvas && this.#lastScene && sameScene(this.#lastScene, scene)) return;
+		this.#lastScene = scene;
+		this.#lastCanvas = canvas;
 		const { frame, ratio, bunch } = scene;
 		// Setting a canvas's size clears it.
 		canvas.width = Math.round(frame.width * frame.scale * ratio);
@@ -70,6 +71,12 @@ export class SilhouetteDrawing {
 	}
 }
 
+/**
+ * Draws stems and berries.
+ * @param unit the specimen's parameter `unit`, which sets the size of a pixel of the profile
+ * @param ratio device pixels per CSS pixel
+ * @param ink any CSS colour
+ */
 export function inkSilhouette(
 	pen: Pen,
 	{ bunch, view, unit, frame, ratio, ink }: SilhouetteScene & { bunch: DrawnBunch },
@@ -85,6 +92,7 @@ export function inkSilhouette(
 	for (const berry of berries) inkBerry(pen, berry);
 }
 
+/** Draws the stems as lines. */
 function inkStems(pen: Pen, stems: readonly Stroke[]): void {
 	pen.beginPath();
 	for (const [x1, y1, x2, y2] of stems) {

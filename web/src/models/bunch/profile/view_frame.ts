@@ -23,16 +23,18 @@ const EXTENTS = [150, 200, 250, 300, 400, 500, VIEW_PIXELS];
 /** Larger sides, for a seed's bunch longer than the handles allow. */
 const LONGER = [720, 860, 1000, 1200];
 
+/** Room for a pedicel beyond the profile, in pixels of the profile. */
+const PEDICEL_ROOM = 15;
 /** Margin below a side handle, in pixels of the profile. */
 const BELOW_SIDE = 20;
 
 /** Parameters that determine a bunch's extent. */
 export type Roomy = BunchShape & Pick<Specimen["parameters"], "procedure" | "rmax" | "size" | "unit">;
 
-/** Returns how far pedicel and berry reach beyond the tip and the widths, in pixels of the profile. */
-function beyond({ procedure, rmax, size, unit }: Roomy): number {
+/** Returns how far pedicel and berry reach beyond the profile's tip and widths, in pixels of the profile. */
+function reachBeyond({ procedure, rmax, size, unit }: Roomy): number {
 	const berry = PROCEDURES[procedure] === "natural" ? size / unit : 2 * rmax;
-	return berry / UNITS_PER_PIXEL + 15;
+	return berry / UNITS_PER_PIXEL + PEDICEL_ROOM;
 }
 
 /** Enlarges a shape to contain the seed's own profile. */
@@ -49,16 +51,16 @@ export function withRoomFor(shape: Roomy, own: Partial<BunchShape> = {}): Roomy 
  * have one size, so that they are comparable.
  */
 export function viewExtent(shape: Roomy, width: number, height: number): number {
-	const reach = beyond(shape);
-	let needHeight = shape.l + reach;
-	let needWidth = 0;
+	const reach = reachBeyond(shape);
+	let neededHeight = shape.l + reach;
+	let neededWidth = 0;
 	for (const side of SIDE_HANDLES) {
-		needHeight = Math.max(needHeight, shape[`${side}r`] + BELOW_SIDE);
-		needWidth = Math.max(needWidth, 2 * (shape[`${side}w`] + reach));
+		neededHeight = Math.max(neededHeight, shape[`${side}r`] + BELOW_SIDE);
+		neededWidth = Math.max(neededWidth, 2 * (shape[`${side}w`] + reach));
 	}
 	const fits = (extent: number) => {
 		const { scale } = viewFrame(width, height, extent);
-		return needWidth * scale <= width - 2 * MARGIN && needHeight * scale <= height - 2 * MARGIN;
+		return neededWidth * scale <= width - 2 * MARGIN && neededHeight * scale <= height - 2 * MARGIN;
 	};
 	return (
 		EXTENTS.find(fits) ??
@@ -80,7 +82,11 @@ export interface ScaleBar {
 	label: string;
 }
 
-/** Returns a scale bar of the longest round length up to a quarter of the view. */
+/**
+ * Returns a scale bar of the longest round length up to a quarter of the view.
+ * @param extent side of the visible square, pixels of the profile
+ * @param unit millimetres per unit of the paper
+ */
 export function scaleBar(extent: number, unit: number): ScaleBar {
 	const millimetres = UNITS_PER_PIXEL * unit;
 	const length = roundLength((extent / 4) * millimetres);

@@ -22,9 +22,10 @@ export class BerryInstances {
 	#buffer: InstancedInterleavedBuffer | undefined;
 
 	/**
-	 * Sets the berries.
-	 * @param reaches of each berry's vertices from its centre
-	 * @param skies sky visibility of each berry (skiesOf)
+	 * Sets the attributes of all berries, which `order` then writes in the order of drawing.
+	 * @param tint returns the colours of a berry by its index
+	 * @param reaches greatest distance of each berry's vertices from its centre, metres
+	 * @param skies share of the sky that each berry sees, 0 … 1 (skiesOf)
 	 */
 	show(berries: Berries, tint: (berry: number) => BerryTint, reaches: Float32Array, skies: Float32Array): void {
 		const records = new Float32Array(STRIDE * berries.count);
@@ -43,7 +44,7 @@ export class BerryInstances {
 		this.#records = records;
 	}
 
-	/** Writes the berries of these indices, in this order, into the geometry that draws them. */
+	/** Writes the berries with these indices, in this order, into the geometry that draws them. */
 	order(geometry: InstancedBufferGeometry, indices: readonly number[]): void {
 		const buffer = this.#roomFor(geometry, indices.length);
 		const array = buffer.array as Float32Array;
@@ -56,6 +57,10 @@ export class BerryInstances {
 		geometry.instanceCount = indices.length;
 	}
 
+	/**
+	 * Returns a buffer for at least `count` berries; it grows by half, because replacing it means a new geometry on the
+	 * graphics card.
+	 */
 	#roomFor(geometry: InstancedBufferGeometry, count: number): InstancedInterleavedBuffer {
 		if (this.#buffer && this.#buffer.count >= count) return this.#buffer;
 		geometry.dispose();
@@ -68,7 +73,7 @@ export class BerryInstances {
 	}
 }
 
-/** Returns a colour's logarithms: colours of pigments mix as their logarithms. */
+/** Returns the logarithms of a colour's channels: colours of pigments mix as their logarithms. */
 function logarithmOf(colour: Colour): Colour {
 	return colour.map((value) => Math.log(value + LEAST_LIGHT)) as Colour;
 }

@@ -37,7 +37,7 @@ export function berryMaterial(shared: SharedUniforms): ShaderMaterial {
 	});
 }
 
-/** Sets the material's skin. */
+/** Sets the uniforms that describe the skin of all berries. */
 export function setSkin({ uniforms }: ShaderMaterial, skin: Skin): void {
 	const { ripeFlesh, unripeFlesh, fruit } = skin;
 	uniforms.ripeAbsorption.value.fromArray(ripeFlesh.absorption);

@@ -2,7 +2,7 @@ import { NOISE_CHUNK } from "../../../plant/noise";
 import { float, step, vec3 } from "../../../render/glsl";
 import { LIGHT_CHUNK } from "../../../render/light_shader";
 import { OUTPUT_CHUNK } from "../../../render/output_shader";
-import { WIND_CHUNK } from "../../../render/wind";
+import { WIND_CHUNK } from "../../../render/wind_shader";
 import {
 	AMBER,
 	AMONG_CLEAR,

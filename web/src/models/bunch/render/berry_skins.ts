@@ -10,10 +10,11 @@ export const VERTICES_PER_ROW = 1024;
  * Undefined if only the skeleton was requested.
  */
 export function surfacesOf({ surfaces, berry, berries }: BunchPlant): BerrySurfaces | undefined {
-	return surfaces ?? (berry && placedEverywhere(berry, berries));
+	return surfaces ?? (berry && copyToEachBerry(berry, berries));
 }
 
-function placedEverywhere(berry: SharedBerry, { count, spheres, directions }: Berries): BerrySurfaces {
+/** Returns the shared berry's mesh at the place, direction and size of each berry; nothing is pressed. */
+function copyToEachBerry(berry: SharedBerry, { count, spheres, directions }: Berries): BerrySurfaces {
 	const size = berry.positions.length;
 	const positions = new Float32Array(size * count);
 	const normals = new Float32Array(size * count);
@@ -50,9 +51,10 @@ export function packVertices(
 		const x = spheres[4 * berry];
 		const y = spheres[4 * berry + 1];
 		const z = spheres[4 * berry + 2];
-		const last = 3 * vertices * (berry + 1);
+		const end = 3 * vertices * (berry + 1);
+		// The greatest distance of a vertex from the centre, along any axis.
 		let reach = 1e-9;
-		for (let v = 3 * vertices * berry; v < last; v += 3) {
+		for (let v = 3 * vertices * berry; v < end; v += 3) {
 			reach = Math.max(
 				reach,
 				Math.abs(positions[v] - x),
@@ -62,25 +64,28 @@ export function packVertices(
 		}
 		reaches[berry] = reach;
 		const scale = (0.5 * STEPS) / reaches[berry];
-		for (let v = 3 * vertices * berry; v < last; v += 3, at += 4) {
+		for (let v = 3 * vertices * berry; v < end; v += 3, at += 4) {
 			const i = v / 3;
-			words[at] = packed((positions[v] - x) * scale, (positions[v + 1] - y) * scale);
-			words[at + 1] = packed((positions[v + 2] - z) * scale, -0.5 * STEPS) | (pressed[i] << 16);
+			words[at] = packPair((positions[v] - x) * scale, (positions[v + 1] - y) * scale);
+			words[at + 1] = packPair((positions[v + 2] - z) * scale, -0.5 * STEPS) | (pressed[i] << 16);
 			words[at + 1] |= (sky ? sky[i] : 255) << 24;
-			words[at + 2] = packedNormal(normals[v], normals[v + 1], normals[v + 2]);
+			words[at + 2] = packNormal(normals[v], normals[v + 1], normals[v + 2]);
 		}
 	}
 	return reaches;
 }
 
-/** Packs two numbers of −STEPS / 2 … STEPS / 2, the first in the lower half. */
-function packed(first: number, second: number): number {
+/** Packs two numbers of −STEPS / 2 … STEPS / 2 into 32 bits, the first in the lower half. */
+function packPair(first: number, second: number): number {
 	return (
 		(Math.round(clamp(first + 0.5 * STEPS, 0, STEPS)) | (Math.round(clamp(second + 0.5 * STEPS, 0, STEPS)) << 16)) >>> 0
 	);
 }
 
-function packedNormal(x: number, y: number, z: number): number {
+/**
+ * Packs a normal into 32 bits by octahedral projection: x and y on the octahedron, whose lower half is folded outwards.
+ */
+function packNormal(x: number, y: number, z: number): number {
 	const sum = Math.abs(x) + Math.abs(y) + Math.abs(z) || 1;
 	let u = x / sum;
 	let v = y / sum;
@@ -89,7 +94,7 @@ function packedNormal(x: number, y: number, z: number): number {
 		v = (1 - Math.abs(u)) * (v < 0 ? -1 : 1);
 		u = folded;
 	}
-	return packed(0.5 * STEPS * u, 0.5 * STEPS * v);
+	return packPair(0.5 * STEPS * u, 0.5 * STEPS * v);
 }
 
 /** Returns the sky visibility of each berry, 0 … 1: the mean over its surface. */

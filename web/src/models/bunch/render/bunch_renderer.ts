@@ -48,6 +48,7 @@ export class BunchRenderer implements ModelRenderer<BunchDress, BunchPlant> {
 	#receivers: Receivers | undefined;
 	#mode: string = "whole";
 
+	/** @param stage light, wind and the scene's root, which receives the bunch */
 	constructor(stage: RendererStage) {
 		this.#stage = stage;
 		this.#shared = {
@@ -61,6 +62,7 @@ export class BunchRenderer implements ModelRenderer<BunchDress, BunchPlant> {
 		stage.root.add(this.#surface.group, this.#lights.group);
 	}
 
+	/** Creates the materials of a bunch; berries cast shadows on stems and flowers through shared uniforms. */
 	#materials(): PartMaterials {
 		const light = this.#stage.light.uniforms;
 		const { casterRecords, berriesShown } = this.#shared;
@@ -83,10 +85,14 @@ export class BunchRenderer implements ModelRenderer<BunchDress, BunchPlant> {
 		};
 	}
 
+	/** Draws an invisible bunch, which compiles the shader programs. */
 	warmUp(): void {
 		this.show(WARM_UP_BUNCH, { look: WARM_UP_LOOK });
 	}
 
+	/**
+	 * Replaces the drawn bunch. Shadows between berries are computed by `prepare`, when the light's direction is known.
+	 */
 	show(latest: BunchPlant, dress: BunchDress): void {
 		const { look } = dress;
 		const grown = this.#sky.of(latest);
@@ -102,6 +108,7 @@ export class BunchRenderer implements ModelRenderer<BunchDress, BunchPlant> {
 		this.setMode(this.#mode);
 	}
 
+	/** Returns the bounds of the drawn bunch; of the foliage only some points. */
 	bounds(): Bodies {
 		const { berries, internodes, foliage } = this.#grown ?? WARM_UP_BUNCH;
 		if (!foliage) return { spheres: berries.spheres, points: internodes.ends };
@@ -112,10 +119,12 @@ export class BunchRenderer implements ModelRenderer<BunchDress, BunchPlant> {
 		return { spheres: berries.spheres, points };
 	}
 
+	/** Returns the movement in the wind; undefined before the first bunch. */
 	sway(): Sway | undefined {
 		return this.#grown && swayOf(this.#grown);
 	}
 
+	/** Prepares a frame: aims the lamps, computes shadows again if the light has turned, and sorts by the camera. */
 	prepare(camera: PerspectiveCamera): void {
 		this.#lights.aim(this.#stage.light, camera, this.#stage.wind);
 		if (!this.#receivers) return;
@@ -135,11 +144,13 @@ export class BunchRenderer implements ModelRenderer<BunchDress, BunchPlant> {
 		return index === undefined ? undefined : berries.ids[index];
 	}
 
+	/** Highlights the berry of an id; undefined ends the highlight. */
 	mark(id: number | undefined): void {
 		const index = id === undefined ? NONE : (this.#grown?.berries.ids.indexOf(id) ?? NONE);
 		this.#surface.materials.berry.uniforms.highlighted.value = index;
 	}
 
+	/** Shows the whole bunch or the stems alone. */
 	setMode(mode: string): void {
 		this.#mode = mode;
 		const whole = mode === "whole";
@@ -148,6 +159,7 @@ export class BunchRenderer implements ModelRenderer<BunchDress, BunchPlant> {
 		if (this.#grown) this.#shadow.set(capsulesOf(this.#grown, whole));
 	}
 
+	/** Removes the bunch from the scene and releases its graphics memory. */
 	dispose(): void {
 		this.#surface.group.removeFromParent();
 		this.#surface.dispose();

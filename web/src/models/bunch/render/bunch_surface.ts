@@ -50,13 +50,14 @@ export class BunchSurface {
 	readonly #order = new DepthOrder();
 	#shown: { grown: BunchPlant; look: Look } | undefined;
 	#bare = false;
-	#dressed: { veins: Veins | undefined; autumn: number } | undefined;
+	#leavesDrawnFor: { veins: Veins | undefined; autumn: number } | undefined;
 
+	/** @param materials one for each kind of part; foliage has several */
 	constructor(readonly materials: PartMaterials) {
 		const { berry, stem, flower, foliage } = materials;
-		this.#berries = this.#part("berries", new InstancedBufferGeometry(), berry);
-		this.#stems = this.#part("stems", new BufferGeometry(), stem);
-		this.#foliage = this.#part(
+		this.#berries = this.#addPart("berries", new InstancedBufferGeometry(), berry);
+		this.#stems = this.#addPart("stems", new BufferGeometry(), stem);
+		this.#foliage = this.#addPart(
 			"foliage",
 			new BufferGeometry(),
 			FOLIAGE_KINDS.map((kind) => foliage[kind]),
@@ -88,12 +89,13 @@ export class BunchSurface {
 		this.#setVisible();
 	}
 
-	/** Sorts the berries nearest first. */
+	/** Sorts the berries by their distance from the camera, nearest first. */
 	sort(camera: PerspectiveCamera): void {
 		if (this.#order.sort(EYE.setFromMatrixPosition(camera.matrixWorld)))
 			this.#instances.order(this.#berries.geometry, this.#order.indices);
 	}
 
+	/** Releases the graphics memory. */
 	dispose(): void {
 		for (const part of [this.#berries, this.#stems, this.#foliage]) part.geometry.dispose();
 		this.#flowers.dispose();
@@ -103,7 +105,12 @@ export class BunchSurface {
 		this.#vertices.dispose();
 	}
 
-	#part<G extends BufferGeometry, M extends Material | Material[]>(name: string, geometry: G, material: M): Mesh<G, M> {
+	/** Creates the mesh of a kind of parts and adds it to the group, invisible at first. */
+	#addPart<G extends BufferGeometry, M extends Material | Material[]>(
+		name: string,
+		geometry: G,
+		material: M,
+	): Mesh<G, M> {
 		const part = new Mesh(geometry, material);
 		part.name = name;
 		// Buffers are larger than their content, and the berries' shader places them: three's bounds would be wrong.
@@ -113,11 +120,17 @@ export class BunchSurface {
 		return part;
 	}
 
+	/** Hides berries and flowers where only stems are shown. */
 	#setVisible(): void {
 		this.#berries.visible = !this.#bare && this.#order.indices.length > 0;
 		this.#flowers.visible = !this.#bare;
 	}
 
+	/**
+	 * Uploads the berries: vertices into a texture, which the shader reads for each instance, and one pattern of
+	 * triangles for all.
+	 * @param skies share of the visible sky of each berry
+	 */
 	#showBerries(
 		surfaces: BerrySurfaces,
 		{ berries }: BunchPlant,
@@ -126,7 +139,7 @@ export class BunchSurface {
 	): void {
 		const { geometry, material } = this.#berries;
 		this.#vertices.reserve(surfaces.pressed.length);
-		const reaches = packVertices(surfaces, berries, this.#vertices.words);
+		const reaches = packVertices(surfaces, berries, this.#vertices.uint32);
 		this.#vertices.changed();
 		material.uniforms.vertexRecords.value = this.#vertices.texture;
 		material.uniforms.patternVertices.value = surfaces.uvs.length / 2;
@@ -134,6 +147,7 @@ export class BunchSurface {
 		this.#instances.show(berries, tint, reaches, skies);
 	}
 
+	/** Updates the mesh of the stems from the shown bunch. */
 	#showStems(): void {
 		const { grown, look } = this.#shown ?? {};
 		const stem = grown?.stem;
@@ -143,18 +157,19 @@ export class BunchSurface {
 	}
 
 	/** Updates the leaves' textures, only when they change, not with every step of a drag. */
-	#dressLeaves(veins: Veins | undefined, autumn: number): void {
-		if (this.#dressed?.veins === veins && this.#dressed?.autumn === autumn) return;
-		this.#dressed = { veins, autumn };
+	#updateLeafTextures(veins: Veins | undefined, autumn: number): void {
+		if (this.#leavesDrawnFor?.veins === veins && this.#leavesDrawnFor?.autumn === autumn) return;
+		this.#leavesDrawnFor = { veins, autumn };
 		const { leaf } = foliageMaterials(autumn, veins);
 		setSheet(this.materials.foliage.leaf, leaf);
 		setPicture(this.materials.foliage.leaf, leaf);
 	}
 
+	/** Updates the geometry and materials of leaves and canes. */
 	#showFoliage(foliage: Foliage, autumn: number): void {
 		const { positions, normals, uvs, indices, parts } = foliage;
 		const { geometry } = this.#foliage;
-		this.#dressLeaves(foliage.veins, autumn);
+		this.#updateLeafTextures(foliage.veins, autumn);
 		fillStreams(
 			geometry,
 			[

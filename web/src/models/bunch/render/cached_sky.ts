@@ -22,30 +22,39 @@ export class CachedSky {
 		const { stem, berry, surfaces, foliage } = grown;
 		return {
 			...grown,
-			stem: { ...stem, sky: ofStems(stem, grown.internodes, last.stem, last.stem.sky, last.internodes) },
-			...(berry && { berry: { ...berry, sky: ofBerries(berry, grown, last) } }),
-			...(surfaces && { surfaces: { ...surfaces, sky: ofBerries(surfaces, grown, last) } }),
-			...(foliage && { foliage: { ...foliage, sky: fitting(last.foliage?.sky, foliage.positions.length / 3) } }),
+			stem: { ...stem, sky: skyOfStems(stem, grown.internodes, last.stem, last.stem.sky, last.internodes) },
+			...(berry && { berry: { ...berry, sky: skyOfBerries(berry, grown, last) } }),
+			...(surfaces && { surfaces: { ...surfaces, sky: skyOfBerries(surfaces, grown, last) } }),
+			...(foliage && { foliage: { ...foliage, sky: skyOfLeaves(last.foliage?.sky, foliage.positions.length / 3) } }),
 		};
 	}
 }
 
-/** Takes each berry's sky from the previous berry of its id; a new berry gets the mean. */
-function ofBerries(surface: BerrySurfaces | SharedBerry, { berries }: BunchPlant, last: BunchPlant): Uint8Array {
-	const each = surface.uvs.length / 2;
+/**
+ * Returns the sky visibility of the berries' vertices from the last berry of the same id; a new berry gets the mean.
+ */
+function skyOfBerries(surface: BerrySurfaces | SharedBerry, { berries }: BunchPlant, last: BunchPlant): Uint8Array {
+	const verticesPerBerry = surface.uvs.length / 2;
 	const before = (last.surfaces ?? last.berry)?.sky;
-	const sky = new Uint8Array(each * berries.count).fill(before ? mean(before) : OPEN);
-	if (before?.length !== each * last.berries.count) return sky;
-	const places = new Map(Array.from(last.berries.ids, (id, berry) => [id, berry]));
+	const sky = new Uint8Array(verticesPerBerry * berries.count).fill(before ? meanSky(before) : OPEN);
+	if (before?.length !== verticesPerBerry * last.berries.count) return sky;
+	const berriesBefore = new Map(Array.from(last.berries.ids, (id, berry) => [id, berry]));
 	berries.ids.forEach((id, berry) => {
-		const was = places.get(id);
-		if (was !== undefined) sky.set(before.subarray(each * was, each * (was + 1)), each * berry);
+		const berryBefore = berriesBefore.get(id);
+		if (berryBefore !== undefined)
+			sky.set(
+				before.subarray(verticesPerBerry * berryBefore, verticesPerBerry * (berryBefore + 1)),
+				verticesPerBerry * berry,
+			);
 	});
 	return sky;
 }
 
-/** Takes each internode's sky from the previous internode of its kind and its rank among them, or the last one's. */
-function ofStems(
+/**
+ * Returns the sky visibility of the stems' vertices: each internode takes it from the last bunch's internode of the
+ * same kind and rank among its kind, or from the last one of them.
+ */
+function skyOfStems(
 	stem: StemMesh,
 	internodes: Internodes,
 	before: StemMesh,
@@ -58,19 +67,21 @@ function ofStems(
 		sums[internode] += skyBefore[vertex];
 		counts[internode] += 1;
 	});
-	const known = byKind(internodesBefore);
+	const byKindBefore = internodesByKind(internodesBefore);
 	const skies = new Uint8Array(internodes.count);
-	for (const [kind, members] of byKind(internodes)) {
-		const like = known.get(kind)?.filter((internode) => counts[internode] > 0) ?? [];
+	for (const [kind, members] of internodesByKind(internodes)) {
+		const sameKind = byKindBefore.get(kind)?.filter((internode) => counts[internode] > 0) ?? [];
 		members.forEach((internode, place) => {
-			const was = like[Math.min(place, like.length - 1)];
-			skies[internode] = was === undefined ? OPEN : Math.round(sums[was] / counts[was]);
+			const internodeBefore = sameKind[Math.min(place, sameKind.length - 1)];
+			skies[internode] =
+				internodeBefore === undefined ? OPEN : Math.round(sums[internodeBefore] / counts[internodeBefore]);
 		});
 	}
 	return Uint8Array.from(stem.internode, (internode) => skies[internode]);
 }
 
-function byKind({ kind }: Internodes): Map<number, number[]> {
+/** Groups the indices of internodes by their kind. */
+function internodesByKind({ kind }: Internodes): Map<number, number[]> {
 	const members = new Map<number, number[]>();
 	kind.forEach((each, internode) => {
 		const list = members.get(each);
@@ -80,13 +91,14 @@ function byKind({ kind }: Internodes): Map<number, number[]> {
 	return members;
 }
 
-/** Takes the sky of the previous mesh if it has as many vertices; otherwise its mean. */
-function fitting(before: Uint8Array | undefined, vertices: number): Uint8Array {
+/** Returns the sky visibility of the last foliage if it has as many vertices; otherwise its mean. */
+function skyOfLeaves(before: Uint8Array | undefined, vertices: number): Uint8Array {
 	if (before?.length === vertices) return before;
-	return new Uint8Array(vertices).fill(before ? mean(before) : OPEN);
+	return new Uint8Array(vertices).fill(before ? meanSky(before) : OPEN);
 }
 
-function mean(values: Uint8Array): number {
+/** Returns the mean of sky visibilities, 0 … 255; all of the sky where there are none. */
+function meanSky(values: Uint8Array): number {
 	if (values.length === 0) return OPEN;
 	return Math.round(values.reduce((sum, value) => sum + value, 0) / values.length);
 }

@@ -3,7 +3,8 @@ export class DepthOrder {
 	#spheres: Float32Array = new Float32Array(0);
 	#depths = new Float64Array(0);
 	#indices: number[] = [];
-	#from: readonly number[] | undefined;
+	/** Position of the eye for which the indices are sorted. */
+	#sortedFrom: readonly number[] | undefined;
 
 	/**
 	 * Sets the spheres to order. If their number is unchanged, the previous order is the start, since little changes
@@ -12,7 +13,7 @@ export class DepthOrder {
 	 */
 	reset(spheres: Float32Array): void {
 		this.#spheres = spheres;
-		this.#from = undefined;
+		this.#sortedFrom = undefined;
 		const count = spheres.length / 4;
 		if (count === this.#indices.length) return;
 		this.#depths = new Float64Array(count);
@@ -26,9 +27,9 @@ export class DepthOrder {
 
 	/** Sorts by the distance from `eye`; returns whether the eye has moved. */
 	sort({ x, y, z }: { x: number; y: number; z: number }): boolean {
-		const from = this.#from;
+		const from = this.#sortedFrom;
 		if (from && from[0] === x && from[1] === y && from[2] === z) return false;
-		this.#from = [x, y, z];
+		this.#sortedFrom = [x, y, z];
 		const spheres = this.#spheres;
 		for (const i of this.#indices) {
 			const at = 4 * i;

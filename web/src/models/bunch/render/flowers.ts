@@ -12,13 +12,13 @@ import type { BunchPlant, FlowerMesh, FlowerPiece } from "../bunch_plant";
 import { flowersOf, type PlacedPieces } from "../parts/flowers";
 import { flowerColours } from "../parts/foliage_colour";
 
-type Drawn = InstancedMesh<BufferGeometry, MeshStandardMaterial>;
+type PieceMesh = InstancedMesh<BufferGeometry, MeshStandardMaterial>;
 
 /** Renders flowers: one instanced mesh per kind of piece. */
 export class Flowers {
 	readonly #group: Group;
 	readonly #material: MeshStandardMaterial;
-	#drawn: Drawn[] = [];
+	#meshes: PieceMesh[] = [];
 
 	constructor(group: Group, material: MeshStandardMaterial) {
 		this.#group = group;
@@ -36,40 +36,47 @@ export class Flowers {
 		const all = flowersOf(grown);
 		for (const run of flower.pieces) {
 			const pieces = all.filter(({ piece }) => piece === run.piece);
-			if (pieces.length > 0) this.#drawn.push(this.#draw(run.piece, geometryOf(flower, run), pieces, skies));
+			if (pieces.length > 0) this.#meshes.push(this.#createMesh(run.piece, geometryOf(flower, run), pieces, skies));
 		}
-		if (this.#drawn.length > 0) this.#group.add(...this.#drawn);
+		if (this.#meshes.length > 0) this.#group.add(...this.#meshes);
 	}
 
-	#draw(piece: FlowerPiece, geometry: BufferGeometry, pieces: PlacedPieces[], skies?: Float32Array): Drawn {
+	/**
+	 * Creates an instanced mesh of one piece, such as all petals; each instance knows its berry (`ownerBerry`) and the
+	 * sky that it sees.
+	 */
+	#createMesh(piece: FlowerPiece, geometry: BufferGeometry, pieces: PlacedPieces[], skies?: Float32Array): PieceMesh {
 		const transforms = Float32Array.from(pieces.flatMap((each) => each.transforms));
 		const owners = pieces.flatMap((each) =>
 			each.transforms.slice(0, each.transforms.length / TRANSFORM).fill(each.berry),
 		);
-		const drawn = new InstancedMesh(geometry, this.#material, owners.length);
-		for (let i = 0; i < owners.length; i++) drawn.setMatrixAt(i, matrixOf(transforms, i));
+		const mesh = new InstancedMesh(geometry, this.#material, owners.length);
+		for (let i = 0; i < owners.length; i++) mesh.setMatrixAt(i, matrixOf(transforms, i));
 		geometry.setAttribute("ownerBerry", new InstancedBufferAttribute(Float32Array.from(owners), 1));
 		const sky = Float32Array.from(owners, (berry) => skies?.[berry] ?? 1);
 		geometry.setAttribute("sky", new InstancedBufferAttribute(sky, 1));
-		drawn.name = piece;
-		drawn.frustumCulled = false;
-		return drawn;
+		mesh.name = piece;
+		mesh.frustumCulled = false;
+		return mesh;
 	}
 
+	/** Shows or hides all flowers. */
 	set visible(visible: boolean) {
-		for (const each of this.#drawn) each.visible = visible;
+		for (const each of this.#meshes) each.visible = visible;
 	}
 
+	/** Removes the flowers and releases their graphics memory. */
 	dispose(): void {
-		for (const each of this.#drawn) {
+		for (const each of this.#meshes) {
 			each.removeFromParent();
 			each.geometry.dispose();
 			each.dispose();
 		}
-		this.#drawn = [];
+		this.#meshes = [];
 	}
 }
 
+/** Creates the geometry of one piece of the flower's mesh. */
 function geometryOf(flower: FlowerMesh, run: FlowerMesh["pieces"][number]): BufferGeometry {
 	const { positions, normals, uvs, indices } = cut(flower, run);
 	const geometry = new BufferGeometry();

@@ -2,7 +2,10 @@ import type { Foliage } from "../bunch_plant";
 
 /** Number of discs that approximate a leaf's shadow. */
 const DISCS = 28;
-/** Radius of a disc as a share of the leaf's half width: neighbours overlap, and the outline remains leaf-like. */
+/**
+ * Radius of a disc as a share of half the leaf's greatest extent: neighbours overlap, and the outline remains
+ * leaf-like.
+ */
 const SHARE = 0.24;
 
 /** Returns leaves as spheres, for their soft shadow on the paper: 4 numbers each, centre and radius in metres. */
@@ -10,10 +13,10 @@ export function leafDiscs({ parts, positions }: Foliage): Float32Array {
 	const discs: number[] = [];
 	for (const { kind, firstVertex, vertexCount } of parts) {
 		if (kind !== "leaf") continue;
-		const reach = 0.5 * extentOf(positions.subarray(3 * firstVertex, 3 * (firstVertex + vertexCount)));
+		const halfExtent = 0.5 * extentOf(positions.subarray(3 * firstVertex, 3 * (firstVertex + vertexCount)));
 		const step = Math.max(1, Math.floor(vertexCount / DISCS));
 		for (let v = firstVertex; v < firstVertex + vertexCount; v += step) {
-			discs.push(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2], SHARE * reach);
+			discs.push(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2], SHARE * halfExtent);
 		}
 	}
 	return Float32Array.from(discs);

@@ -7,17 +7,20 @@ import { halvesOf } from "../traits";
  * their width and length about their direction, as before contacts flatten them.
  */
 export function pickBerry(berries: Berries, ray: ViewRay): number | undefined {
-	let best: number | undefined;
-	let least = Infinity;
+	let nearest: number | undefined;
+	let nearestDistance = Infinity;
 	for (let i = 0; i < berries.count; i++) {
-		const distance = meeting(berries, i, ray);
-		if (distance !== undefined && distance < least) [best, least] = [i, distance];
+		const distance = distanceToBerry(berries, i, ray);
+		if (distance !== undefined && distance < nearestDistance) [nearest, nearestDistance] = [i, distance];
 	}
-	return best;
+	return nearest;
 }
 
-/** Returns the ray parameter of the first intersection with berry `i`, in lengths of its direction. */
-function meeting(berries: Berries, i: number, { origin, direction }: ViewRay): number | undefined {
+/**
+ * Returns the distance along a ray, in lengths of its direction, to berry `i`; undefined where the ray misses it. The
+ * ray is transformed so that the berry becomes the unit sphere.
+ */
+function distanceToBerry(berries: Berries, i: number, { origin, direction }: ViewRay): number | undefined {
 	const { spheres, directions } = berries;
 	const [width, length] = halvesOf(berries, i);
 	const axis: SceneVector = [directions[3 * i], directions[3 * i + 1], directions[3 * i + 2]];
@@ -32,12 +35,13 @@ function meeting(berries: Berries, i: number, { origin, direction }: ViewRay): n
 	const [p, d] = [scaled(from) as unknown as SceneVector, scaled(direction) as unknown as SceneVector];
 	const a = dot(d, d);
 	const b = dot(p, d);
-	const inside = b * b - a * (dot(p, p) - 1);
-	if (!(inside >= 0)) return undefined;
-	const near = (-b - Math.sqrt(inside)) / a;
-	return near > 0 ? near : undefined;
+	const discriminant = b * b - a * (dot(p, p) - 1);
+	if (!(discriminant >= 0)) return undefined;
+	const nearest = (-b - Math.sqrt(discriminant)) / a;
+	return nearest > 0 ? nearest : undefined;
 }
 
+/** Returns the dot product of two vectors. */
 function dot(a: SceneVector, b: SceneVector): number {
 	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }

@@ -3,8 +3,12 @@ import type { Berries, BunchPlant } from "../bunch_plant";
 import { halvesOf } from "../traits";
 
 /** Ratios of length to width from which on two, and three, spheres represent a berry. */
-const TWO = 1.35;
-const THREE = 2.1;
+const TWO_SPHERES = 1.35;
+const THREE_SPHERES = 2.1;
+/** Positions of two or three spheres along a berry: 1 where a sphere of the berry's width would touch its end. */
+const ROWS = { two: [-0.9, 0.9], three: [-1, 0, 1] } as const;
+/** Radius of these spheres as a share of the berry's half width. */
+const ROW_RADIUS = 0.96;
 
 /** Receivers of light: berries first, then internodes; and the occluders, the berries. */
 export interface Receivers {
@@ -18,6 +22,7 @@ export interface Receivers {
 	owner: Uint32Array;
 }
 
+/** Lists the receivers of berries' shadows: berries, then internodes, each with a sphere around it. */
 export function receiversOf({ berries, internodes }: Pick<BunchPlant, "berries" | "internodes">): Receivers {
 	const count = berries.count + internodes.count;
 	const bodies = new Float32Array(4 * count);
@@ -35,28 +40,27 @@ export function receiversOf({ berries, internodes }: Pick<BunchPlant, "berries" 
 		}
 		bodies[at + 3] = Math.sqrt(square);
 	}
-	const { spheres, owner } = rowsOf(berries);
+	const { spheres, owner } = occludersOf(berries);
 	return { count, bodies, index: new SphereIndex(spheres), owner };
 }
 
 /** Returns the spheres that represent the berries as occluders. */
-function rowsOf(berries: Berries): { spheres: Float32Array; owner: Uint32Array } {
+function occludersOf(berries: Berries): { spheres: Float32Array; owner: Uint32Array } {
 	const spheres: number[] = [];
 	const owner: number[] = [];
 	for (let i = 0; i < berries.count; i++) {
 		const [x, y, z, r] = berries.spheres.subarray(4 * i, 4 * i + 4);
-		const [width, length] = halvesOf(berries, i);
-		const ratio = length / width;
-		if (!(ratio >= TWO)) {
+		const [halfWidth, halfLength] = halvesOf(berries, i);
+		const ratio = halfLength / halfWidth;
+		if (!(ratio >= TWO_SPHERES)) {
 			spheres.push(x, y, z, r);
 			owner.push(i);
 			continue;
 		}
-		const reach = length - width;
-		for (const along of ratio < THREE ? [-0.9, 0.9] : [-1, 0, 1]) {
-			const by = along * reach;
+		for (const position of ratio < THREE_SPHERES ? ROWS.two : ROWS.three) {
+			const offset = position * (halfLength - halfWidth);
 			const [dx, dy, dz] = berries.directions.subarray(3 * i, 3 * i + 3);
-			spheres.push(x + by * dx, y + by * dy, z + by * dz, 0.96 * width);
+			spheres.push(x + offset * dx, y + offset * dy, z + offset * dz, ROW_RADIUS * halfWidth);
 			owner.push(i);
 		}
 	}

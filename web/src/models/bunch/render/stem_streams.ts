@@ -17,7 +17,7 @@ export function stemStreams(grown: BunchPlant, stem: StemMesh, hex: string, bare
 	const colours = stemColours(grown, stem, hex);
 	const open = () => new Uint8Array(stem.internode.length).fill(255);
 	return [
-		["position", bare ? marked(grown, stem, colours) : stem.positions, 3],
+		["position", bare ? markWithered(grown, stem, colours) : stem.positions, 3],
 		["normal", stem.normals, 3],
 		["color", colours, 3],
 		["sky", bare ? open() : (stem.sky ?? open()), 1],
@@ -25,8 +25,8 @@ export function stemStreams(grown: BunchPlant, stem: StemMesh, hex: string, bare
 	];
 }
 
-/** Marks withered pedicels in `colours`; returns their enlarged vertex positions. */
-function marked(
+/** Colours withered pedicels in `colours`, and returns the vertex positions, enlarged at these pedicels. */
+function markWithered(
 	{ internodes }: BunchPlant,
 	{ positions, normals, internode }: StemMesh,
 	colours: Float32Array,

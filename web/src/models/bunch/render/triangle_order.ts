@@ -18,6 +18,11 @@ export function triangleOrder(indices: Uint32Array): Uint32Array {
 	return ordered;
 }
 
+/**
+ * Orders triangles in four passes: first those with three new vertices, then with two, one and none, so that batches
+ * share few vertices.
+ * @returns corners, three per triangle
+ */
 function orderOf(indices: Uint32Array): number[] {
 	const met = new Set<number>();
 	const ordered: number[] = [];
@@ -27,7 +32,7 @@ function orderOf(indices: Uint32Array): number[] {
 		left = left.filter((corners) => {
 			if (corners.filter((corner) => !met.has(corner)).length < fresh) return true;
 			// Known vertices alternately first and last, so that new ones adjoin.
-			ordered.push(...fromOld(corners, met, turned));
+			ordered.push(...rotatedToKnown(corners, met, turned));
 			turned = !turned;
 			for (const corner of corners) met.add(corner);
 			return false;
@@ -36,8 +41,12 @@ function orderOf(indices: Uint32Array): number[] {
 	return ordered;
 }
 
-/** Rotates a triangle's corners, so that known ones come first, or last. */
-function fromOld(corners: number[], met: ReadonlySet<number>, last: boolean): number[] {
+/**
+ * Rotates a triangle's corners so that those that were drawn before come first or, with `last`, last; returns them
+ * unchanged where no rotation does.
+ * @param met vertices that were drawn before
+ */
+function rotatedToKnown(corners: number[], met: ReadonlySet<number>, last: boolean): number[] {
 	const turns = [0, 1, 2].map((k) => [...corners.slice(k), ...corners.slice(0, k)]);
 	return turns.find((turn) => met.has(turn[last ? 2 : 0]) && !met.has(turn[last ? 0 : 2])) ?? corners;
 }

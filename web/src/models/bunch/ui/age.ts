@@ -1,5 +1,6 @@
 import type { Life } from "../../../ui/life";
 import { lifeTool } from "../../../ui/life_tool";
+import { text } from "../messages.generated";
 import { FRUIT_SET } from "../words";
 import { isNatural } from "./context";
 import { FLOWER } from "./icons";
@@ -7,19 +8,57 @@ import { FLOWER } from "./icons";
 /** Stages of a bunch's life. Past ripe, a bunch is named after the next stage. */
 export const LIFE: Life = {
 	parameter: "age",
-	label: "Age",
+	get label() {
+		return text("age");
+	},
 	stages: [
-		{ at: 0, name: "Flowering", icon: FLOWER },
-		{ at: FRUIT_SET, name: "Fruit set" },
-		{ at: 30, name: "Green" },
-		{ at: 60, name: "Colouring" },
-		{ at: 100, name: "Ripe" },
-		{ at: 125, from: 110, name: "Shrivelled" },
+		{
+			at: 0,
+			get name() {
+				return text("age_flowering");
+			},
+			icon: FLOWER,
+		},
+		{
+			at: FRUIT_SET,
+			get name() {
+				return text("age_fruit_set");
+			},
+		},
+		{
+			at: 30,
+			get name() {
+				return text("age_green");
+			},
+		},
+		{
+			at: 60,
+			get name() {
+				return text("age_colouring");
+			},
+		},
+		{
+			at: 100,
+			get name() {
+				return text("age_ripe");
+			},
+		},
+		{
+			at: 125,
+			from: 110,
+			get name() {
+				return text("age_shrivelled");
+			},
+		},
 	],
 	end: 100,
 	milliseconds: 9000,
-	play: "Play from flower to ripe bunch",
-	help: "0 first flowers open, 10 fruit set, 60 colouring begins, 100 ripe, 125 shrivelled.",
+	get play() {
+		return text("age_play");
+	},
+	get help() {
+		return text("age_help");
+	},
 };
 
 export const age = lifeTool(LIFE, isNatural);

@@ -1,15 +1,16 @@
 import { html } from "lit";
 import type { Change } from "../../../ui/editor_context";
+import { text } from "../messages.generated";
 import type { BunchSpecimen } from "../specimen";
 import { type BunchContext, type BunchTool, isPaper } from "./context";
 
-type Bent = Pick<BunchSpecimen["parameters"], "fit" | "vary">;
+type Modifications = Pick<BunchSpecimen["parameters"], "fit" | "vary">;
 
 /**
  * Switch between the paper's method as printed and our modifications of it; its state stores the modified values for
  * switching back.
  */
-export const asPrinted: BunchTool<Bent | undefined> = {
+export const asPrinted: BunchTool<Modifications | undefined> = {
 	name: "asPrinted",
 	initial: undefined,
 	applies: isPaper,
@@ -20,7 +21,7 @@ export const asPrinted: BunchTool<Bent | undefined> = {
 			<input
 				type="checkbox" role="switch" .checked=${isAsPrinted(context.state.specimen)}
 				@change=${(event: Event) => setAsPrinted(context, (event.target as HTMLInputElement).checked)}
-			>As printed
+			>${text("as_printed")}
 		</label>`,
 	},
 };
@@ -36,9 +37,11 @@ export function setAsPrinted(context: BunchContext, on: boolean): void {
 	const { fit, vary } = specimen.parameters;
 	const before = context.toolState(asPrinted);
 	context.setToolState(asPrinted, on && !isAsPrinted(specimen) ? { fit, vary } : undefined);
-	context.set(on ? LETTER : { parameters: bentOf(before ?? context.preset.parameters) });
+	context.set(on ? AS_PRINTED : { parameters: modificationsOf(before ?? context.preset.parameters) });
 }
 
-const LETTER: Change = { parameters: { fit: 0, vary: 0 } };
+/** Change that turns the modifications off. */
+const AS_PRINTED: Change = { parameters: { fit: 0, vary: 0 } };
 
-const bentOf = ({ fit, vary }: Bent): Change["parameters"] => ({ fit, vary });
+/** Returns only the parameters of our modifications. */
+const modificationsOf = ({ fit, vary }: Modifications): Change["parameters"] => ({ fit, vary });

@@ -1,5 +1,7 @@
 /** Describes a berry's place as seen by an observer, and orders berries from the top down. */
+
 import { type Berries, TRAITS } from "../bunch_plant";
+import { text } from "../messages.generated";
 
 /** Share of a berry's distance from the axis below which a direction is not mentioned. */
 const SLANT = 0.38;
@@ -24,24 +26,26 @@ export function placeInWords(berries: Berries, berry: number): string {
 		widest = Math.max(widest, Math.hypot(x, z));
 	}
 	const [x, y, z] = berries.spheres.subarray(4 * berry, 4 * berry + 3);
-	const height = ["at the top", "in the middle", "at the tip"][
-		Math.min(2, Math.floor((3 * (top - y)) / (top - bottom || 1)))
-	];
-	return `${height}, ${directionInWords(x, z, widest)}`;
+	const height = ["top", "middle", "tip"][Math.min(2, Math.floor((3 * (top - y)) / (top - bottom || 1)))];
+	return text("berry_place", { height, direction: directionOf(x, z, widest) });
 }
 
-function directionInWords(x: number, z: number, widest: number): string {
-	const away = Math.hypot(x, z);
-	if (away < INSIDE * widest) return "inside";
+/**
+ * Returns the direction from the axis as a case of the message "berry_place": "front_left", or "inside".
+ * @param widest greatest distance of a berry from the axis, metres
+ */
+function directionOf(x: number, z: number, widest: number): string {
+	const distance = Math.hypot(x, z);
+	if (distance < INSIDE * widest) return "inside";
 	const words = [
-		Math.abs(z) > SLANT * away ? (z > 0 ? "front" : "back") : "",
-		Math.abs(x) > SLANT * away ? (x > 0 ? "right" : "left") : "",
+		Math.abs(z) > SLANT * distance ? (z > 0 ? "front" : "back") : "",
+		Math.abs(x) > SLANT * distance ? (x > 0 ? "right" : "left") : "",
 	];
-	return words.filter((word) => word !== "").join(" ");
+	return words.filter((word) => word !== "").join("_");
 }
 
-/** Describes a berry's width: "18 mm", "8.5 mm". */
-export function widthInWords({ traits }: Berries, berry: number): string {
+/** Returns a berry's width in millimetres, rounded: 18, 8.5. */
+export function roundedWidth({ traits }: Berries, berry: number): number {
 	const millimetres = traits[TRAITS.length * berry + TRAITS.indexOf("width")] * 1000;
-	return `${millimetres < 10 ? Math.round(millimetres * 10) / 10 : Math.round(millimetres)} mm`;
+	return millimetres < 10 ? Math.round(millimetres * 10) / 10 : Math.round(millimetres);
 }

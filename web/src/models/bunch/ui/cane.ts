@@ -1,3 +1,4 @@
+import { text } from "../messages.generated";
 import type { BunchSpecimen } from "../specimen";
 import { type BunchTool, isNatural } from "./context";
 import { LEAF } from "./icons";
@@ -14,8 +15,20 @@ export const cane: BunchTool<undefined> = {
 		const off = onCane(context.state.specimen);
 		context.set({ parameters: off ? { cane: 0, leaves: 0 } : { cane: 1, leaves: LEAVES } });
 	},
-	button: { icon: LEAF, label: "On the vine", pressed: (context) => onCane(context.state.specimen) },
-	key: { letter: "v", does: "Cane and leaves, and back" },
+	button: {
+		slot: "edit",
+		icon: LEAF,
+		get label() {
+			return text("cane");
+		},
+		pressed: (context) => onCane(context.state.specimen),
+	},
+	key: {
+		letter: "v",
+		get description() {
+			return text("cane_key");
+		},
+	},
 };
 
 /** Returns whether the cane is shown; leaves include it. */

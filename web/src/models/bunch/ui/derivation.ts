@@ -14,16 +14,20 @@ export const derivation: DerivationSource<BunchSpecimen, BunchPlant> = {
 	taken: (context) => context.toolState(thinning).on,
 };
 
+/**
+ * Returns the berries as they are drawn, so that a point on the screen finds one: with surfaces of their own, or the
+ * shared mesh in their place.
+ */
 export function berriesDrawn({ internodes, berries, surfaces, berry }: BunchPlant): DrawnGeometry {
-	const own = (index: number): DrawnSurface | undefined => {
+	const ownSurface = (index: number): DrawnSurface | undefined => {
 		if (!surfaces) return undefined;
-		const numbers = 1.5 * surfaces.uvs.length;
+		const numbersPerBerry = 1.5 * surfaces.uvs.length;
 		return {
-			positions: surfaces.positions.subarray(numbers * index, numbers * (index + 1)),
+			positions: surfaces.positions.subarray(numbersPerBerry * index, numbersPerBerry * (index + 1)),
 			indices: surfaces.indices,
 		};
 	};
-	const shared = (index: number): DrawnSurface | undefined => {
+	const sharedSurface = (index: number): DrawnSurface | undefined => {
 		if (!berry) return undefined;
 		const [x, y, z, radius] = berries.spheres.subarray(4 * index, 4 * index + 4);
 		return {
@@ -36,6 +40,6 @@ export function berriesDrawn({ internodes, berries, surfaces, berry }: BunchPlan
 		ends: internodes.ends,
 		radii: internodes.radii,
 		organs: berries.count,
-		surface: (index) => own(index) ?? shared(index),
+		surface: (index) => ownSurface(index) ?? sharedSurface(index),
 	};
 }

@@ -7,7 +7,7 @@ import { BUNCH_TABLE } from "../table";
 
 /** Source of a bunch's text for the editor, one for each procedure. */
 export const grammar: GrammarSource<BunchSpecimen> = {
-	noun: "bunch",
+	plantName: "bunch",
 	group: "branching",
 	builtIn: (specimen) => BUILT_IN[procedureOf(specimen)],
 	roles: INTERNODE_KINDS,

@@ -1,5 +1,6 @@
 import type { ToolInteraction, ToolView } from "../../../ui/tool";
 import type { BunchPlant } from "../bunch_plant";
+import { text } from "../messages.generated";
 import type { OctahedronHandles } from "../profile/octahedron";
 import type { OctahedronColours } from "../profile/octahedron_renderer";
 import type { BunchSpecimen } from "../specimen";
@@ -12,8 +13,20 @@ export const octahedron: BunchTool<boolean> = {
 	name: "octahedron",
 	initial: false,
 	press: (context) => context.setToolState(octahedron, !context.toolState(octahedron)),
-	button: { icon: OCTAHEDRON, label: "Octahedron", pressed: (context) => context.toolState(octahedron) },
-	key: { letter: "o", does: "Octahedron and its handles in 3-D, and back" },
+	button: {
+		slot: "edit",
+		icon: OCTAHEDRON,
+		get label() {
+			return text("octahedron");
+		},
+		pressed: (context) => context.toolState(octahedron),
+	},
+	key: {
+		letter: "o",
+		get description() {
+			return text("octahedron_key");
+		},
+	},
 	interaction: (view, context) => new OctahedronInteraction(view, context),
 };
 
@@ -33,16 +46,18 @@ class OctahedronInteraction implements ToolInteraction<BunchSpecimen, BunchPlant
 		this.#context = context;
 	}
 
+	/** Shows or hides the handles; loads them at the first use. */
 	update(state: BunchState): void {
 		const shown = this.#context.toolState(octahedron);
 		this.#view.canvas.classList.toggle(WHOLE_SURFACE, shown);
 		if (!shown && !this.#handles) return;
 		this.#handles ??= this.#fetch();
 		void this.#handles.then((handles) => {
-			if (handles && !this.#disposed) this.#show(handles, state);
+			if (handles && !this.#disposed) this.#updateHandles(handles, state);
 		});
 	}
 
+	/** Removes the handles from the view. */
 	dispose(): void {
 		this.#disposed = true;
 		this.#view.canvas.classList.remove(WHOLE_SURFACE);
@@ -53,7 +68,8 @@ class OctahedronInteraction implements ToolInteraction<BunchSpecimen, BunchPlant
 		});
 	}
 
-	#show(handles: OctahedronHandles, { dark }: BunchState): void {
+	/** Brings the loaded handles up to date with tool state, theme and parameters. */
+	#updateHandles(handles: OctahedronHandles, { dark }: BunchState): void {
 		const shown = this.#context.toolState(octahedron);
 		if (dark !== this.#dark) handles.setColours(coloursOf(this.#view.canvas));
 		this.#dark = dark;
@@ -69,13 +85,12 @@ class OctahedronInteraction implements ToolInteraction<BunchSpecimen, BunchPlant
 			this.#handles = undefined;
 			if (this.#disposed) return undefined;
 			this.#context.setToolState(octahedron, false);
-			this.#context.notify("The octahedron could not be fetched", [
-				"Check the connection and press its button again, or load the page again: the address holds what you have.",
-			]);
+			this.#context.notify(text("octahedron_failed"), [text("octahedron_retry")]);
 			return undefined;
 		}
 	}
 
+	/** Loads the handles and adds them to the view. */
 	async #create(): Promise<OctahedronHandles> {
 		const { OctahedronHandles } = await import("../profile/octahedron");
 		const view = this.#view;
@@ -95,13 +110,14 @@ class OctahedronInteraction implements ToolInteraction<BunchSpecimen, BunchPlant
 	}
 }
 
+/** Reads the handles' colours from the page's style. */
 function coloursOf(element: Element): OctahedronColours {
-	const colour = (name: string) => resolve(getComputedStyle(element).getPropertyValue(name));
+	const colour = (name: string) => plainColour(getComputedStyle(element).getPropertyValue(name));
 	return { line: colour("--ink"), handle: colour("--wine"), rim: colour("--paper") };
 }
 
-/** Resolves `light-dark()` to a plain colour. */
-function resolve(colour: string): string {
+/** Resolves a CSS colour, which may use `light-dark()`, to a plain one with the help of an invisible element. */
+function plainColour(colour: string): string {
 	const probe = document.createElement("i");
 	probe.style.color = colour;
 	document.body.append(probe);

@@ -2,6 +2,7 @@ import { html, nothing } from "lit";
 import { chooseFile } from "../../../ui/choose_file";
 import { isPicture, PICTURES } from "../../../ui/picture_file";
 import { FILE_TOPIC } from "../../../ui/tool";
+import { text } from "../messages.generated";
 import type { Photo } from "../photo/photo";
 import type { BunchContext, BunchTool } from "./context";
 
@@ -14,7 +15,9 @@ export const photo: BunchTool<Photo | undefined> = {
 	initial: undefined,
 	panel: { group: "shape", place: "below", draw },
 	drop: {
-		words: "a photograph goes behind the front view",
+		get description() {
+			return text("photo_drop");
+		},
 		takes: isPicture,
 		take: (context, file) => void takePhoto(context, file),
 	},
@@ -23,10 +26,10 @@ export const photo: BunchTool<Photo | undefined> = {
 /** Loads photo/place_photo.ts and places a photograph. */
 async function takePhoto(context: BunchContext, file: Blob): Promise<void> {
 	const again = () => void takePhoto(context, file);
-	const placing = await import("../photo/place_photo").catch(() => undefined);
-	if (placing) await placing.placePhoto(context, file);
+	const module = await import("../photo/place_photo").catch(() => undefined);
+	if (module) await module.placePhoto(context, file);
 	else
-		context.notify("The photograph was not taken", ["Part of the page could not be fetched."], {
+		context.notify(text("photo_unusable"), [text("load_failed")], {
 			topic: FILE_TOPIC,
 			again,
 		});
@@ -38,17 +41,19 @@ export function changePhoto(context: BunchContext, change: Partial<Photo>): void
 	if (before) context.setToolState(photo, { ...before, ...change });
 }
 
+/** Removes the photograph and releases its memory. */
 export function removePhoto(context: BunchContext): void {
 	context.toolState(photo)?.picture.close();
 	context.setToolState(photo, undefined);
 }
 
+/** Renders the choice of a photograph and, if one is placed, its controls. */
 function draw(context: BunchContext): unknown {
 	const placed = context.toolState(photo);
-	const words = placed ? "Another photograph…" : "Photograph behind…";
+	const caption = placed ? text("photo_replace") : text("photo_add");
 	const take = (file: File) => void takePhoto(context, file);
 	return html`<div class="actions">
-		${chooseFile({ accept: PICTURES, label: "Photograph of a bunch", words, take })}
+		${chooseFile({ accept: PICTURES, label: text("photo_file"), caption, take })}
 		${placed ? html`<panicle-photo-controls class="actions" .context=${context}></panicle-photo-controls>` : nothing}
 	</div>`;
 }

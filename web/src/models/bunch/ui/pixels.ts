@@ -1,5 +1,6 @@
 import { html } from "lit";
 import { OWN_LENGTHS } from "../../../ui/own_lengths";
+import { text } from "../messages.generated";
 import type { BunchTool } from "./context";
 
 /** Switch that shows the paper's pixels beside the millimetres. */
@@ -12,7 +13,7 @@ export const pixels: BunchTool<boolean> = {
 			<input
 				type="checkbox" role="switch" .checked=${context.toolState(pixels)}
 				@change=${(event: Event) => context.setToolState(pixels, (event.target as HTMLInputElement).checked)}
-			>The paper’s pixels too
+			>${text("pixels")}
 		</label>`,
 	},
 };

@@ -1,4 +1,5 @@
 import { html } from "lit";
+import { text } from "../messages.generated";
 import type { Placement } from "../photo/photo";
 import type { View } from "../profile/handles";
 import type { ProfileEvent } from "../profile/profile_event";
@@ -9,10 +10,20 @@ import { sides } from "./sides";
 import "../profile/profile_view";
 
 /** Creates the tool of one flat view of the octahedral profile. */
-function profile(view: View, title: string): BunchTool {
-	return { name: view, initial: undefined, editor: { title, draw: (context) => draw(context, view) } };
+function profile(view: View): BunchTool {
+	return {
+		name: view,
+		initial: undefined,
+		editor: {
+			get title() {
+				return text(view);
+			},
+			draw: (context) => draw(context, view),
+		},
+	};
 }
 
+/** Renders one view of the profile, connected to the document. */
 function draw(context: BunchContext, view: View): unknown {
 	const { specimen, grown } = context.state;
 	const placed = context.toolState(photo);
@@ -25,5 +36,5 @@ function draw(context: BunchContext, view: View): unknown {
 	></panicle-profile>`;
 }
 
-export const front = profile("front", "Front");
-export const side = profile("side", "Side");
+export const front = profile("front");
+export const side = profile("side");

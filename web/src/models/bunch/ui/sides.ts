@@ -1,5 +1,6 @@
 import { html } from "lit";
 import { icon } from "../../../ui/icons";
+import { text } from "../messages.generated";
 import { mirrorFrontBack, mirrorLeftRight, withOpposites } from "../profile/drag";
 import { type BunchShape, type Locks, SIDES } from "../profile/handles";
 import type { BunchSpecimen } from "../specimen";
@@ -28,11 +29,11 @@ export const sides: BunchTool<Locks> = {
 export function toggleLock(context: BunchContext, pair: Pair): void {
 	const locks = context.toolState(sides);
 	context.setToolState(sides, { ...locks, [pair]: !locks[pair] });
-	if (!locks[pair]) context.set({ parameters: brought(context.state.specimen, pair) });
+	if (!locks[pair]) context.set({ parameters: equalised(context.state.specimen, pair) });
 }
 
-/** Copies right to left, or front to back. */
-function brought({ parameters }: BunchSpecimen, pair: Pair): Partial<BunchShape> {
+/** Returns the numbers that make the sides of a pair equal: right copied to left, or front to back. */
+function equalised({ parameters }: BunchSpecimen, pair: Pair): Partial<BunchShape> {
 	const side = pair === "leftRight" ? "p3" : "p5";
 	const { opposite } = SIDES[side];
 	return { [`${opposite}w`]: parameters[`${side}w`], [`${opposite}r`]: parameters[`${side}r`] };
@@ -45,21 +46,22 @@ export function mirror(context: BunchContext, pair: Pair): void {
 }
 
 const PAIRS = [
-	["leftRight", "left–right"],
-	["frontBack", "front–back"],
+	["leftRight", "lock_left_right", "mirror_left_right"],
+	["frontBack", "lock_front_back", "mirror_front_back"],
 ] as const;
 
+/** Renders buttons that lock opposite sides together, and buttons that swap them. */
 function draw(context: BunchContext): unknown {
 	const locks = context.toolState(sides);
 	return html`<div class="actions">
 		${PAIRS.map(
-			([pair, words]) => html`<button
+			([pair, lock]) => html`<button
 				class="button" type="button" aria-pressed=${locks[pair]} @click=${() => toggleLock(context, pair)}
-			>Lock ${words}</button>`,
+			>${text(lock)}</button>`,
 		)}
 		${PAIRS.map(
-			([pair, words]) => html`<button class="button" type="button" @click=${() => mirror(context, pair)}
-			>${icon(MIRROR)}Mirror ${words}</button>`,
+			([pair, , label]) => html`<button class="button" type="button" @click=${() => mirror(context, pair)}
+			>${icon(MIRROR)}${text(label)}</button>`,
 		)}
 	</div>`;
 }

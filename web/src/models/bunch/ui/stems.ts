@@ -1,3 +1,4 @@
+import { text } from "../messages.generated";
 import type { BunchTool } from "./context";
 import { STEMS } from "./icons";
 
@@ -6,8 +7,20 @@ export const stems: BunchTool<boolean> = {
 	name: "stems",
 	initial: false,
 	press: (context) => context.setToolState(stems, !context.toolState(stems)),
-	button: { icon: STEMS, label: "Show stems only", pressed: (context) => context.toolState(stems) },
-	key: { letter: "s", does: "Stems only, and back" },
+	button: {
+		slot: "view",
+		icon: STEMS,
+		get label() {
+			return text("stems");
+		},
+		pressed: (context) => context.toolState(stems),
+	},
+	key: {
+		letter: "s",
+		get description() {
+			return text("stems_key");
+		},
+	},
 	interaction: (view, context) => ({
 		update: () => view.setMode(context.toolState(stems) ? "stems" : undefined),
 		dispose: () => view.setMode(undefined),

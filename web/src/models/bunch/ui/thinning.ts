@@ -1,6 +1,7 @@
 import { html } from "lit";
 import { PickPointer } from "../../../ui/pick_pointer";
 import { thin, unthinAll } from "../details/thinned";
+import { text } from "../messages.generated";
 import { type BunchContext, type BunchTool, isNatural } from "./context";
 import { THIN } from "./icons";
 import { stems } from "./stems";
@@ -21,14 +22,35 @@ export const thinning: BunchTool<ThinningState> = {
 		const state = context.toolState(thinning);
 		context.setToolState(thinning, { ...state, on: !state.on });
 	},
-	button: { icon: THIN, label: "Thin", pressed: (context) => context.toolState(thinning).on },
-	key: { letter: "t", does: "Thin by hand: a click takes a berry off; and back" },
-	keys: [{ keys: ["Delete"], does: "On the berry's slider: take it off" }],
+	button: {
+		slot: "edit",
+		icon: THIN,
+		get label() {
+			return text("thinning_button");
+		},
+		pressed: (context) => context.toolState(thinning).on,
+	},
+	key: {
+		letter: "t",
+		get description() {
+			return text("thinning_key");
+		},
+	},
+	keys: [
+		{
+			keys: ["Delete"],
+			get description() {
+				return text("thinning_delete_key");
+			},
+		},
+	],
 	panel: {
 		group: "berries",
 		place: "below",
+		subject: (context) => context.toolState(thinning).on || undefined,
 		draw: (context) => html`<panicle-thinning .context=${context}></panicle-thinning>`,
 	},
+	/** Marks the berry under the pointer, and removes it when clicked. */
 	interaction: (view, context) => {
 		const pointer = new PickPointer(view, {
 			name: "thinning",

@@ -1,9 +1,11 @@
 /** User interface of the bunch, loaded with the first bunch. */
+
 import { html } from "lit";
 import { steppedScene } from "../../../grammar_editor/derivation_tool";
 import { grammarTools } from "../../../grammar_editor/grammar_tool";
 import type { ModelUi } from "../../../ui/tool";
 import type { BunchPlant } from "../bunch_plant";
+import { text } from "../messages.generated";
 import type { BunchSpecimen } from "../specimen";
 import { bunchInWords, stemsInWords } from "../words";
 import { age } from "./age";
@@ -40,16 +42,19 @@ export const modelUi: ModelUi<BunchSpecimen, BunchPlant> = {
 	],
 	readout,
 	rows: (specimen) => [skinRow(specimen)],
+	/** Returns the words below the view: of the shown derivation step, of the stems alone, or of the bunch. */
 	caption: (grown, context) => {
 		const { grownFrom, specimen } = context.state;
 		const stepped = steppedScene(context);
 		if (stepped)
-			return `After step ${stepped.step}: ${bunchInWords(stepped.grown as BunchPlant, grownFrom ?? specimen)}`;
+			return text("after_step", {
+				step: stepped.step,
+				plant: bunchInWords(stepped.grown as BunchPlant, grownFrom ?? specimen),
+			});
 		return context.toolState(stems) ? stemsInWords(grown) : bunchInWords(grown, grownFrom ?? specimen);
 	},
-	about: html`<p>Drag the handles of a grape bunch and it regrows from its botanical grammar.</p>
-		<p>
-			After C.-Y. Huang, W.-T. Jheng, W.-K. Tai, C.-C. Chang and D.-L. Way, “Procedural grape bunch modeling”,
-			<i>Computers &amp; Graphics</i> 37 (2013).
-		</p>`,
+	get about() {
+		return html`<p>${text("about_usage")}</p>
+			<p>${text.pieces("about_paper", { journal: html`<i>Computers &amp; Graphics</i>` })}</p>`;
+	},
 };

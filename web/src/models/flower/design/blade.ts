@@ -39,8 +39,8 @@ function lobes(width: number, length: number): number {
 }
 
 /** Returns whether a template line names a lobe beyond the last one, whose volume would never grow. */
-const namesBeyond = (line: string, across: number): boolean =>
-	[...line.matchAll(/\b[RL][UML](\d)/g)].some(([, lobe]) => Number(lobe) > across);
+const namesBeyond = (line: string, lobeCount: number): boolean =>
+	[...line.matchAll(/\b[RL][UML](\d)/g)].some(([, lobe]) => Number(lobe) > lobeCount);
 
 /** Returns the grammar of a leaf, sepal or petal. */
 export function bladeText(organ: Bladed, description: Description): string {
@@ -51,30 +51,32 @@ export function bladeText(organ: Bladed, description: Description): string {
 	const [cup, wave] = SECTIONS[String(values.section)];
 	const material = MATERIALS[organ];
 	const opens = organ !== "leaf";
-	const by = (share: number, more = 0): string => {
-		const own = round(bend * share + more);
+	// The turn of a part of the blade, as an expression of the grammar: `share` of the bend when open, another in bud
+	// and wilted.
+	const turnOf = (share: number, extra = 0): string => {
+		const degrees = round(bend * share + extra);
 		return opens
-			? `${own}*open-${round(50 * share)}*(1-open)+${round(24 * share)}*wilt`
-			: `${own}+${round(30 * share)}*wilt`;
+			? `${degrees}*open-${round(50 * share)}*(1-open)+${round(24 * share)}*wilt`
+			: `${degrees}+${round(30 * share)}*wilt`;
 	};
-	const across = lobes(width, length);
+	const lobeCount = lobes(width, length);
 	const template = petalLike
 		.split("\n")
-		.filter((line) => !namesBeyond(line, across))
+		.filter((line) => !namesBeyond(line, lobeCount))
 		.join("\n");
 	return filled(template, {
 		module: organ.toUpperCase(),
 		steps: 12,
-		lobes: across,
+		lobes: lobeCount,
 		length,
 		width,
 		thickness: values.thickness,
 		grown: opens ? "(0.55+0.45*open)" : "1",
 		even: Number(even),
 		rise: opens ? `${angle}+${86 - angle}*(1-open)-18*wilt` : String(angle),
-		low: by(0.45),
-		mid: by(0.35),
-		high: by(0.2, curl),
+		low: turnOf(0.45),
+		mid: turnOf(0.35),
+		high: turnOf(0.2, curl),
 		cup,
 		wave: `${wave}${opens ? "+8*wilt" : ""}`,
 		fan,
@@ -83,8 +85,8 @@ export function bladeText(organ: Bladed, description: Description): string {
 		lower: material + 20,
 		materials: LAYERS.map(({ name, paler }, layer) => {
 			const [base, tip] = [values.base, values.tip].map((colour) => mixed(String(colour), PALE, paler));
-			const own = painted(organ, { ...values, base, tip, veins: layer === 0 ? values.veins : 0 });
-			return `#material ${material + 10 * layer} ${organ} "${base}" "${tip}"${own} name "${organ}, ${name}"`;
+			const clauses = lifeColours(organ, { ...values, base, tip, veins: layer === 0 ? values.veins : 0 });
+			return `#material ${material + 10 * layer} ${organ} "${base}" "${tip}"${clauses} name "${organ}, ${name}"`;
 		}).join("\n"),
 		"width polynomial": horner(coefficients),
 	});
@@ -99,15 +101,21 @@ function horner(coefficients: readonly number[]): string {
 const GREEN = "8d9c4e";
 const BROWN = "8a6a40";
 
-/** Returns the `#material` clauses for buds (greener), wilting (browner) and, of petals, veins. */
-function painted(organ: Bladed, { base, tip, veins }: Description["values"]): string {
+/**
+ * Returns the clauses that follow a `#material`: its colours as a bud (greener) and when wilting (browner), and of
+ * petals the veins.
+ */
+function lifeColours(organ: Bladed, { base, tip, veins }: Description["values"]): string {
 	const wilted = ` wilted "${mixed(String(base), BROWN, 0.5)}" "${mixed(String(tip), BROWN, 0.6)}"`;
 	if (organ !== "petal") return wilted;
 	const lines = Number(veins) > 0 ? ` veins "${mixed(String(tip), "200808", 0.55)}" ${veins} 0.35` : "";
 	return `${lines} bud "${mixed(String(base), GREEN, 0.7)}" "${mixed(String(tip), GREEN, 0.5)}"${wilted}`;
 }
 
-/** Mixes two colours, six hexadecimal digits each. */
+/**
+ * Mixes two colours, six hexadecimal digits each.
+ * @param share 0 for the first one … 1 for the other
+ */
 function mixed(one: string, other: string, share: number): string {
 	const channel = (of: string, at: number): number => Number.parseInt(of.slice(at, at + 2), 16);
 	return [0, 2, 4]
@@ -116,6 +124,7 @@ function mixed(one: string, other: string, share: number): string {
 		.join("");
 }
 
+/** Rounds to hundredths. */
 const round = (value: number): number => Math.round(value * 100) / 100 + 0;
 
 /** Returns the half width, as a share of the greatest, at a share `t` of the steps, as the grammar computes it. */

@@ -12,7 +12,10 @@ export interface Chosen {
 	readonly retained: string;
 }
 
-/** Returns the text of a design with one organ described anew. */
+/**
+ * Returns the text of a design with one organ described anew; edits made by hand are merged into the organ's new
+ * section.
+ */
 export function choose(design: Design, description: Description): Chosen {
 	const at = design.sections.findIndex((section) => section.description.organ === description.organ);
 	const { description: before, text } = design.sections[at];
@@ -22,10 +25,10 @@ export function choose(design: Design, description: Description): Chosen {
 			sections: design.sections.map((section, i) => (i === at ? { ...section, text: lines.join("\n") } : section)),
 		});
 	// The description's line always comes from the choice, however it was written before.
-	const [base, mine, [firstLine, ...made]] = [sectionOf(before), text, sectionOf(description)].map((each) =>
+	const [base, edited, [firstLine, ...generated]] = [sectionOf(before), text, sectionOf(description)].map((each) =>
 		each.split("\n"),
 	);
-	const { lines, lost, retained } = merged(base.slice(1), mine.slice(1), made);
+	const { lines, lost, retained } = merged(base.slice(1), edited.slice(1), generated);
 	return {
 		text: withText([firstLine, ...lines]),
 		lost: lost.filter((line) => line.trim() !== ""),
@@ -37,6 +40,7 @@ export function choose(design: Design, description: Description): Chosen {
 export const isEdited = ({ description, text }: Design["sections"][number]): boolean =>
 	belowLine(text) !== belowLine(sectionOf(description));
 
+/** Returns a section without its first line, the description. */
 const belowLine = (section: string): string => section.slice(section.indexOf("\n"));
 
 /** Returns the text with one organ's section regenerated from its description, without edits made by hand. */

@@ -27,8 +27,9 @@ export function taken(field: OrganField, value: string | number | undefined): st
 	return nearest(field, Number(value));
 }
 
-function nearest({ least, most, step, usual: other }: NumberField, value: number): number {
-	if (!Number.isFinite(value)) return other;
+/** Returns the nearest value in the field's range and on its step; the usual value where the number is invalid. */
+function nearest({ least, most, step, usual: usualValue }: NumberField, value: number): number {
+	if (!Number.isFinite(value)) return usualValue;
 	const steps = Math.round(Math.min(most, Math.max(least, value)) / step) * step;
 	return Math.min(most, Math.max(least, Math.round(steps * 1000) / 1000));
 }
@@ -67,10 +68,13 @@ export function readLine(line: string): Description | undefined {
 	return { ...description, ...(margin && { margin }) };
 }
 
-/** Reads `count=5`; characters before the key that are not letters are ignored. */
+/**
+ * Reads `count=5` as a key and a value, in a list; an empty list for other words. Characters before the key that are
+ * not letters are ignored.
+ */
 function settingIn(word: string): [key: string, value: string][] {
-	const at = word.indexOf("=");
-	let from = at;
+	const equals = word.indexOf("=");
+	let from = equals;
 	while (from > 0 && /[a-z]/.test(word[from - 1])) from--;
-	return from < at && at + 1 < word.length ? [[word.slice(from, at), word.slice(at + 1)]] : [];
+	return from < equals && equals + 1 < word.length ? [[word.slice(from, equals), word.slice(equals + 1)]] : [];
 }

@@ -28,13 +28,16 @@ export function designOf(text: string): Design | undefined {
 	return { head, sections: sections as Section[] };
 }
 
-/** Splits a text at the lines that begin an organ; the first part is the text before the first organ, if there is any. */
+/**
+ * Splits a text at the lines that begin an organ; the first part is the text before the first organ, if there is any.
+ */
 function partsOf(text: string): string[] {
 	const starts = [...text.matchAll(/^@organ \w[^@\n]*@[ \t]*$/gm)].map(({ index }) => index);
 	const cuts = starts[0] === 0 ? starts : [0, ...starts];
 	return cuts.map((from, at) => text.slice(from, cuts[at + 1]));
 }
 
+/** Returns the first line of a text. */
 const firstLine = (text: string): string => text.split("\n", 1)[0];
 
 /** Joins a design's head and sections into its text. */

@@ -21,11 +21,12 @@ export const KNOTS = 9;
 /** Samples an outline at evenly spaced points, which drawing starts from. */
 export function marginOf(width: Width): Margin {
 	const places = Array.from({ length: KNOTS }, (_, i) => i / (KNOTS - 1));
-	const fine = Array.from({ length: 201 }, (_, i) => width(i / 200) || 0);
-	const most = Math.max(...fine, 1e-6);
-	return places.map((along) => ({ along, out: round(Math.max(0, (width(along) || 0) / most)) }));
+	const samples = Array.from({ length: 201 }, (_, i) => width(i / 200) || 0);
+	const greatestWidth = Math.max(...samples, 1e-6);
+	return places.map((along) => ({ along, out: round(Math.max(0, (width(along) || 0) / greatestWidth)) }));
 }
 
+/** Rounds to thousandths. */
 const round = (value: number): number => Math.round(value * 1000) / 1000;
 
 /**
@@ -34,14 +35,17 @@ const round = (value: number): number => Math.round(value * 1000) / 1000;
  */
 export function moved(margin: Margin, index: number, to: MarginPoint): Margin {
 	const [before, after] = [margin[index - 1], margin[index + 1]];
-	const room = before && after && after.along - before.along >= 2 * APART;
-	const along = room ? round(within(to.along, before.along + APART, after.along - APART)) : margin[index].along;
+	const hasRoom = before && after && after.along - before.along >= 2 * LEAST_DISTANCE;
+	const along = hasRoom
+		? round(within(to.along, before.along + LEAST_DISTANCE, after.along - LEAST_DISTANCE))
+		: margin[index].along;
 	return margin.map((point, i) => (i === index ? { along, out: round(within(to.out, 0, 1)) } : point));
 }
 
 /** Least distance along the organ between dragged points; text edited by hand may have smaller ones. */
-const APART = 0.02;
+const LEAST_DISTANCE = 0.02;
 
+/** Limits a value to a range. */
 const within = (value: number, least: number, most: number): number => Math.min(most, Math.max(least, value));
 
 /** Returns the monotone cubic interpolation of the points, which never overshoots them (Fritsch and Butland 1984). */
@@ -50,27 +54,28 @@ export function widthOf(margin: Margin): Width {
 	const slope = (i: number): number => {
 		if (i === 0) return steps[0];
 		if (i === steps.length) return steps[i - 1];
-		const [one, other] = [steps[i - 1], steps[i]];
-		return one * other <= 0 ? 0 : (2 * one * other) / (one + other);
+		const [before, after] = [steps[i - 1], steps[i]];
+		return before * after <= 0 ? 0 : (2 * before * after) / (before + after);
 	};
 	const slopes = margin.map((_, i) => slope(i));
 	return (u) => {
-		const at = Math.max(
+		const segment = Math.max(
 			0,
 			Math.min(
 				margin.length - 2,
 				margin.findLastIndex(({ along }) => along <= u),
 			),
 		);
-		const [a, b] = [margin[at], margin[at + 1]];
-		const wide = b.along - a.along;
-		const t = within((u - a.along) / wide, 0, 1);
+		const [a, b] = [margin[segment], margin[segment + 1]];
+		const span = b.along - a.along;
+		const t = within((u - a.along) / span, 0, 1);
 		const [t2, t3] = [t * t, t * t * t];
+		// Cubic Hermite interpolation.
 		const value =
 			(2 * t3 - 3 * t2 + 1) * a.out +
-			(t3 - 2 * t2 + t) * wide * slopes[at] +
+			(t3 - 2 * t2 + t) * span * slopes[segment] +
 			(3 * t2 - 2 * t3) * b.out +
-			(t3 - t2) * wide * slopes[at + 1];
+			(t3 - t2) * span * slopes[segment + 1];
 		return Math.max(0, value);
 	};
 }

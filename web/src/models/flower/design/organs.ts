@@ -2,6 +2,7 @@
  * Organs of a designed flower, the six control points of Petrenko 2014 (section 3.3), with the fields that describe
  * each.
  */
+import { text } from "../messages.generated";
 import { OUTLINES } from "./shapes";
 
 export const ORGANS = ["stem", "leaf", "sepal", "petal", "stamen", "pistil"] as const;
@@ -12,6 +13,19 @@ interface Named {
 	readonly label: string;
 	readonly help: string;
 }
+
+/** A text in the language in use; fields are defined before the language is loaded. */
+type TextGetter = () => string;
+
+/** Returns the label and the help of a field as getters, because the language may be loaded later. */
+const named = (label: TextGetter, help: TextGetter) => ({
+	get label() {
+		return label();
+	},
+	get help() {
+		return help();
+	},
+});
 export interface NumberField extends Named {
 	readonly kind: "number";
 	readonly least: number;
@@ -33,140 +47,340 @@ export type OrganField = NumberField | ChoiceField | ColourField;
 
 type FieldRange = readonly [least: number, most: number, step: number];
 
+/**
+ * Describes a numeric field.
+ * @param usual value of an organ without such a value
+ * @param range least and greatest value, and step
+ */
 const number = (
 	key: string,
-	label: string,
+	label: TextGetter,
 	unit: string,
 	usual: number,
 	range: FieldRange,
-	help: string,
+	help: TextGetter,
 ): NumberField => {
 	const [least, most, step] = range;
-	return { kind: "number", key, label, unit, usual, least, most, step, help };
+	return Object.assign(named(label, help), { kind: "number", key, unit, usual, least, most, step } as const);
 };
+/** Describes a field with a few options; the first is the default. */
 const choice = (
 	key: string,
-	label: string,
+	label: TextGetter,
 	options: readonly string[],
-	help: string,
+	help: TextGetter,
 	usual = options[0],
-): ChoiceField => ({
-	kind: "choice",
-	key,
-	label,
-	options,
-	help,
-	usual,
-});
+): ChoiceField => Object.assign(named(label, help), { kind: "choice", key, options, usual } as const);
+/** Describes the two colour fields of an organ; colours are six hexadecimal digits. */
 const colours = (
 	base: string,
 	tip: string,
-	[one, other] = ["Colour at the foot", "Colour at the tip"],
+	[one, other]: readonly [TextGetter, TextGetter] = [() => text("colour_base"), () => text("colour_tip")],
 ): ColourField[] => [
-	{ kind: "colour", key: "base", label: one, help: "Where it begins.", usual: base },
-	{ kind: "colour", key: "tip", label: other, help: "Where it ends.", usual: tip },
+	Object.assign(
+		named(one, () => text("colour_base_help")),
+		{ kind: "colour", key: "base", usual: base } as const,
+	),
+	Object.assign(
+		named(other, () => text("colour_tip_help")),
+		{ kind: "colour", key: "tip", usual: tip } as const,
+	),
 ];
 
 /** Fields shared by leaves, sepals and petals, which one template generates. */
 function blade(outline: string, length: number, width: number, thickness: number): OrganField[] {
 	return [
-		choice("outline", "Outline", OUTLINES, "The shape of its margin, or one that is drawn.", outline),
+		choice(
+			"outline",
+			() => text("outline"),
+			OUTLINES,
+			() => text("outline_help"),
+			outline,
+		),
 		choice(
 			"section",
-			"Cross-section",
+			() => text("section"),
 			["flat", "cupped", "channelled", "keeled", "wavy"],
-			"Its form across.",
+			() => text("section_help"),
 			"cupped",
 		),
-		number("length", "Length", "mm", length, [2, 400, 0.5], "From its foot to its tip."),
-		number("width", "Width", "mm", width, [0.5, 200, 0.5], "Where it is widest."),
-		number("thickness", "Thickness", "mm", thickness, [0.2, 6, 0.1], "Of its vein; its three layers share it."),
+		number(
+			"length",
+			() => text("length"),
+			"mm",
+			length,
+			[2, 400, 0.5],
+			() => text("blade_length_help"),
+		),
+		number(
+			"width",
+			() => text("width"),
+			"mm",
+			width,
+			[0.5, 200, 0.5],
+			() => text("blade_width_help"),
+		),
+		number(
+			"thickness",
+			() => text("thickness"),
+			"mm",
+			thickness,
+			[0.2, 6, 0.1],
+			() => text("blade_thickness_help"),
+		),
 	];
 }
 
-const held = (angle: number, bend: number, curl: number): OrganField[] => [
-	number("angle", "Rise", "°", angle, [-60, 90, 1], "0 stands out, 90 stands up."),
-	number("bend", "Bend", "°", bend, [-150, 150, 1], "In all, along its length; below 0 inwards."),
-	number("curl", "Tip’s bend", "°", curl, [-120, 150, 1], "What the last third bends besides."),
+/** Describes how an organ is placed and bent: angle, bend and curl in degrees. */
+const posture = (angle: number, bend: number, curl: number): OrganField[] => [
+	number(
+		"angle",
+		() => text("rise"),
+		"°",
+		angle,
+		[-60, 90, 1],
+		() => text("rise_help"),
+	),
+	number(
+		"bend",
+		() => text("bend"),
+		"°",
+		bend,
+		[-150, 150, 1],
+		() => text("bend_help"),
+	),
+	number(
+		"curl",
+		() => text("curl"),
+		"°",
+		curl,
+		[-120, 150, 1],
+		() => text("curl_help"),
+	),
 ];
 
+/** Describes the radius of the ring that organs of a whorl are on. */
 const radius = (usual: number): NumberField =>
-	number("radius", "Radius of the whorl", "mm", usual, [0.5, 25, 0.1], "How far from the axis it stands.");
-const count = (usual: number, most: number, help: string): NumberField =>
-	number("count", "Count", "", usual, [0, most, 1], help);
+	number(
+		"radius",
+		() => text("radius"),
+		"mm",
+		usual,
+		[0.5, 25, 0.1],
+		() => text("radius_help"),
+	);
+/**
+ * Describes the field for the number of organs.
+ * @param usual value of an organ without such a value
+ * @param most largest number
+ */
+const count = (usual: number, most: number, help: TextGetter): NumberField =>
+	number("count", () => text("count"), "", usual, [0, most, 1], help);
 
 export const FIELDS: Readonly<Record<Organ, readonly OrganField[]>> = {
 	stem: [
-		choice("section", "Cross-section", ["round", "oval", "square", "triangular"], "Its form across."),
-		choice("growth", "Growth", ["erect", "arching", "nodding"], "How it stands."),
-		number("length", "Length", "mm", 240, [10, 900, 5], "From the ground to the flower."),
-		number("thickness", "Thickness", "mm", 5, [0.8, 24, 0.1], "Across."),
+		choice(
+			"section",
+			() => text("section"),
+			["round", "oval", "square", "triangular"],
+			() => text("section_help"),
+		),
+		choice(
+			"growth",
+			() => text("growth"),
+			["erect", "arching", "nodding"],
+			() => text("growth_help"),
+		),
+		number(
+			"length",
+			() => text("length"),
+			"mm",
+			240,
+			[10, 900, 5],
+			() => text("stem_length_help"),
+		),
+		number(
+			"thickness",
+			() => text("thickness"),
+			"mm",
+			5,
+			[0.8, 24, 0.1],
+			() => text("stem_thickness_help"),
+		),
 		...colours("7f9a55", "9ab36c"),
 	],
 	leaf: [
-		count(2, 8, "Of the whole stem."),
-		choice("arrangement", "Arrangement", ["alternate", "opposite", "basal"], "How they stand on the stem."),
+		count(2, 8, () => text("leaf_count_help")),
+		choice(
+			"arrangement",
+			() => text("arrangement"),
+			["alternate", "opposite", "basal"],
+			() => text("arrangement_help"),
+		),
 		...blade("lanceolate", 150, 34, 1.4),
-		number("stalk", "Stalk", "mm", 0, [0, 120, 0.5], "From the stem to the blade; 0: it sits on the stem."),
-		...held(62, 24, 10),
+		number(
+			"stalk",
+			() => text("stalk"),
+			"mm",
+			0,
+			[0, 120, 0.5],
+			() => text("stalk_help"),
+		),
+		...posture(62, 24, 10),
 		...colours("587f58", "6c9a64"),
 	],
 	sepal: [
-		count(0, 12, "In one whorl; 0: there is no calyx."),
+		count(0, 12, () => text("sepal_count_help")),
 		...blade("ovate", 14, 8, 0.5),
-		...held(30, -20, 0),
+		...posture(30, -20, 0),
 		radius(4),
 		...colours("8aa356", "9fb868"),
 	],
 	petal: [
-		count(5, 21, "In one whorl; 0: there is no corolla."),
-		number("whorls", "Whorls", "", 1, [1, 3, 1], "So many of that count, in each other’s gaps."),
-		choice("symmetry", "Symmetry", ["radial", "irregular"], "Irregular: one plane divides it, and its lips differ."),
+		count(5, 21, () => text("petal_count_help")),
+		number(
+			"whorls",
+			() => text("whorls"),
+			"",
+			1,
+			[1, 3, 1],
+			() => text("whorls_help"),
+		),
+		choice(
+			"symmetry",
+			() => text("symmetry"),
+			["radial", "irregular"],
+			() => text("symmetry_help"),
+		),
 		number(
 			"lip",
-			"Lips",
+			() => text("lip"),
 			"%",
 			35,
 			[-70, 70, 1],
-			"Of irregular ones: how much the lower are larger; below 0 the upper.",
+			() => text("lip_help"),
 		),
 		...blade("obovate", 32, 24, 0.8),
-		...held(35, -25, 15),
-		number("veins", "Veins", "", 0, [0, 12, 1], "Darker lines from the middle to the margin, so many a side."),
+		...posture(35, -25, 15),
+		number(
+			"veins",
+			() => text("veins"),
+			"",
+			0,
+			[0, 12, 1],
+			() => text("veins_help"),
+		),
 		radius(4.5),
 		...colours("e8c34a", "f2d23a"),
 	],
 	stamen: [
-		count(5, 24, "In one whorl; 0: there are none."),
-		number("whorls", "Whorls", "", 1, [1, 4, 1], "So many of that count, in each other’s gaps."),
+		count(5, 24, () => text("stamen_count_help")),
+		number(
+			"whorls",
+			() => text("whorls"),
+			"",
+			1,
+			[1, 4, 1],
+			() => text("whorls_help"),
+		),
 		choice(
 			"attachment",
-			"Anthers",
+			() => text("attachment"),
 			["basifixed", "dorsifixed"],
-			"Whether the filament holds the anther at its foot or at its back.",
+			() => text("attachment_help"),
 		),
-		number("length", "Filament", "mm", 14, [1, 120, 0.5], "Its length."),
-		number("thickness", "Thickness", "mm", 0.9, [0.2, 4, 0.1], "Of the filament."),
-		number("anther", "Anther", "mm", 5, [0.5, 30, 0.1], "Its length."),
-		number("angle", "Rise", "°", 68, [-20, 90, 1], "0 stands out, 90 stands up."),
-		number("bend", "Bend", "°", -10, [-120, 120, 1], "Along the filament; below 0 inwards."),
+		number(
+			"length",
+			() => text("filament"),
+			"mm",
+			14,
+			[1, 120, 0.5],
+			() => text("filament_help"),
+		),
+		number(
+			"thickness",
+			() => text("thickness"),
+			"mm",
+			0.9,
+			[0.2, 4, 0.1],
+			() => text("filament_thickness_help"),
+		),
+		number(
+			"anther",
+			() => text("anther"),
+			"mm",
+			5,
+			[0.5, 30, 0.1],
+			() => text("anther_help"),
+		),
+		number(
+			"angle",
+			() => text("rise"),
+			"°",
+			68,
+			[-20, 90, 1],
+			() => text("rise_help"),
+		),
+		number(
+			"bend",
+			() => text("bend"),
+			"°",
+			-10,
+			[-120, 120, 1],
+			() => text("filament_bend_help"),
+		),
 		radius(3.6),
-		...colours("e8dfa5", "d7a53a", ["Colour of filaments", "Colour of anthers"]),
+		...colours("e8dfa5", "d7a53a", [() => text("colour_filaments"), () => text("colour_anthers")]),
 	],
 	pistil: [
-		count(3, 16, "Carpels; 0: there are none."),
+		count(3, 16, () => text("carpel_count_help")),
 		choice(
 			"fusion",
-			"Carpels",
+			() => text("fusion"),
 			["syncarpous", "apocarpous"],
-			"Syncarpous: grown together into one; apocarpous: each for itself.",
+			() => text("fusion_help"),
 		),
-		number("length", "Ovary", "mm", 12, [0.5, 60, 0.5], "Its length."),
-		number("width", "Ovary’s width", "mm", 6, [0.4, 30, 0.1], "Where it is widest."),
-		number("style", "Style", "mm", 5, [0.2, 120, 0.2], "Its length."),
-		number("stigma", "Stigma", "mm", 3, [0.2, 20, 0.1], "Its width."),
-		number("angle", "Rise", "°", 60, [0, 90, 1], "Of apocarpous carpels: 0 stands out, 90 stands up."),
+		number(
+			"length",
+			() => text("ovary"),
+			"mm",
+			12,
+			[0.5, 60, 0.5],
+			() => text("ovary_help"),
+		),
+		number(
+			"width",
+			() => text("ovary_width_label"),
+			"mm",
+			6,
+			[0.4, 30, 0.1],
+			() => text("ovary_width_help"),
+		),
+		number(
+			"style",
+			() => text("style"),
+			"mm",
+			5,
+			[0.2, 120, 0.2],
+			() => text("style_help"),
+		),
+		number(
+			"stigma",
+			() => text("stigma"),
+			"mm",
+			3,
+			[0.2, 20, 0.1],
+			() => text("stigma_help"),
+		),
+		number(
+			"angle",
+			() => text("rise"),
+			"°",
+			60,
+			[0, 90, 1],
+			() => text("carpel_rise_help"),
+		),
 		radius(2.4),
-		...colours("a3b873", "e3dfa0", ["Colour of ovaries", "Colour of stigmas"]),
+		...colours("a3b873", "e3dfa0", [() => text("colour_ovaries"), () => text("colour_stigmas")]),
 	],
 };

@@ -11,7 +11,7 @@ export interface Sample {
 	readonly value: number;
 }
 
-/** Evaluates a polynomial at `t`. */
+/** Evaluates a polynomial at `t` by Horner's scheme. */
 export function valueAt(coefficients: Coefficients, t: number): number {
 	return coefficients.reduceRight((sum, coefficient) => sum * t + coefficient, 0);
 }
@@ -27,15 +27,18 @@ export function fitted(samples: readonly Sample[]): Coefficients {
 	if (new Set(samples.map(({ t }) => t)).size < size) throw new RangeError(`A fit takes ${size} different places.`);
 	const rows = samples.map(({ t, value }) => [...Array.from({ length: size }, (_, k) => t ** k), value]);
 	for (let k = 0; k < size; k++) reflect(rows, k);
-	const found = new Array<number>(size).fill(0);
+	const coefficients = new Array<number>(size).fill(0);
 	for (let k = size - 1; k >= 0; k--) {
-		const rest = found.reduce((sum, value, j) => (j > k ? sum + rows[k][j] * value : sum), 0);
-		found[k] = (rows[k][size] - rest) / rows[k][k];
+		const rest = coefficients.reduce((sum, value, j) => (j > k ? sum + rows[k][j] * value : sum), 0);
+		coefficients[k] = (rows[k][size] - rest) / rows[k][k];
 	}
-	return found;
+	return coefficients;
 }
 
-/** Applies the Householder reflection that clears column `k` below row `k`. */
+/**
+ * Applies the Householder reflection that clears column `k` below row `k`, in place.
+ * @param rows matrix of the least-squares system, with the right-hand side as its last column
+ */
 function reflect(rows: number[][], k: number): void {
 	const length = Math.hypot(...rows.slice(k).map((row) => row[k]));
 	const mirror = rows.map((row, i) => (i < k ? 0 : row[k]));
@@ -43,9 +46,9 @@ function reflect(rows: number[][], k: number): void {
 	const square = mirror.reduce((sum, value) => sum + value * value, 0);
 	if (square === 0) return;
 	for (let j = k; j < rows[0].length; j++) {
-		const along = (2 * rows.reduce((sum, row, i) => sum + mirror[i] * row[j], 0)) / square;
+		const factor = (2 * rows.reduce((sum, row, i) => sum + mirror[i] * row[j], 0)) / square;
 		rows.forEach((row, i) => {
-			row[j] -= along * mirror[i];
+			row[j] -= factor * mirror[i];
 		});
 	}
 }

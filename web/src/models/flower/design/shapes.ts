@@ -15,11 +15,13 @@ export interface OutlineShape {
 	readonly fan?: number;
 }
 
-const humped =
+/** Returns a width with one hump, u^rise × (1 − u)^fall; it is not normalised. */
+const beta =
 	(rise: number, fall: number): Width =>
 	(u) =>
 		u ** rise * (1 - u) ** fall;
-const easing = (from: number, to: number, u: number): number => {
+/** Returns 0 up to `from`, 1 from `to` on, and a smooth transition between them. */
+const smoothstep = (from: number, to: number, u: number): number => {
 	const t = Math.min(1, Math.max(0, (u - from) / (to - from)));
 	return t * t * (3 - 2 * t);
 };
@@ -29,19 +31,19 @@ const easing = (from: number, to: number, u: number): number => {
  * are normalised later.
  */
 export const SHAPES: Readonly<Record<string, OutlineShape>> = {
-	rounded: { width: humped(0.5, 0.5) },
-	elliptic: { width: humped(0.8, 0.8) },
-	ovate: { width: humped(0.6, 1.2) },
-	obovate: { width: humped(1.2, 0.6) },
-	lanceolate: { width: humped(0.8, 1.8) },
-	oblanceolate: { width: humped(1.8, 0.8) },
+	rounded: { width: beta(0.5, 0.5) },
+	elliptic: { width: beta(0.8, 0.8) },
+	ovate: { width: beta(0.6, 1.2) },
+	obovate: { width: beta(1.2, 0.6) },
+	lanceolate: { width: beta(0.8, 1.8) },
+	oblanceolate: { width: beta(1.8, 0.8) },
 	oblong: { width: (u) => (1 - Math.abs(2 * u - 1) ** 5) ** 0.6 },
-	linear: { width: (u) => (0.75 + 0.25 * easing(0, 0.3, u)) * (1 - easing(0.55, 1.1, u)), even: true },
-	acicular: { width: (u) => (0.35 + 0.65 * easing(0, 0.35, u)) * (1 - u ** 1.6), even: true },
+	linear: { width: (u) => (0.75 + 0.25 * smoothstep(0, 0.3, u)) * (1 - smoothstep(0.55, 1.1, u)), even: true },
+	acicular: { width: (u) => (0.35 + 0.65 * smoothstep(0, 0.35, u)) * (1 - u ** 1.6), even: true },
 	apical: { width: (u) => (0.3 + 1.5 * u) * (1 - u) ** 0.95 },
 	cordate: { width: (u) => (0.6 + 1.9 * u) * (1 - u), fan: 55 },
 	spatulate: { width: (u) => 0.12 * (1 - u) ** 2 + u ** 3 * (1 - u) ** 0.6 },
-	tulip: { width: (u) => (0.42 + 0.58 * easing(-0.05, 0.6, u)) * (1 - u ** 3.2) ** 0.62 },
+	tulip: { width: (u) => (0.42 + 0.58 * smoothstep(-0.05, 0.6, u)) * (1 - u ** 3.2) ** 0.62 },
 };
 
 /** Value of `outline` for a drawn margin; `OUTLINES` are all valid values. */
@@ -71,8 +73,8 @@ export function fitOf({ width, even = false, fan = 0 }: OutlineShape): OutlineFi
 		const t = i / SAMPLES;
 		return { t, value: Math.max(0, width(alongAt(t, even)) || 0) };
 	});
-	const most = Math.max(...raw.map(({ value }) => value), 1e-6);
-	const samples = raw.map(({ t, value }) => ({ t, value: value / most }));
+	const greatest = Math.max(...raw.map(({ value }) => value), 1e-6);
+	const samples = raw.map(({ t, value }) => ({ t, value: value / greatest }));
 	const coefficients = fitted(samples).map((value) => Math.round(value * 1000) / 1000 + 0);
 	return { coefficients, error: errorOf(coefficients, samples), even, fan };
 }

@@ -8,7 +8,7 @@
  */
 export function filled(template: string, values: Readonly<Record<string, string | number>>): string {
 	return template.replace(/\{\{([a-z ]+)\}\}/g, (_, name: string) => {
-		if (!Object.hasOwn(values, name)) throw new RangeError(`The template asks for ${name}, which nobody says.`);
+		if (!Object.hasOwn(values, name)) throw new RangeError(`The template needs a value for ${name}.`);
 		return String(values[name]);
 	});
 }

@@ -26,16 +26,20 @@ export function tracedMargin(picture: PixelImage, noun: string): Traced {
 	const { blade, base } = withoutStalk(silhouetteOf(picture, noun));
 	const steps = contourOf(blade);
 	const { margin } = upright(smoothed(steps, Math.max(1, 0.002 * steps.length)), base);
-	const places = Array.from({ length: KNOTS }, (_, i) => i / (KNOTS - 1));
-	const most = Math.max(...Array.from({ length: 99 }, (_, i) => halfWidth(margin, (i + 1) / 100)), 1e-6);
-	const points = places.map((along) => ({
+	const positions = Array.from({ length: KNOTS }, (_, i) => i / (KNOTS - 1));
+	const greatest = Math.max(...Array.from({ length: 99 }, (_, i) => halfWidth(margin, (i + 1) / 100)), 1e-6);
+	const points = positions.map((along) => ({
 		along,
-		out: Math.round(1000 * Math.min(1, halfWidth(margin, along) / most)) / 1000,
+		out: Math.round(1000 * Math.min(1, halfWidth(margin, along) / greatest)) / 1000,
 	}));
-	return { margin: points, wide: 2 * most };
+	return { margin: points, wide: 2 * greatest };
 }
 
+/**
+ * Returns half the width of a traced margin at a share of its length: half the distance between the outermost points of
+ * a band there.
+ */
 function halfWidth(margin: readonly Point[], along: number): number {
-	const here = margin.filter(({ y }) => Math.abs(y - along) <= BAND).map(({ x }) => x);
-	return here.length === 0 ? 0 : (Math.max(...here) - Math.min(...here)) / 2;
+	const band = margin.filter(({ y }) => Math.abs(y - along) <= BAND).map(({ x }) => x);
+	return band.length === 0 ? 0 : (Math.max(...band) - Math.min(...band)) / 2;
 }

@@ -28,7 +28,9 @@ export interface Ring {
 }
 
 /**
- * Returns a ring for `count` organs: the first on face 1 or, if `half` is odd, midway between the first two positions.
+ * Returns a ring on which `count` organs are spaced evenly: with USUAL_SIDES where that is possible, else with as many
+ * sides as give an even number of faces from organ to organ.
+ * @param half where odd, the first organ is halfway between the first two positions instead of on face 1
  */
 export function ringFor(count: number, half: number): Ring {
 	if (count === 0) return { sides: USUAL_SIDES, faces: [] };
@@ -60,37 +62,67 @@ export interface WhorlPlan {
  */
 const RISE = 1.2;
 const SUNK = 1;
+/** Factor on the radius from one ring to the next. */
+const SHRINK = 0.9;
 
-/** Generates the module of a whorl, or of several whorls with the same count. */
+/**
+ * Generates the module of a whorl, or of several whorls with the same count: its volumes, its axiom and its
+ * productions. A volume is written `#define NAME(N, atx, aty, atz, H, L, W, m)`: sides, rotations about x, y and z
+ * (degrees), height, length, width (millimetres), number of the material.
+ */
 export function whorlText({ organ, count, whorls, radius, material, call }: WhorlPlan): string {
 	const rings = Array.from({ length: count === 0 ? 1 : whorls }, (_, i) => ringFor(count, HALF[organ] + i));
 	const next = ORDER[ORDER.indexOf(organ) + 1];
 	const sewn = rings.every(({ sides }) => sides === USUAL_SIDES);
-	const lines = [`#module ${WHORLS[organ]}`];
-	if (!sewn) lines.push(`#define FOOT(5,180,0,0,${SUNK},1,1,${material})`);
-	rings.forEach(({ sides }, i) => {
-		const across = Math.round(20 * radius * 0.9 ** i) / 10;
-		const rise = i === 0 && !sewn ? RISE + SUNK : RISE;
-		lines.push(`#define RING${i + 1}(${sides},0,0,0,${rise},${across},${across},${material})`);
+	const definitions = rings.map(({ sides }, i) => {
+		const diameter = Math.round(20 * radius * SHRINK ** i) / 10; // in tenths
+		const height = i === 0 && !sewn ? RISE + SUNK : RISE;
+		return `#define ${ringName(i)}(${sides},0,0,0,${height},${diameter},${diameter},${material})`;
 	});
-	if (sewn) lines.push(`#define finalStep=${rings.length}`, "#axiom: RING1");
-	// Goes down into the parent volume and up again.
-	else lines.push(`#define finalStep=${rings.length + 1}`, "#axiom: FOOT", "FOOT -> FOOT[RING1(,180,,,,,,)]_{E}");
-	rings.forEach(({ sides, faces }, i) => {
-		const ring = `RING${i + 1}`;
-		const above = rings[i + 1] ? `RING${i + 2}` : next && `&${WHORLS[next]}`;
-		if (above) lines.push(`${ring} -> ${ring}[${above}]_{E}`);
-		for (const [settings, on] of alike(faces, (face) => call(i, face, sides)))
-			lines.push(`${ring} -> ${ring}[&${organ.toUpperCase()}${settings}]_{${on.map((face) => `C${face}`).join(",")}}`);
+	const productions = rings.flatMap((ring, i) => {
+		const above = rings[i + 1] ? ringName(i + 1) : next && `&${WHORLS[next]}`;
+		return ringProductions(ringName(i), above, organ, ring, (face) => call(i, face, ring.sides));
 	});
-	return `${lines.join("\n")}\n`;
+	const lines = sewn
+		? [...definitions, `#define finalStep=${rings.length}`, "#axiom: RING1"]
+		: [
+				// The foot goes SUNK down into the parent volume, and the first ring from its end up again.
+				`#define FOOT(5,180,0,0,${SUNK},1,1,${material})`,
+				...definitions,
+				`#define finalStep=${rings.length + 1}`,
+				"#axiom: FOOT",
+				"FOOT -> FOOT[RING1(,180,,,,,,)]_{E}",
+			];
+	return `${[`#module ${WHORLS[organ]}`, ...lines, ...productions].join("\n")}\n`;
+}
+
+/** Returns the name of the volume of a ring, counted from 0. */
+const ringName = (index: number): string => `RING${index + 1}`;
+
+/**
+ * Returns the productions that put the next volume or whorl on a ring's end, and organs on its sides.
+ * @param above what grows on the ring's end; undefined for nothing
+ * @param settingsAt the settings in the call of the organ on a face
+ */
+function ringProductions(
+	name: string,
+	above: string | undefined,
+	organ: Whorled,
+	{ faces }: Ring,
+	settingsAt: (face: number) => string,
+): string[] {
+	const organs = Array.from(groupBySettings(faces, settingsAt), ([settings, group]) => {
+		const sides = group.map((face) => `C${face}`).join(",");
+		return `${name} -> ${name}[&${organ.toUpperCase()}${settings}]_{${sides}}`;
+	});
+	return above ? [`${name} -> ${name}[${above}]_{E}`, ...organs] : organs;
 }
 
 /** Groups faces by the settings of their call, so that a radial whorl is one line. */
-function alike(faces: readonly number[], called: (face: number) => string): Map<string, number[]> {
-	const found = new Map<string, number[]>();
-	for (const face of faces) found.set(called(face), [...(found.get(called(face)) ?? []), face]);
-	return found;
+function groupBySettings(faces: readonly number[], settingsAt: (face: number) => string): Map<string, number[]> {
+	const groups = new Map<string, number[]>();
+	for (const face of faces) groups.set(settingsAt(face), [...(groups.get(settingsAt(face)) ?? []), face]);
+	return groups;
 }
 
 /** Returns whether an organ belongs to a whorl. */

@@ -18,18 +18,18 @@ const NONE = 0xffffffff;
 export function chosenOf(grown: WithVolumes | undefined, volume: number | undefined): ChosenVolume | undefined {
 	if (!grown || volume === undefined || !(volume >= 0 && volume < grown.volumes.order.length)) return undefined;
 	const { order, parent, label, labels } = grown.volumes;
-	const line: number[] = [];
-	for (let at = volume; at !== NONE; at = parent[at]) if (line.push(at) > order.length) return undefined; // It would go round.
-	line.reverse();
+	const path: number[] = [];
+	for (let at = volume; at !== NONE; at = parent[at]) if (path.push(at) > order.length) return undefined; // It would go round.
+	path.reverse();
 	// Parts of a split volume may come after their children, so each volume is looked up by its parent, independent
 	// of their order.
-	const behind = new Map(line.map((at, i) => [parent[at], i]));
-	const before = new Uint32Array(line.length);
+	const nextOnPath = new Map(path.map((at, i) => [parent[at], i]));
+	const earlierSiblings = new Uint32Array(path.length);
 	for (let at = 0; at < order.length; at++) {
-		const next = behind.get(parent[at]);
-		if (next !== undefined && at < line[next] && label[at] === label[line[next]]) before[next]++;
+		const index = nextOnPath.get(parent[at]);
+		if (index !== undefined && at < path[index] && label[at] === label[path[index]]) earlierSiblings[index]++;
 	}
-	return line.map((at, i) => ({ label: labels[label[at]], nth: before[i] }));
+	return path.map((at, i) => ({ label: labels[label[at]], nth: earlierSiblings[i] }));
 }
 
 /** Returns the number of the volume at a path; undefined if there is none. */
@@ -38,11 +38,12 @@ export function stillChosen(grown: WithVolumes | undefined, chosen: ChosenVolume
 	const { labels, label } = grown.volumes;
 	const { first, next } = childrenOf(grown.volumes);
 	let last: number | undefined;
-	for (const { label: called, nth } of chosen) {
-		let at = first[last ?? first.length - 1];
-		for (let before = 0; at !== NONE; at = next[at]) if (labels[label[at]] === called && before++ === nth) break;
-		if (at === NONE) return undefined;
-		last = at;
+	for (const { label: name, nth } of chosen) {
+		let child = first[last ?? first.length - 1];
+		for (let matches = 0; child !== NONE; child = next[child])
+			if (labels[label[child]] === name && matches++ === nth) break;
+		if (child === NONE) return undefined;
+		last = child;
 	}
 	return last;
 }
@@ -52,10 +53,10 @@ function childrenOf({ order, parent }: Volumes): { first: Uint32Array; next: Uin
 	const count = order.length;
 	const first = new Uint32Array(count + 1).fill(NONE);
 	const next = new Uint32Array(count);
-	for (let at = count - 1; at >= 0; at--) {
-		const from = Math.min(parent[at], count);
-		next[at] = first[from];
-		first[from] = at;
+	for (let volume = count - 1; volume >= 0; volume--) {
+		const parentOrCount = Math.min(parent[volume], count);
+		next[volume] = first[parentOrCount];
+		first[parentOrCount] = volume;
 	}
 	return { first, next };
 }

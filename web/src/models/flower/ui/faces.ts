@@ -2,13 +2,15 @@
 import type { Token } from "../../../grammar_editor/scan";
 
 /**
- * Returns false if a production's faces, `…]_{C1, C5}`, are plain names and do not include `face`.
- * @param behind index of the token behind the list
+ * Reads the faces on which a production places a volume, `[name(…){…}]_{C1, C5}`: O is the base, E the end, C1 … are the
+ * sides. Returns false only if they are plain names and do not include `face`.
+ * @param behindArguments index of the token behind the volume's argument list
  * @param face 0 O, 1 E, from 2 on C1 …; undefined if unknown
  */
-export function canGrowOnFace(pieces: readonly Token[], behind: number, face: number | undefined): boolean {
+export function canGrowOnFace(pieces: readonly Token[], behindArguments: number, face: number | undefined): boolean {
 	if (face === undefined) return true;
-	let at = behind;
+	let at = behindArguments;
+	// Skips the volume's own block.
 	if (pieces[at]?.text === "{") while (at < pieces.length && pieces[at++].text !== "}");
 	if (pieces[at++]?.text !== "]") return true;
 	if (pieces[at]?.text === "_") at++;

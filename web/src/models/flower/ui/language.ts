@@ -1,17 +1,23 @@
 /** The flower language for the editor (docs/models/flower/language.md). */
+
 import type { Dialect } from "../../../grammar_editor/dialect";
 import type { Token, TokenKind } from "../../../grammar_editor/scan";
+import { text as message } from "../messages.generated";
 
 const PIECE =
 	/\/\*[\s\S]*?(?:\*\/|$)|@[^@]*@?|\n|[ \t\r\f\v]+|-->|->|→|"[^"\n]*"?|#[ \t]*\p{L}+|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|\p{L}[\p{L}\p{N}_]*(?:\.\p{L}+)?|[<>=!]=|&&|\|\||[\s\S]/gu;
 
-function kindOf(piece: string, before: string): TokenKind {
+/**
+ * Classifies a piece of text for colouring.
+ * @param rest the text behind the piece: an opening parenthesis makes a name a function
+ */
+function kindOf(piece: string, rest: string): TokenKind {
 	if (piece.startsWith("/*") || piece.startsWith("@")) return "comment";
 	if (piece.startsWith("#")) return "statement";
 	if (/^(?:-->|->|→)$/.test(piece)) return "arrow";
 	if (/^[\d.]/.test(piece) && piece !== ".") return "number";
 	if (piece.startsWith('"')) return "symbol";
-	if (/^\p{L}/u.test(piece)) return /^[ \t]*\(/.test(before) ? "function" : "name";
+	if (/^\p{L}/u.test(piece)) return /^[ \t]*\(/.test(rest) ? "function" : "name";
 	return /^(?:[<>=!]=|&&|\|\||[-+*/%^!<>=|])$/.test(piece) ? "operator" : "mark";
 }
 
@@ -29,40 +35,36 @@ export function scan(text: string): Token[] {
 	return pieces;
 }
 
-const statement = (name: string, written: string, help: string) => ({
+/**
+ * Describes a statement of the language for completion and help.
+ * @param written an example of it
+ */
+const statementWord = (name: string, written: string, help: string) => ({
 	kind: "statement" as const,
 	name,
 	written,
 	help,
 });
-const word = (name: string, help: string, written = name) => ({ kind: "function" as const, name, written, help });
+/** Describes another word of the language for completion and help. */
+const otherWord = (name: string, help: string, written = name) => ({ kind: "function" as const, name, written, help });
 
 export const FLOWER_LANGUAGE: Dialect = {
 	scan,
-	words: [
-		statement(
-			"-->",
-			"A{before}{condition}{after} -> A[B(…)]_{E}",
-			"On the face behind the bracket B grows, wherever there is an A for which the condition holds; the blocks may be missing.",
-		),
-		statement(
-			"#define",
-			"#define STEM(N, atx, aty, atz, H, L, W, m)",
-			"A volume: sides, turns in degrees, height, length and width in millimetres, material. Or a variable: #define rd=7.",
-		),
-		statement("#axiom", "#axiom: STEM", "What it begins with."),
-		statement("#module", "#module PETAL", "What follows is a grammar of its own, which &PETAL grows."),
-		statement(
-			"#material",
-			'#material 4 petal "c8102e" "f6d55c" veins "8a1030" 9 0.5',
-			"What m means: a number, a kind (stem, leaf, sepal, petal, stamen, pistil, seed), the colour at the foot and at the tip; then foot, margin, veins (feathered or not), light, bud, wilted and name.",
-		),
-		word("step", "The step of this grammar, from 0."),
-		word("finalStep", "How many steps this grammar has; #define finalStep=12 says so."),
-		word("age", "0 a bud, 1 open, 2 wilted."),
-		word("face", "The number of the side that it grows on."),
-		word("along", "How many volumes along the axis of its organ that stands which it grows from."),
-		word("beside", "How many volumes beside the axis of its organ that stands which it grows from."),
-		word("math.random", "A number drawn between two, for each volume.", "math.random(from, to)"),
-	],
+	/** Statements and words with their explanations, for completion and for the word at the cursor. */
+	get words() {
+		return [
+			statementWord("-->", "A{before}{condition}{after} -> A[B(…)]_{E}", message("help_rule")),
+			statementWord("#define", "#define STEM(N, atx, aty, atz, H, L, W, m)", message("help_define")),
+			statementWord("#axiom", "#axiom: STEM", message("help_axiom")),
+			statementWord("#module", "#module PETAL", message("help_module")),
+			statementWord("#material", '#material 4 petal "c8102e" "f6d55c" veins "8a1030" 9 0.5', message("help_material")),
+			otherWord("step", message("help_step")),
+			otherWord("finalStep", message("help_final_step")),
+			otherWord("age", message("help_age")),
+			otherWord("face", message("help_face")),
+			otherWord("along", message("help_along")),
+			otherWord("beside", message("help_beside")),
+			otherWord("math.random", message("help_random"), "math.random(from, to)"),
+		];
+	},
 };

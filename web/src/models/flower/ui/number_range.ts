@@ -18,12 +18,12 @@ export function rangeFor(name: string, value: number): TokenRange {
 	if (name === "N") return range(3, Math.max(24, 2 * value), 1);
 	if (name === "m") return range(0, Math.max(20, value), 1);
 	if (/^at[xyz]$/.test(name)) return range(Math.min(-90, 2 * value), Math.max(90, 2 * value), 1);
-	const reach = 2 * Math.abs(value) || 10;
+	const limit = 2 * Math.abs(value) || 10;
 	// Variables that seem to be counts stay whole; other values can be typed.
-	const whole = Number.isInteger(value) && Math.abs(value) >= 2;
-	const fine = 10 ** Math.floor(Math.log10(reach / STEPS) + 0.5);
+	const isWhole = Number.isInteger(value) && Math.abs(value) >= 2;
+	const step = 10 ** Math.floor(Math.log10(limit / STEPS) + 0.5);
 	// Counts are often divisors, so they do not reach 0.
-	return range(value < 0 ? -reach : Number(whole), reach, whole ? Math.max(1, fine) : fine);
+	return range(value < 0 ? -limit : Number(isWhole), limit, isWhole ? Math.max(1, step) : step);
 }
 
 /** Returns the range given by the text or by the slider of its constant. */
@@ -34,6 +34,7 @@ export function within(range: TokenRange | undefined, value: number): TokenRange
 	return range && value >= range.min && value <= range.max ? range : undefined;
 }
 
+/** Returns a range whose values are written with as many decimals as the step has. */
 function range(min: number, max: number, step: number): TokenRange {
 	const places = step < 1 ? Math.max(0, decimals(String(Number(step.toFixed(6))))) : 0;
 	return { min, max, step, written: (value) => written(Math.min(Math.max(value, min), max), places) };

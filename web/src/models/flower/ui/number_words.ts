@@ -1,16 +1,17 @@
 /** Names of a volume's nine numbers, and descriptions of numbers in a flower's text. */
+import { text as message } from "../messages.generated";
 
-/** Symbol, name and unit of each number. */
+/** Symbol, message with the name, and unit of each number. */
 export const FIELDS = [
-	["N", "sides", ""],
-	["T", "translation", ""],
-	["atx", "turn about x", "°"],
-	["aty", "turn about y", "°"],
-	["atz", "turn about z", "°"],
-	["H", "height", "mm"],
-	["L", "length", "mm"],
-	["W", "width", "mm"],
-	["m", "material", ""],
+	["N", "field_n", ""],
+	["T", "field_t", ""],
+	["atx", "field_atx", "°"],
+	["aty", "field_aty", "°"],
+	["atz", "field_atz", "°"],
+	["H", "field_h", "mm"],
+	["L", "field_l", "mm"],
+	["W", "field_w", "mm"],
+	["m", "field_m", ""],
 ] as const;
 
 /**
@@ -18,7 +19,7 @@ export const FIELDS = [
  */
 export function describeNumber(text: string, name: string): string {
 	const field = FIELDS.find(([sign]) => sign === name);
-	if (field) return field[2] ? `${field[1]}, ${field[2]}` : field[1];
+	if (field) return field[2] ? message("field_unit", { name: message(field[1]), unit: field[2] }) : message(field[1]);
 	for (const head of text.matchAll(/^[ \t]*#[ \t]*define[ \t]+([\p{L}\p{N}_]+)[ \t]*=/gmu)) {
 		if (head[1] !== name) continue;
 		const line = text.slice(head.index + head[0].length).split("\n", 1)[0];

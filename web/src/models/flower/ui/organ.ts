@@ -1,7 +1,9 @@
 /**
  * Finds the organ of a volume and names it by the text's materials and modules, since volume labels may be arbitrary.
  */
+
 import type { FlowerPlant, Volumes } from "../flower_plant";
+import { text as message } from "../messages.generated";
 import { uncommented } from "../texts";
 
 export interface VolumeOrgan {
@@ -15,12 +17,13 @@ export interface VolumeOrgan {
 export function footOf(volumes: Volumes, chosen: number): { foot: number; segment: number } {
 	const { order, parent } = volumes;
 	let [foot, segment] = [chosen, 1];
-	for (; parent[foot] < order.length && areOfOne(volumes, parent[foot], chosen) && segment < order.length; segment++)
+	for (; parent[foot] < order.length && sameCall(volumes, parent[foot], chosen) && segment < order.length; segment++)
 		foot = parent[foot];
 	return { foot, segment };
 }
 
-const areOfOne = ({ label, module, call }: Volumes, one: number, other: number): boolean =>
+/** Returns whether two volumes come from the same call of the same module. */
+const sameCall = ({ label, module, call }: Volumes, one: number, other: number): boolean =>
 	module[label[one]] === module[label[other]] && call[one] === call[other];
 
 /**
@@ -29,23 +32,23 @@ const areOfOne = ({ label, module, call }: Volumes, one: number, other: number):
  */
 export function organOf(all: Volumes, chosen: number): VolumeOrgan {
 	const { order, parent } = all;
-	const isOf = (at: number) => areOfOne(all, at, chosen);
+	const isOfOrgan = (at: number) => sameCall(all, at, chosen);
 	const { foot: root, segment } = footOf(all, chosen);
 	const [UNKNOWN, WITHIN, OUT] = [0, 1, 2];
-	const known = new Uint8Array(order.length);
-	known[root] = WITHIN;
+	const states = new Uint8Array(order.length);
+	states[root] = WITHIN;
 	const volumes = new Set<number>();
 	for (let each = 0; each < order.length; each++) {
-		const way: number[] = [];
+		const path: number[] = [];
 		let at = each;
 		// Volumes on the path count as outside until they prove to lead to the root, so that cycles end the walk.
-		for (; at < order.length && known[at] === UNKNOWN && isOf(at); at = parent[at]) {
-			known[at] = OUT;
-			way.push(at);
+		for (; at < order.length && states[at] === UNKNOWN && isOfOrgan(at); at = parent[at]) {
+			states[at] = OUT;
+			path.push(at);
 		}
-		const within = at < order.length && known[at] === WITHIN;
-		for (const one of way) known[one] = within ? WITHIN : OUT;
-		if (known[each] === WITHIN) volumes.add(each);
+		const isInside = at < order.length && states[at] === WITHIN;
+		for (const one of path) states[one] = isInside ? WITHIN : OUT;
+		if (states[each] === WITHIN) volumes.add(each);
 	}
 	return { volumes, segment };
 }
@@ -60,8 +63,8 @@ export function titleOfVolume(
 ): string {
 	const at = numbers.indexOf(Math.round(volumes.values[9 * chosen + 8]));
 	const [name = "", kind = ""] = at < 0 ? [] : [names[at], meshes[at]?.material];
-	const whole = name === "" || name.includes(",") || name.includes(kind);
-	const words = whole ? name || kind : `${kind}, ${name}`;
+	const isComplete = name === "" || name.includes(",") || name.includes(kind);
+	const words = isComplete ? name || kind : message("kind_and_name", { kind, name });
 	return words === "" ? volumes.labels[volumes.label[chosen]] : words.charAt(0).toUpperCase() + words.slice(1);
 }
 
@@ -73,9 +76,14 @@ export function placeOfVolume(
 	text: string,
 ): string {
 	const modules = [...uncommented(text).matchAll(/^[ \t]*#[ \t]*module[ \t]+(\p{L}[\p{L}\p{N}_]*)/gmu)];
-	const own = modules[module[label[chosen]] - 1]?.[1];
-	const named = `${labels[label[chosen]]}, volume ${chosen + 1}`;
-	if (volumes.size === 1) return own ? `${named}: all of ${own}.` : `${named}.`;
-	const many = `${volumes.size.toLocaleString("en")} volumes`;
-	return `${named}: segment ${segment} ${own ? `of ${own}, which has` : "among"} ${many}.`;
+	const moduleName = modules[module[label[chosen]] - 1]?.[1];
+	const volumeArguments = { name: labels[label[chosen]], number: chosen + 1 };
+	const count = volumes.size;
+	if (count === 1)
+		return moduleName
+			? message("volume_module", { ...volumeArguments, module: moduleName })
+			: message("volume_place", volumeArguments);
+	return moduleName
+		? message("volume_in_module", { ...volumeArguments, segment, module: moduleName, count })
+		: message("volume_among", { ...volumeArguments, segment, count });
 }

@@ -20,25 +20,26 @@ export function overridden(
 	const lists: (readonly (FlowerEntry | undefined)[])[] = [];
 	for (const pieces of statements) {
 		const arrow = pieces.findIndex(({ kind }) => kind === "arrow");
-		const begins = /^#axiome?$/.test(pieces[0].text);
-		if (arrow < 0 && !begins) continue;
-		const same = !begins && predecessorOf(pieces, arrow) === label;
-		for (let i = begins ? 1 : arrow + 1; i < pieces.length; i++) {
+		const isAxiom = /^#axiome?$/.test(pieces[0].text);
+		if (arrow < 0 && !isAxiom) continue;
+		const sameLabel = !isAxiom && predecessorOf(pieces, arrow) === label;
+		for (let i = isAxiom ? 1 : arrow + 1; i < pieces.length; i++) {
 			if (pieces[i].text !== label) continue;
-			if (begins || pieces[i - 1].text === "[") {
-				if (!same) lists.push(listBehind(pieces, i, translated));
-			} else if (!same || i > arrow + 1) return new Set();
+			if (isAxiom || pieces[i - 1].text === "[") {
+				if (!sameLabel) lists.push(listAfter(pieces, i, translated));
+			} else if (!sameLabel || i > arrow + 1) return new Set();
 		}
 	}
 	const fields = lists.length === 0 ? [] : [...lists[0].keys()];
-	const gives = (list: readonly (FlowerEntry | undefined)[], field: number) => {
+	const isSet = (list: readonly (FlowerEntry | undefined)[], field: number) => {
 		const [from, to] = list[field] ?? [0, 0];
 		return to > from;
 	};
-	return new Set(fields.filter((field) => lists.every((list) => gives(list, field))));
+	return new Set(fields.filter((field) => lists.every((list) => isSet(list, field))));
 }
 
-function listBehind(pieces: readonly Token[], name: number, translated: boolean | undefined) {
+/** Returns the entries of the list after a volume's name, by field; none if there is no list. */
+function listAfter(pieces: readonly Token[], name: number, translated: boolean | undefined) {
 	return pieces[name + 1]?.text === "(" ? inFields(entriesOf(pieces, name + 1).entries, translated) : [];
 }
 

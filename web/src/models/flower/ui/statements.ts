@@ -7,16 +7,16 @@ import type { Token } from "../../../grammar_editor/scan";
 
 /** Removes comments and normalises the words of statements: `# define` becomes `#define`. */
 export function bare(pieces: readonly Token[]): Token[] {
-	const found: Token[] = [];
+	const tokens: Token[] = [];
 	for (const piece of pieces) {
 		if (piece.kind === "comment") continue;
-		const before = found.at(-1);
-		const parted = before?.text === "#" && before.line === piece.line && /^\p{L}/u.test(piece.text);
-		if (before && parted)
-			found[found.length - 1] = { ...piece, kind: "statement", from: before.from, text: `#${piece.text}` };
-		else found.push(piece.kind === "statement" ? { ...piece, text: wordOf(piece) } : piece);
+		const before = tokens.at(-1);
+		const isSplitWord = before?.text === "#" && before.line === piece.line && /^\p{L}/u.test(piece.text);
+		if (before && isSplitWord)
+			tokens[tokens.length - 1] = { ...piece, kind: "statement", from: before.from, text: `#${piece.text}` };
+		else tokens.push(piece.kind === "statement" ? { ...piece, text: wordOf(piece) } : piece);
 	}
-	return found;
+	return tokens;
 }
 
 /**
@@ -28,14 +28,14 @@ export function statementsOf(pieces: readonly Token[]): Token[][] {
 	let depth = 0;
 	for (const [i, piece] of pieces.entries()) {
 		const before = pieces[i - 1];
-		const goesOn =
+		const continues =
 			piece.kind !== "statement" &&
 			(depth > 0 ||
 				before?.kind === "arrow" ||
 				piece.kind === "arrow" ||
 				/^[,|<:]$/.test(before?.text ?? "") ||
 				/^[[{:|]$/.test(piece.text));
-		if (!before || (piece.line > before.line && !goesOn)) {
+		if (!before || (piece.line > before.line && !continues)) {
 			statements.push([]);
 			depth = 0;
 		}
@@ -51,7 +51,7 @@ export function statementsOf(pieces: readonly Token[]): Token[][] {
  */
 export function formsOf(statements: readonly (readonly Token[])[]): Map<string, boolean> {
 	const forms = new Map<string, boolean>();
-	const begun: [module: string, name: string][] = [];
+	const axioms: [module: string, name: string][] = [];
 	let module = "";
 	for (const pieces of statements) {
 		const [head, name, sign, third] = pieces;
@@ -62,11 +62,11 @@ export function formsOf(statements: readonly (readonly Token[])[]): Map<string, 
 				sign?.text === "(" && third !== undefined && entriesOf(pieces, 2).entries.length > 8,
 			);
 		if (/^#axiome?$/.test(head.text)) {
-			const begins = pieces.find(({ kind }, i) => i > 0 && kind !== "mark" && kind !== "operator");
-			if (begins) begun.push([module, begins.text]);
+			const first = pieces.find(({ kind }, i) => i > 0 && kind !== "mark" && kind !== "operator");
+			if (first) axioms.push([module, first.text]);
 		}
 	}
-	for (const [of, name] of begun) forms.set(`${of}:`, forms.get(`${of}:${name}`) ?? false);
+	for (const [axiomModule, name] of axioms) forms.set(`${axiomModule}:`, forms.get(`${axiomModule}:${name}`) ?? false);
 	return forms;
 }
 
@@ -99,7 +99,7 @@ export function inFields(
 	translated: boolean | undefined,
 ): (FlowerEntry | undefined)[] {
 	// Lists of ten numbers have one angle too many (docs/models/flower/language.md).
-	const listed = entries.filter((_, i) => entries.length !== 10 || i !== 5);
-	const whole = listed.length === 9 || (listed.length !== 8 && translated);
-	return whole ? listed : [listed[0], undefined, ...listed.slice(1)];
+	const withoutExtra = entries.filter((_, i) => entries.length !== 10 || i !== 5);
+	const hasTranslation = withoutExtra.length === 9 || (withoutExtra.length !== 8 && translated);
+	return hasTranslation ? withoutExtra : [withoutExtra[0], undefined, ...withoutExtra.slice(1)];
 }

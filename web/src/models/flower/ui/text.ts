@@ -7,7 +7,7 @@ import { FLOWER_LANGUAGE } from "./language";
 
 /** Source of a flower's text for the editor. */
 export const source: GrammarSource<FlowerSpecimen> = {
-	noun: "flower",
+	plantName: "flower",
 	dialect: FLOWER_LANGUAGE,
 	always: true,
 	// The parameter `steps` controls it; it is not a variable.

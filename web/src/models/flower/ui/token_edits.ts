@@ -1,8 +1,10 @@
 /**
  * Finds the numbers in a flower's text that define one volume, with their positions, so that sliders can edit them.
  */
+
 import { type NumberRange, outlineOf } from "../../../grammar_editor/outline";
 import type { Token } from "../../../grammar_editor/scan";
+import { text as message } from "../messages.generated";
 import { canGrowOnFace } from "./faces";
 import { scan } from "./language";
 import { overridden } from "./overridden";
@@ -36,7 +38,7 @@ export interface VolumeOrigin {
 	readonly call: number;
 	/** Faces, if known, that the volume and its module's first volume stand on: 0 O, 1 E, from 2 on C1 … */
 	readonly face?: number | undefined;
-	readonly foot?: number | undefined;
+	readonly moduleFace?: number | undefined;
 }
 
 const FIELDS = ["N", "T", "atx", "aty", "atz", "H", "L", "W", "m"];
@@ -49,47 +51,19 @@ type Pieces = readonly Token[];
  * production overrides, since editing those has no effect. If one line grows the same name several times, returns
  * every list that fits the volume's face, numbered.
  */
-export function numberGroupsOf(text: string, { label, module, line, call, face, foot }: VolumeOrigin): NumberGroup[] {
+export function numberGroupsOf(text: string, origin: VolumeOrigin): NumberGroup[] {
 	const scanned = scan(text);
 	const pieces = bare(scanned);
 	const ranges = new Map(outlineOf(text, scanned).constants.map(({ number, ...range }) => [number.from, range]));
-	const forms = formsOf(statementsOf(pieces));
-	const modules: { name: string; at: number }[] = [{ name: "", at: 0 }];
-	for (const [i, { text: word }] of pieces.entries())
-		if (word === "#module" && pieces[i + 1]) modules.push({ name: pieces[i + 1].text, at: i });
-	const own = modules[module] ?? modules[0];
-	const end = modules[module + 1]?.at ?? pieces.length;
-	const form = forms.get(`${own.name}:${label}`);
-	const listed = (list: List, translated: boolean | undefined) =>
-		numberTokensIn(pieces, inFields(list.entries, translated), FIELDS);
-	const idle = overridden(statementsOf(pieces.slice(own.at, end)), label, form);
-	const grown = standing(pieces, listsAt(pieces, line, "[", label), face);
-	const called = standing(pieces, listsAt(pieces, call, "&", own.name), foot);
-	const set = module === 0 ? new Set<string>() : setByEveryCall(pieces, own.name);
-	const from = new Set(called.flatMap((each) => wordsFrom(pieces, each.from)));
+	const grammar = { pieces, forms: formsOf(statementsOf(pieces)), modules: modulesOf(pieces) };
+	const own = ownModule(grammar, origin);
+	const calls = listsOnFace(pieces, listsAt(pieces, origin.call, "&", own.name), origin.moduleFace);
 	return [
-		{
-			title: `Every ${label}`,
-			tokens: definitionsOf(pieces, own.at, end, label)
-				.flatMap((each) => listed(each, form))
-				.filter(({ name }) => !idle.has(FIELDS.indexOf(name))),
-		},
-		...grown.map((each, i) => ({
-			title: `Where it grows, line ${line}${nth(i, grown)}`,
-			tokens: listed(each, form),
-		})),
-		...called.map((each, i) => ({
-			title: `${own.name} as it is called, line ${call}${nth(i, called)}`,
-			tokens: [...listed(each, forms.get(`${own.name}:`)), ...settings(pieces, each.end)],
-		})),
-		{
-			title: module === 0 ? "The whole flower" : `Every ${own.name}`,
-			tokens: variablesOf(pieces, own.at, end).filter(({ name }) => !set.has(name)),
-		},
-		{
-			title: "The whole flower",
-			tokens: module === 0 ? [] : variablesOf(pieces, 0, modules[1]?.at ?? 0).filter(({ name }) => from.has(name)),
-		},
+		groupOfDefinitions(grammar, own, origin.label),
+		...groupsOfProduction(grammar, own, origin),
+		...groupsOfCalls(grammar, own, calls, origin.call),
+		groupOfModuleVariables(grammar, own, origin.module),
+		groupOfCallVariables(grammar, calls, origin.module),
 	]
 		.filter(({ tokens }) => tokens.length > 0)
 		.map(({ title, tokens }) => ({
@@ -98,7 +72,106 @@ export function numberGroupsOf(text: string, { label, module, line, call, face, 
 		}));
 }
 
-const nth = (i: number, { length }: readonly unknown[]): string => (length > 1 ? `, ${i + 1} of ${length}` : "");
+/**
+ * A module's name and the tokens that it extends over; the first module is the text outside modules, without a name.
+ */
+interface ModuleSpan {
+	readonly name: string;
+	readonly from: number;
+	readonly to: number;
+}
+
+interface FlowerGrammar {
+	readonly pieces: Pieces;
+	/** Whether lists have a translation (statements.ts). */
+	readonly forms: ReadonlyMap<string, boolean>;
+	/** Where each module begins; the first is the text outside modules. */
+	readonly modules: readonly { readonly name: string; readonly at: number }[];
+}
+
+/** Returns the names of the modules and the token at which each begins; the first is the text outside modules. */
+function modulesOf(pieces: Pieces): FlowerGrammar["modules"] {
+	const modules = [{ name: "", at: 0 }];
+	for (const [i, { text: word }] of pieces.entries())
+		if (word === "#module" && pieces[i + 1]) modules.push({ name: pieces[i + 1].text, at: i });
+	return modules;
+}
+
+/** Returns the module of a volume; the text outside modules where the text has changed and lacks it. */
+function ownModule({ pieces, modules }: FlowerGrammar, { module }: VolumeOrigin): ModuleSpan {
+	const { name, at } = modules[module] ?? modules[0];
+	const end = modules[module + 1]?.at ?? pieces.length;
+	return { name, from: at, to: end };
+}
+
+/** Returns the numbers of a volume's definitions, without those that every production overrides. */
+function groupOfDefinitions({ pieces, forms }: FlowerGrammar, own: ModuleSpan, label: string): NumberGroup {
+	const form = forms.get(`${own.name}:${label}`);
+	const overriddenFields = overridden(statementsOf(pieces.slice(own.from, own.to)), label, form);
+	return {
+		title: message("group_every", { name: label }),
+		tokens: definitionsOf(pieces, own.from, own.to, label)
+			.flatMap((list) => fieldsOf(pieces, list, form))
+			.filter(({ name }) => !overriddenFields.has(FIELDS.indexOf(name))),
+	};
+}
+
+/** Returns the numbers of the production that grows the volume: a group for each list that fits the volume's face. */
+function groupsOfProduction(
+	{ pieces, forms }: FlowerGrammar,
+	own: ModuleSpan,
+	{ label, line, face }: VolumeOrigin,
+): NumberGroup[] {
+	const lists = listsOnFace(pieces, listsAt(pieces, line, "[", label), face);
+	return lists.map((list, i) => ({
+		title:
+			lists.length > 1
+				? message("group_grows_nth", { line: String(line), number: i + 1, count: lists.length })
+				: message("group_grows", { line: String(line) }),
+		tokens: fieldsOf(pieces, list, forms.get(`${own.name}:${label}`)),
+	}));
+}
+
+/** Returns the numbers and settings of the calls of the volume's module in one line: a group for each. */
+function groupsOfCalls(
+	{ pieces, forms }: FlowerGrammar,
+	own: ModuleSpan,
+	calls: readonly List[],
+	line: number,
+): NumberGroup[] {
+	return calls.map((list, i) => ({
+		title:
+			calls.length > 1
+				? message("group_called_nth", { name: own.name, line: String(line), number: i + 1, count: calls.length })
+				: message("group_called", { name: own.name, line: String(line) }),
+		tokens: [...fieldsOf(pieces, list, forms.get(`${own.name}:`)), ...settings(pieces, list.end)],
+	}));
+}
+
+/** Returns the variables of the volume's module, without those that every call sets. */
+function groupOfModuleVariables({ pieces }: FlowerGrammar, own: ModuleSpan, module: number): NumberGroup {
+	const setByCalls = module === 0 ? new Set<string>() : setByEveryCall(pieces, own.name);
+	return {
+		title: module === 0 ? message("group_flower") : message("group_every", { name: own.name }),
+		tokens: variablesOf(pieces, own.from, own.to).filter(({ name }) => !setByCalls.has(name)),
+	};
+}
+
+/**
+ * Returns the variables outside modules that the calls of the volume's module use; none for a volume outside modules.
+ */
+function groupOfCallVariables({ pieces, modules }: FlowerGrammar, calls: readonly List[], module: number): NumberGroup {
+	const usedInCalls = new Set(calls.flatMap((call) => namesUsedInCall(pieces, call.from)));
+	return {
+		title: message("group_flower"),
+		tokens: module === 0 ? [] : variablesOf(pieces, 0, modules[1]?.at ?? 0).filter(({ name }) => usedInCalls.has(name)),
+	};
+}
+
+/** Returns the plain numbers of a list, by the names of FIELDS. */
+function fieldsOf(pieces: Pieces, list: List, translated: boolean | undefined): NumberToken[] {
+	return numberTokensIn(pieces, inFields(list.entries, translated), FIELDS);
+}
 
 /** The list of numbers behind a volume's name, and the token behind it. */
 interface List {
@@ -108,12 +181,20 @@ interface List {
 	readonly end: number;
 }
 
+/**
+ * Returns the list of numbers behind a volume's name; without entries if there is none.
+ * @param name index of the name's token
+ */
 function listBehind(pieces: Pieces, name: number): List {
 	if (pieces[name + 1]?.text !== "(") return { entries: [], from: name, end: name + 1 };
 	return { ...entriesOf(pieces, name + 1), from: name };
 }
 
-/** Returns the lists of a volume's definitions between two tokens. */
+/**
+ * Returns the lists of a volume's definitions between two tokens.
+ * @param from index of the first token
+ * @param to index behind the last one
+ */
 function definitionsOf(pieces: Pieces, from: number, to: number, label: string): List[] {
 	const found: List[] = [];
 	for (let i = from; i < to; i++)
@@ -129,12 +210,16 @@ function listsAt(pieces: Pieces, line: number, sign: string, name: string): List
 }
 
 /** Returns the lists whose production may grow on a face; all if none may, since the text has changed. */
-function standing(pieces: Pieces, lists: readonly List[], face: number | undefined): readonly List[] {
+function listsOnFace(pieces: Pieces, lists: readonly List[], face: number | undefined): readonly List[] {
 	const found = lists.filter(({ end }) => canGrowOnFace(pieces, end, face));
 	return found.length > 0 ? found : lists;
 }
 
-/** Returns the variables with plain numbers between two tokens. */
+/**
+ * Returns the variables with plain numbers between two tokens.
+ * @param from index of the first token
+ * @param to index behind the last one
+ */
 function variablesOf(pieces: Pieces, from: number, to: number): NumberToken[] {
 	const found: NumberToken[] = [];
 	for (let i = from; i < to; i++)
@@ -143,8 +228,11 @@ function variablesOf(pieces: Pieces, from: number, to: number): NumberToken[] {
 	return found;
 }
 
-/** Returns the names that a call uses, without those that it sets. */
-function wordsFrom(pieces: Pieces, call: number): string[] {
+/**
+ * Returns the names that a call uses, without those that it sets.
+ * @param call index of the called name's token
+ */
+function namesUsedInCall(pieces: Pieces, call: number): string[] {
 	let end = call;
 	while (end < pieces.length && pieces[end].text !== "]") end++;
 	return pieces
@@ -153,7 +241,10 @@ function wordsFrom(pieces: Pieces, call: number): string[] {
 		.map(({ text }) => text);
 }
 
-/** Returns the variables of a module that every call sets; none if nothing calls it. */
+/**
+ * Returns the variables of a module that every call sets; none if nothing calls it.
+ * @param name of the module
+ */
 function setByEveryCall(pieces: Pieces, name: string): Set<string> {
 	const calls = pieces.flatMap((piece, i) => (piece.text === name && pieces[i - 1]?.text === "&" ? [i] : []));
 	const sets = calls.map((call) => {
@@ -165,7 +256,10 @@ function setByEveryCall(pieces: Pieces, name: string): Set<string> {
 	return new Set([...(sets[0] ?? [])].filter((each) => sets.every((set) => set.has(each))));
 }
 
-/** Returns the numbers in the settings behind a call: `{len=66; width=40}`. */
+/**
+ * Returns the numbers in the settings behind a call: `{len=66; width=40}`.
+ * @param from index of the token behind the call
+ */
 function settings(pieces: Pieces, from: number): NumberToken[] {
 	if (pieces[from]?.text !== "{") return [];
 	const found: NumberToken[] = [];
@@ -178,6 +272,10 @@ function settings(pieces: Pieces, from: number): NumberToken[] {
 	return found;
 }
 
+/**
+ * Returns the index of the token behind a statement's line.
+ * @param from index of any token of the line
+ */
 function statementEnd(pieces: Pieces, from: number): number {
 	let end = from;
 	while (end < pieces.length && pieces[end].line === pieces[from].line) end++;

@@ -1,14 +1,23 @@
 /** User interface of the model, loaded with the first flower. */
+
 import { html } from "lit";
 import { gestureTool } from "../../../grammar_editor/gesture_tool";
 import { grammarTools } from "../../../grammar_editor/grammar_tool";
+import type { GrammarSource } from "../../../grammar_editor/source";
 import type { ModelUi, Tool } from "../../../ui/tool";
 import type { FlowerPlant } from "../flower_plant";
+import { text } from "../messages.generated";
 import type { FlowerSpecimen } from "../specimen";
 import { age } from "./age";
-import { beginTool, designTools } from "./design/design_tool";
+import { beginTool, designTools, isDesigned } from "./design/design_tool";
 import { source } from "./text";
 import { volumeTool } from "./volume_tool";
+
+/** The text with some of its constants among the basics; a designed flower has fields of its organs there instead. */
+export const basicFlowerConstants: GrammarSource<FlowerSpecimen> = {
+	...source,
+	basics: (specimen) => (isDesigned(specimen) ? 0 : 4),
+};
 
 export const modelUi: ModelUi<FlowerSpecimen, FlowerPlant> = {
 	tools: [
@@ -16,12 +25,11 @@ export const modelUi: ModelUi<FlowerSpecimen, FlowerPlant> = {
 		volumeTool as Tool<FlowerSpecimen, FlowerPlant>,
 		age as Tool<FlowerSpecimen, FlowerPlant>,
 		beginTool,
-		...grammarTools<FlowerSpecimen, FlowerPlant>(source),
+		...grammarTools<FlowerSpecimen, FlowerPlant>(basicFlowerConstants),
 		gestureTool<FlowerSpecimen, FlowerPlant>(source),
 	],
-	about: html`<p>
-			A flower is made of volumes that grow on each other’s faces, are glued and split, as its text says; organs are modules of
-			it.
-		</p>
-		<p>After O. Petrenko, <i>Simulation of flowering plants</i> (thesis, University of Limoges, 2014).</p>`,
+	get about() {
+		return html`<p>${text("about_usage")}</p>
+			<p>${text.pieces("about_paper", { thesis: html`<i>Simulation of flowering plants</i>` })}</p>`;
+	},
 };

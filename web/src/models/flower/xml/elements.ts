@@ -2,7 +2,10 @@
  * Parses the XML that grammars need: elements, attributes, text, XML's five entities, character references and CDATA;
  * skips comments and instructions. Rejects document types, so that no entity is ever defined or fetched.
  */
+
+import type { Message } from "../../../locale/texts";
 import { TextError } from "../../../specimen/text_error";
+import { text as catalogue } from "../messages.generated";
 
 export interface XmlElement {
 	readonly name: string;
@@ -14,8 +17,14 @@ export interface XmlElement {
 	place(): readonly [line: number, column: number];
 }
 
+const { message } = catalogue;
+
+/** Returns the error with a message at a line and column. */
+export const errorAt = (place: readonly [line: number, column: number], problem: Message): TextError =>
+	new TextError(...place, problem);
+
 const DEEPEST = 32;
-const MOST = 200_000;
+const MAX_ELEMENTS = 200_000;
 const NAME = /[\p{L}_][\p{L}\p{N}_.:-]*/uy;
 const ENTITIES: Readonly<Record<string, string>> = { lt: "<", gt: ">", amp: "&", quot: '"', apos: "'" };
 
@@ -30,7 +39,7 @@ export function elementsOf(source: string): XmlElement[] {
 class XmlReader {
 	readonly #source: string;
 	#at = 0;
-	#made = 0;
+	#elementCount = 0;
 	/** Offsets of the beginnings of lines. */
 	readonly #lines: number[] = [0];
 
@@ -39,139 +48,154 @@ class XmlReader {
 		for (let i = source.indexOf("\n"); i >= 0; i = source.indexOf("\n", i + 1)) this.#lines.push(i + 1);
 	}
 
+	/** Returns the elements at the top level. */
 	run(): XmlElement[] {
-		const top: XmlElement = { name: "", attributes: {}, children: [], text: "", place: () => [1, 1] };
-		const open = [top];
+		const root: XmlElement = { name: "", attributes: {}, children: [], text: "", place: () => [1, 1] };
+		const openElements = [root];
 		while (this.#at < this.#source.length) {
-			const inner = open[open.length - 1];
-			if (this.#passed("<!--", "-->") || this.#passed("<?", "?>")) continue;
-			if (this.#on("<![CDATA[")) {
-				const [from, to] = this.#through("<![CDATA[", "]]>");
-				inner.text += this.#source.slice(from, to);
-			} else if (this.#on("<!")) {
-				this.#wrong("A document type is not read; take it out. What entities stand for is written in their place.");
-			} else if (this.#on("</")) {
-				this.#close(open);
-			} else if (this.#on("<")) {
-				const element = this.#open(inner, open.length);
-				if (element) open.push(element);
+			const innermost = openElements[openElements.length - 1];
+			if (this.#skip("<!--", "-->") || this.#skip("<?", "?>")) continue;
+			if (this.#startsWith("<![CDATA[")) {
+				const [from, to] = this.#skipPast("<![CDATA[", "]]>");
+				innermost.text += this.#source.slice(from, to);
+			} else if (this.#startsWith("<!")) {
+				this.#fail(message("xml_document_type"));
+			} else if (this.#startsWith("</")) {
+				this.#close(openElements);
+			} else if (this.#startsWith("<")) {
+				const element = this.#open(innermost, openElements.length);
+				if (element) openElements.push(element);
 			} else {
 				const end = this.#source.indexOf("<", this.#at);
-				const stretch = this.#source.slice(this.#at, end < 0 ? undefined : end);
-				if (inner === top && stretch.trim() !== "") {
-					this.#at += stretch.length - stretch.trimStart().length;
-					this.#wrong("Nothing stands outside of elements.");
+				const content = this.#source.slice(this.#at, end < 0 ? undefined : end);
+				if (innermost === root && content.trim() !== "") {
+					this.#at += content.length - content.trimStart().length;
+					this.#fail(message("xml_outside"));
 				}
-				inner.text += this.#unescaped(stretch);
-				this.#at += stretch.length;
+				innermost.text += this.#unescape(content);
+				this.#at += content.length;
 			}
 		}
-		const last = open[open.length - 1];
-		if (last !== top) throw new TextError(...last.place(), `<${last.name}> is never closed.`);
-		return top.children;
+		const last = openElements[openElements.length - 1];
+		if (last !== root) throw errorAt(last.place(), message("xml_not_closed", { name: last.name }));
+		return root.children;
 	}
 
+	/** Reads a start tag and adds its element to the parent. Returns the element if its content follows. */
 	#open(parent: XmlElement, depth: number): XmlElement | undefined {
 		const from = this.#at++;
 		const place = () => this.#place(from);
-		const name = this.#name("An element's name stands behind <.");
+		const name = this.#name(message("xml_name_expected"));
 		const attributes: Record<string, string> = Object.create(null);
 		for (;;) {
-			this.#space();
-			if (this.#on("/>") || this.#on(">")) break;
-			const key = this.#name(`<${name}> goes on with an attribute or >.`);
-			this.#space();
-			if (!this.#on("=")) this.#wrong(`An = stands behind ${key}.`);
+			this.#skipSpace();
+			if (this.#startsWith("/>") || this.#startsWith(">")) break;
+			const key = this.#name(message("xml_attribute_expected", { name }));
+			this.#skipSpace();
+			if (!this.#startsWith("=")) this.#fail(message("xml_equals_expected", { key }));
 			this.#at++;
-			this.#space();
+			this.#skipSpace();
 			const quote = this.#source[this.#at];
-			if (quote !== '"' && quote !== "'") this.#wrong(`What ${key} is stands in quotes.`);
+			if (quote !== '"' && quote !== "'") this.#fail(message("xml_quote_expected", { key }));
 			const end = this.#source.indexOf(quote, this.#at + 1);
-			if (end < 0) this.#wrong("This quote is never closed.");
+			if (end < 0) this.#fail(message("xml_quote_open"));
 			this.#at++;
-			attributes[key] = this.#unescaped(this.#source.slice(this.#at, end));
+			attributes[key] = this.#unescape(this.#source.slice(this.#at, end));
 			this.#at = end + 1;
 		}
-		const empty = this.#on("/>");
+		const empty = this.#startsWith("/>");
 		this.#at += empty ? 2 : 1;
-		if (++this.#made > MOST)
-			throw new TextError(...place(), `There are more than ${MOST.toLocaleString("en")} elements.`);
-		if (depth > DEEPEST) throw new TextError(...place(), `Elements stand in one another more than ${DEEPEST} deep.`);
+		if (++this.#elementCount > MAX_ELEMENTS) throw errorAt(place(), message("xml_too_many", { most: MAX_ELEMENTS }));
+		if (depth > DEEPEST) throw errorAt(place(), message("xml_too_deep", { most: DEEPEST }));
 		const element: XmlElement = { name, attributes, children: [], text: "", place };
 		parent.children.push(element);
 		return empty ? undefined : element;
 	}
 
+	/** Reads an end tag, which must name the innermost open element. */
 	#close(open: XmlElement[]): void {
 		const from = this.#at;
 		this.#at += 2;
-		const name = this.#name("An element's name stands behind </.");
-		this.#space();
-		const ends = this.#on(">");
+		const name = this.#name(message("xml_end_name_expected"));
+		this.#skipSpace();
+		const isComplete = this.#startsWith(">");
 		const last = open[open.length - 1];
-		if (ends && open.length > 1 && last.name === name) {
+		if (isComplete && open.length > 1 && last.name === name) {
 			open.pop();
 			this.#at++;
 			return;
 		}
-		if (!ends) this.#wrong(`A > ends </${name}.`);
+		if (!isComplete) this.#fail(message("xml_end_expected", { name }));
 		this.#at = from;
-		this.#wrong(open.length > 1 ? `</${last.name}> is expected here.` : `</${name}> closes nothing.`);
+		this.#fail(
+			open.length > 1 ? message("xml_other_expected", { name: last.name }) : message("xml_closes_nothing", { name }),
+		);
 	}
 
-	#unescaped(text: string): string {
+	/** Replaces entities and character references; an unknown or unfinished one is an error at its place. */
+	#unescape(text: string): string {
 		return text.replace(/&([^;&<\s]{0,12});?/g, (whole, name: string, offset: number) => {
 			const numbered = /^#(?:x([\da-f]{1,6})|(\d{1,7}))$/i.exec(name);
 			const code = numbered ? Number.parseInt(numbered[1] ?? numbered[2], numbered[1] ? 16 : 10) : Number.NaN;
-			const known = Object.hasOwn(ENTITIES, name) ? ENTITIES[name] : undefined;
-			const meant = known ?? (code > 0 && code <= 0x10ffff ? String.fromCodePoint(code) : undefined);
-			if (meant !== undefined && whole.endsWith(";")) return meant;
+			const entity = Object.hasOwn(ENTITIES, name) ? ENTITIES[name] : undefined;
+			const character = entity ?? (code > 0 && code <= 0x10ffff ? String.fromCodePoint(code) : undefined);
+			if (character !== undefined && whole.endsWith(";")) return character;
 			this.#at += offset;
-			return this.#wrong(`${whole} stands for nothing here; an & by itself is &amp;.`);
+			return this.#fail(message("xml_entity", { entity: whole }));
 		});
 	}
 
-	#name(otherwise: string): string {
+	/**
+	 * Reads a name and moves the position behind it.
+	 * @param otherwise the problem to report if there is none
+	 */
+	#name(otherwise: Message): string {
 		NAME.lastIndex = this.#at;
-		const [name] = NAME.exec(this.#source) ?? this.#wrong(otherwise);
+		const [name] = NAME.exec(this.#source) ?? this.#fail(otherwise);
 		this.#at += name.length;
 		return name;
 	}
 
-	#on(sign: string): boolean {
+	/** Returns whether the text at the position starts with a sign. */
+	#startsWith(sign: string): boolean {
 		return this.#source.startsWith(sign, this.#at);
 	}
 
-	#space(): void {
+	/** Moves the position behind blanks and line ends. */
+	#skipSpace(): void {
 		while (/\s/.test(this.#source[this.#at] ?? "x")) this.#at++;
 	}
 
-	#passed(begin: string, end: string): boolean {
-		if (!this.#on(begin)) return false;
-		this.#through(begin, end);
+	/** Skips a part that starts with `begin`, to the end of `end`; returns false if there is none. */
+	#skip(begin: string, end: string): boolean {
+		if (!this.#startsWith(begin)) return false;
+		this.#skipPast(begin, end);
 		return true;
 	}
 
-	#through(begin: string, end: string): [number, number] {
+	/** Skips a part to the end of `end`; returns the range of its content. */
+	#skipPast(begin: string, end: string): [number, number] {
 		const from = this.#at + begin.length;
 		const to = this.#source.indexOf(end, from);
-		if (to < 0) this.#wrong(`This ${begin} is never closed; ${end} ends it.`);
+		if (to < 0) this.#fail(message("xml_part_open", { begin, end }));
 		this.#at = to + end.length;
 		return [from, to];
 	}
 
-	#place(at: number): [number, number] {
+	/** Returns line and column, counted from 1, of an offset, by bisection of the lines. */
+	#place(offset: number): [number, number] {
 		let [low, high] = [0, this.#lines.length];
 		while (high - low > 1) {
 			const middle = (low + high) >> 1;
-			if (this.#lines[middle] <= at) low = middle;
+			if (this.#lines[middle] <= offset) low = middle;
 			else high = middle;
 		}
-		return [low + 1, [...this.#source.slice(this.#lines[low], at)].length + 1];
+		return [low + 1, [...this.#source.slice(this.#lines[low], offset)].length + 1];
 	}
 
-	#wrong(message: string): never {
-		throw new TextError(...this.#place(this.#at), message);
+	/** Throws an error at the position. */
+	#fail(problem: Message): never {
+		throw errorAt(this.#place(this.#at), problem);
 	}
 }
 

@@ -22,20 +22,20 @@ export function xmlOf(text: string): string {
 	let module = "";
 	const elements = statements.map((pieces) => {
 		if (pieces[0].text === "#module") module = pieces[1]?.text ?? "";
-		const xml = element(new Statement(text, pieces), (name, of = module) => forms.get(`${of}:${name}`));
+		const xml = elementOf(new Statement(text, pieces), (name, of = module) => forms.get(`${of}:${name}`));
 		return { from: pieces[0].from, xml };
 	});
 	const described = pieces
 		.filter((piece) => isDescription(text, piece))
 		.map((piece) => ({ from: piece.from, xml: `<statement>${escaped(piece.text)}</statement>` }));
-	const lines = [...elements, ...described].sort((one, other) => one.from - other.from).map(({ xml }) => xml);
+	const lines = [...elements, ...described].sort((a, b) => a.from - b.from).map(({ xml }) => xml);
 	return `<?xml version="1.0" encoding="UTF-8"?>\n<grammar>\n${lines.join("\n")}\n</grammar>\n`;
 }
 
 /** Returns whether a token is an organ's description on a line of its own. */
 function isDescription(text: string, { kind, from, to, text: comment }: Pieces[number]): boolean {
-	const alone = (from === 0 || text[from - 1] === "\n") && /^[ \t]*(?:\n|$)/.test(text.slice(to, to + 200));
-	return kind === "comment" && alone && readLine(comment) !== undefined;
+	const isOnOwnLine = (from === 0 || text[from - 1] === "\n") && /^[ \t]*(?:\n|$)/.test(text.slice(to, to + 200));
+	return kind === "comment" && isOnOwnLine && readLine(comment) !== undefined;
 }
 
 /** A statement that is read from left to right. */
@@ -46,15 +46,17 @@ class Statement {
 		readonly pieces: Pieces,
 	) {}
 
+	/** Returns whether the present token is a sign. */
 	on(sign: string): boolean {
 		return this.here === sign;
 	}
 
+	/** Text of the present token; empty behind the last one. */
 	get here(): string {
 		return this.pieces[this.at]?.text ?? "";
 	}
 
-	/** Returns the text of tokens, without comments. */
+	/** Returns the text of the tokens from index `from` to before `to`, without comments. */
 	slice(from: number, to: number): string {
 		return this.pieces
 			.slice(from, to)
@@ -69,46 +71,50 @@ class Statement {
  */
 type Form = (name: string, module?: string) => boolean | undefined;
 
-function element(statement: Statement, form: Form): string {
+/**
+ * Writes a statement as the XML element of its kind: a definition, a volume, the axiom or a rule; statements that Table
+ * 4 has no element for become `<statement>`.
+ */
+function elementOf(statement: Statement, form: Form): string {
 	const { pieces } = statement;
-	const whole = () => `<statement>${escaped(statement.slice(0, pieces.length))}</statement>`;
+	const asStatement = () => `<statement>${escaped(statement.slice(0, pieces.length))}</statement>`;
 	const [head, name, sign] = pieces;
 	if (head.text === "#define" && sign?.text === "=")
 		return /^[\p{L}_][\p{L}\p{N}_.-]*$/u.test(name.text)
 			? `<variable category="#define"><${name.text}>${escaped(statement.slice(3, pieces.length))}</${name.text}></variable>`
-			: whole();
+			: asStatement();
 	if (head.text === "#define" && name) {
 		statement.at = 1;
-		return volume(statement, "#define", form(name.text));
+		return volumeElement(statement, "#define", form(name.text));
 	}
 	if (/^#axiome?$/.test(head.text)) {
 		statement.at = name?.text === ":" ? 2 : 1;
-		return `<axiom prefix="#axiom: ">${escaped(spelledOut(statement, form))}</axiom>`;
+		return `<axiom prefix="#axiom: ">${escaped(withFullLists(statement, form))}</axiom>`;
 	}
-	if (head.kind === "statement") return whole();
-	const grows = rule(statement, form);
-	if (grows) return grows;
+	if (head.kind === "statement") return asStatement();
+	const production = ruleElement(statement, form);
+	if (production) return production;
 	statement.at = 0;
-	return `<statement>${escaped(spelledOut(statement, form))}</statement>`;
+	return `<statement>${escaped(withFullLists(statement, form))}</statement>`;
 }
 
 /**
  * Writes the rest of a statement with all nine numbers in each list, since definitions have nine here and shorter
  * lists would be read differently.
  */
-function spelledOut(statement: Statement, form: Form): string {
+function withFullLists(statement: Statement, form: Form): string {
 	const { pieces, at } = statement;
 	let written = "";
-	let from = at;
+	let copiedTo = at;
 	for (let i = at; i + 1 < pieces.length; i++) {
-		const listed = /^\p{L}/u.test(pieces[i].text) && pieces[i + 1].text === "(" && form(pieces[i].text) !== undefined;
-		if (!listed) continue;
+		const isList = /^\p{L}/u.test(pieces[i].text) && pieces[i + 1].text === "(" && form(pieces[i].text) !== undefined;
+		if (!isList) continue;
 		const [numbers, end] = numbersAt(statement, i + 1, form(pieces[i].text));
-		written += `${statement.slice(from, i + 1)}(${numbers.join(",")})`;
-		from = end;
+		written += `${statement.slice(copiedTo, i + 1)}(${numbers.join(",")})`;
+		copiedTo = end;
 		i = end - 1;
 	}
-	return `${written}${from > at && from < pieces.length ? " " : ""}${statement.slice(from, pieces.length)}`;
+	return `${written}${copiedTo > at && copiedTo < pieces.length ? " " : ""}${statement.slice(copiedTo, pieces.length)}`;
 }
 
 /** Returns the nine numbers of a list, empty where left out, and the token behind the list. */
@@ -118,43 +124,47 @@ function numbersAt(statement: Statement, open: number, translated: boolean | und
 	return [FIELDS.map((_, i) => listed[i] ?? ""), end];
 }
 
-/** Writes a production that grows volumes; undefined for glue and splits. */
-function rule(statement: Statement, form: Form): string | undefined {
+/** Writes the element of a production that grows volumes; undefined for glue and splits, which Table 4 lacks. */
+function ruleElement(statement: Statement, form: Form): string | undefined {
 	const { pieces } = statement;
 	const isName = (i: number) => pieces[i] !== undefined && /^[\p{L}]/u.test(pieces[i].text);
 	const begin = pieces[0].text === "(" ? 3 : isName(0) && isName(1) ? 1 : 0;
 	const init = statement.slice(0, begin);
 	statement.at = begin + 1;
 	const blocks: string[] = [];
-	while (statement.on("{")) blocks.push(block(statement));
+	while (statement.on("{")) blocks.push(readBlock(statement));
 	if (pieces[statement.at]?.kind !== "arrow" || (blocks.length !== 0 && blocks.length !== 3)) return undefined;
 	statement.at++;
-	const [first = "", second = "", third = ""] = blocks;
-	const successor = [volume(statement, "root", form(statement.here))];
+	const [blockBefore = "", condition = "", blockAfter = ""] = blocks;
+	const successor = [volumeElement(statement, "root", form(statement.here))];
 	while (statement.on("[")) {
-		const grown = growth(statement, form);
+		const grown = grownVolume(statement, form);
 		if (!grown) return undefined;
 		successor.push(grown);
 	}
 	if (statement.at < pieces.length) return undefined;
 	return `<rule>
-	<predecessor init="${init}${init && " "}"><volume category="predcsr"><name>${pieces[begin].text}</name></volume>${tagged("block1", first)}${tagged("condition", second)}${tagged("block2", third)}<element>-></element></predecessor>
+	<predecessor init="${init}${init && " "}"><volume category="predcsr"><name>${pieces[begin].text}</name></volume>${xmlElement("block1", blockBefore)}${xmlElement("condition", condition)}${xmlElement("block2", blockAfter)}<element>-></element></predecessor>
 	<successor>${successor.join("")}</successor>
 </rule>`;
 }
 
-function block(statement: Statement): string {
+/** Reads a block in braces, and moves the statement's position behind it; returns the text between the braces. */
+function readBlock(statement: Statement): string {
 	const from = ++statement.at;
 	while (statement.at < statement.pieces.length && !statement.on("}")) statement.at++;
 	return statement.slice(from, statement.at++);
 }
 
-/** Writes a grown volume: `[NAME(…)]_{faces}`. */
-function growth(statement: Statement, form: Form): string | undefined {
+/**
+ * Writes the element of a grown volume, `[NAME(…)]_{faces}`, and moves the statement's position behind it; undefined
+ * for anything else.
+ */
+function grownVolume(statement: Statement, form: Form): string | undefined {
 	statement.at++;
 	const module = statement.on("&");
 	if (module) statement.at++;
-	const grown = volume(
+	const grown = volumeElement(
 		statement,
 		module ? "module" : "successor",
 		module ? form("", statement.here) : form(statement.here),
@@ -173,7 +183,12 @@ function growth(statement: Statement, form: Form): string | undefined {
 	return `<element>[</element>${grown}<element>]_</element><face>${faces.startsWith("{") ? escaped(faces) : `{${escaped(faces)}}`}</face>`;
 }
 
-function volume(statement: Statement, category: string, translated: boolean | undefined): string {
+/**
+ * Writes the element of a volume, `NAME(N, T, …){settings}`, and moves the statement's position behind it.
+ * @param category its attribute: whether it is a volume or a module's call
+ * @param translated result of `Form` for the volume: whether its lists have the number T
+ */
+function volumeElement(statement: Statement, category: string, translated: boolean | undefined): string {
 	const name = statement.here;
 	statement.at++;
 	let numbers: string[] | undefined;
@@ -181,10 +196,11 @@ function volume(statement: Statement, category: string, translated: boolean | un
 		[numbers, statement.at] = numbersAt(statement, statement.at, translated);
 	}
 	let settings = "";
-	if (category === "module" && statement.on("{")) settings = tagged("settings", block(statement));
-	const fields = numbers ? FIELDS.map((field, i) => tagged(field, numbers[i] ?? "")).join("") : "";
+	if (category === "module" && statement.on("{")) settings = xmlElement("settings", readBlock(statement));
+	const fields = numbers ? FIELDS.map((field, i) => xmlElement(field, numbers[i] ?? "")).join("") : "";
 	return `<volume category="${category}"><name>${name}</name>${fields}${settings}</volume>`;
 }
 
-const tagged = (name: string, text: string): string =>
+/** Writes an element; an empty one as a single tag. */
+const xmlElement = (name: string, text: string): string =>
 	text === "" ? `<${name}/>` : `<${name}>${escaped(text)}</${name}>`;

@@ -36,20 +36,20 @@ export interface WithAreas {
 }
 
 /** Limits of areas and places, so that links and the panel stay usable. */
-export const MOST_AREAS = 24;
-export const MOST_PATH = 60;
+export const MAX_AREAS = 24;
+export const MAX_PATH = 60;
 /** Metres. */
 export const FARTHEST = 100;
 export const SMALLEST = 0.01;
 
-/** Rotates a vector. */
-export function turned([x, y, z]: Triple, [qx, qy, qz, qw]: AreaRotation): Triple {
+/** Rotates a vector by a unit quaternion. */
+export function rotate([x, y, z]: Triple, [qx, qy, qz, qw]: AreaRotation): Triple {
 	const [tx, ty, tz] = [2 * (qy * z - qz * y), 2 * (qz * x - qx * z), 2 * (qx * y - qy * x)];
 	return [x + qw * tx + qy * tz - qz * ty, y + qw * ty + qz * tx - qx * tz, z + qw * tz + qx * ty - qy * tx];
 }
 
 /** Rotates by degrees about an axis, after another rotation. */
-export function turnedOn([bx, by, bz, bw]: AreaRotation, axis: Triple, degrees: number): AreaRotation {
+export function rotateFurther([bx, by, bz, bw]: AreaRotation, axis: Triple, degrees: number): AreaRotation {
 	const half = (degrees * Math.PI) / 360;
 	const [ax, ay, az] = axis.map((value) => value * Math.sin(half));
 	const aw = Math.cos(half);
@@ -78,10 +78,11 @@ export function degreesOf([x, y, z, w]: AreaRotation): Triple {
 }
 
 /** Converts degrees about Z, then X, then Y, all axes of the world, to a rotation. */
-export function turnOf([x, y, z]: Triple): AreaRotation {
-	return turnedOn(turnedOn(turnedOn(UNTURNED, [0, 0, 1], z), [1, 0, 0], x), [0, 1, 0], y);
+export function rotationOf([x, y, z]: Triple): AreaRotation {
+	return rotateFurther(rotateFurther(rotateFurther(UNTURNED, [0, 0, 1], z), [1, 0, 0], x), [0, 1, 0], y);
 }
 
+/** Scales a rotation to a unit quaternion with w ≥ 0; a zero one becomes UNTURNED. */
 export function unit(q: AreaRotation): AreaRotation {
 	const length = Math.hypot(...q);
 	if (!(length > 0)) return UNTURNED;
@@ -91,6 +92,6 @@ export function unit(q: AreaRotation): AreaRotation {
 
 /** Converts a point of an area's own box, −1 … 1 on each axis, to metres. */
 export function placeIn({ centre, size, rotation }: Area, own: Triple): Triple {
-	const [x, y, z] = turned([0.5 * own[0] * size[0], 0.5 * own[1] * size[1], 0.5 * own[2] * size[2]], rotation);
+	const [x, y, z] = rotate([0.5 * own[0] * size[0], 0.5 * own[1] * size[1], 0.5 * own[2] * size[2]], rotation);
 	return [centre[0] + x, centre[1] + y, centre[2] + z];
 }

@@ -2,6 +2,7 @@
  * Panel of growth areas: a list and numbers for everything that the pointer does in the view, for keyboards and screen
  * readers.
  */
+
 import { html, nothing } from "lit";
 import { live } from "lit/directives/live.js";
 import { ACCEPT } from "../../../import/mesh_file/accept";
@@ -10,10 +11,11 @@ import { chooseFile } from "../../../ui/choose_file";
 import type { Change } from "../../../ui/editor_context";
 import type { Tool } from "../../../ui/tool";
 import type { GrammarPlant } from "../grammar_plant";
+import { text } from "../messages.generated";
 import type { GrammarSpecimen } from "../specimen";
 import { GRAMMAR_TABLE } from "../table";
 import { fetchedText, usesAreas } from "../texts";
-import { AREA_KINDS, type Area, type AreaKind, degreesOf, type Triple, turnOf } from "./area";
+import { AREA_KINDS, type Area, type AreaKind, degreesOf, rotationOf, type Triple } from "./area";
 import {
 	added,
 	addedPlace,
@@ -29,21 +31,16 @@ import {
 import { nameOf } from "./area_handles";
 import { type AreaContext, type AreaState, areaTool, choose, hasAreas, takeAreaMesh } from "./area_tool";
 
-/** Labels of the buttons; meshes have a button of their own. */
-const WORDS: Readonly<Record<Exclude<AreaKind, "mesh">, string>> = {
-	box: "Box",
-	sphere: "Ball",
-	ellipsoid: "Ellipsoid",
-	cylinder: "Cylinder",
-	cone: "Cone",
-};
+/** Kinds that have a button of their own; meshes come from files. */
+const SHAPES = AREA_KINDS.filter((kind) => kind !== "mesh");
 
+/** Renders the list of areas, the chosen area's numbers, buttons that add areas, and the path. */
 export function drawAreas(context: AreaContext): unknown {
 	const { specimen } = context.state;
 	const { areas = [] } = specimen;
 	const { chosen } = context.toolState(areaTool);
 	const area = chosen === undefined ? undefined : areas[chosen];
-	return html`<ol class="areas" aria-label="Growth areas, in the order of the main branch">
+	return html`<ol class="areas" aria-label=${text("areas_list")}>
 			${areas.map(
 				(each, i) => html`<li><button
 					class="button" type="button" aria-pressed=${i === chosen} @click=${() => choose(context, i === chosen ? undefined : i)}
@@ -51,24 +48,25 @@ export function drawAreas(context: AreaContext): unknown {
 			)}
 		</ol>
 		${area && chosen !== undefined ? drawArea(context, area, chosen) : nothing}
-		<h3>One more area</h3>
+		<h3>${text("area_add")}</h3>
 		<div class="actions">
-			${(Object.keys(WORDS) as (keyof typeof WORDS)[]).map((kind) =>
-				button(WORDS[kind], added(specimen, kind), (change) => {
+			${SHAPES.map((kind) =>
+				button(text(`kind_${kind}`), added(specimen, kind), (change) => {
 					context.set(change);
 					choose(context, areas.length);
 				}),
 			)}
 			${chooseFile({
 				accept: ACCEPT,
-				label: "A closed mesh as a growth area",
-				words: "A closed mesh (OBJ, GLB, STL)…",
+				label: text("mesh_file"),
+				caption: text("mesh_add"),
 				take: (file) => void takeAreaMesh(context, file),
 			})}
 		</div>
 		${areas.length > 0 ? drawPath(context) : nothing}`;
 }
 
+/** Draws the fields of one area: its kind, centre, size and rotation. */
 function drawArea(context: AreaContext, area: Area, index: number): unknown {
 	const { specimen } = context.state;
 	const put = (change: Partial<Area>) => context.set(changed(specimen, index, change));
@@ -77,25 +75,24 @@ function drawArea(context: AreaContext, area: Area, index: number): unknown {
 		${
 			area.kind === "mesh"
 				? nothing
-				: html`<label>Kind <select @change=${(event: Event) => put({ kind: (event.target as HTMLSelectElement).value as AreaKind })}>
-			${AREA_KINDS.filter((kind) => kind !== "mesh").map(
-				(kind) =>
-					html`<option value=${kind} ?selected=${kind === area.kind}>${WORDS[kind as keyof typeof WORDS]}</option>`,
+				: html`<label>${text("kind")} <select @change=${(event: Event) => put({ kind: (event.target as HTMLSelectElement).value as AreaKind })}>
+			${SHAPES.map(
+				(kind) => html`<option value=${kind} ?selected=${kind === area.kind}>${text(`kind_${kind}`)}</option>`,
 			)}</select></label>`
 		}
-		${triple("Middle", ["x", "y", "z"], "m", 0.05, area.centre, (centre) => put({ centre }))}
-		${triple("Size", ["width", "height", "depth"], "m", 0.05, area.size, (size) => put({ size: oneSize(area, size) }))}
-		${triple("Turn", ["about x", "about y", "about z"], "°", 5, degrees, (turn) => put({ rotation: turnOf(turn) }))}
+		${drawTriple(text("centre"), PLACE, 0.05, area.centre, (centre) => put({ centre }))}
+		${drawTriple(text("size"), SIZES, 0.05, area.size, (size) => put({ size: sizeOfKind(area, size) }))}
+		${drawTriple(text("rotation"), ANGLES, 5, degrees, (angles) => put({ rotation: rotationOf(angles) }))}
 		<div class="actions">
-			${button("Earlier", reordered(specimen, index, -1), (change) => {
+			${button(text("move_earlier"), reordered(specimen, index, -1), (change) => {
 				context.set(change);
 				choose(context, index - 1);
 			})}
-			${button("Later", reordered(specimen, index, 1), (change) => {
+			${button(text("move_later"), reordered(specimen, index, 1), (change) => {
 				context.set(change);
 				choose(context, index + 1);
 			})}
-			${button("Remove the area", removed(specimen, index), (change, pressed) => {
+			${button(text("area_remove"), removed(specimen, index), (change, pressed) => {
 				const list = pressed.closest(".group-body");
 				context.set(change);
 				choose(context, undefined);
@@ -110,17 +107,28 @@ function drawArea(context: AreaContext, area: Area, index: number): unknown {
 	</div>`;
 }
 
-/** Keeps a sphere's sizes equal: all follow the changed one. */
-function oneSize({ kind, size }: Area, wanted: Triple): Triple {
+/**
+ * Makes a sphere's three sizes equal to the one that was changed; returns the wanted sizes of other kinds.
+ * @param wanted sizes after the change
+ */
+function sizeOfKind({ kind, size }: Area, wanted: Triple): Triple {
 	if (kind !== "sphere") return wanted;
 	const width = wanted.find((value, k) => value !== size[k]) ?? size[0];
 	return [width, width, width];
 }
 
-function triple(
+const PLACE = ["x", "y", "z"] as const;
+const SIZES = ["width", "height", "depth"] as const;
+const ANGLES = ["about_x", "about_y", "about_z"] as const;
+
+/**
+ * Renders three number fields; a field whose text is no number returns to its value.
+ * @param step amount of one press of an arrow key
+ * @param put receives all three values after a change
+ */
+function drawTriple(
 	title: string,
-	names: readonly string[],
-	unit: string,
+	names: typeof PLACE | typeof SIZES | typeof ANGLES,
 	step: number,
 	values: Triple,
 	put: (values: Triple) => void,
@@ -131,59 +139,54 @@ function triple(
 		if (Number.isFinite(value)) put(values.map((each, i) => (i === k ? value : each)) as unknown as Triple);
 		else field.value = String(values[k]);
 	};
-	return html`<fieldset class="triple"><legend>${title}, ${unit}</legend>${names.map(
+	return html`<fieldset class="triple"><legend>${title}</legend>${names.map(
 		(name, k) =>
-			html`<label>${name} <input type="number" step=${step} .value=${live(String(values[k]))} @change=${typed(k)}></label>`,
+			html`<label>${text(name)} <input type="number" step=${step} .value=${live(String(values[k]))} @change=${typed(k)}></label>`,
 	)}</fieldset>`;
 }
 
-const DRAWING = {
-	path: "Draw in the picture, from the foot upwards through the areas.",
-	fork: "Draw in the picture, from a place of the main branch to the areas that the new branch passes.",
-} as const;
-
+/** Draws the state of the main branch, and the buttons that draw its path and forks. */
 function drawPath(context: AreaContext): unknown {
 	const { specimen } = context.state;
 	const state = context.toolState(areaTool);
 	const places = placesOf(specimen);
 	const forks = branchesOf(specimen).length - 1;
-	const toggle = (words: string, on: boolean, change: Partial<AreaState>) => html`<button
+	const toggle = (label: string, on: boolean, change: Partial<AreaState>) => html`<button
 		class="button" type="button" aria-pressed=${on}
 		@click=${() => context.setToolState(areaTool, { ...state, handles: true, ...change })}
-	>${words}</button>`;
-	const draw = (words: string, drawing: "path" | "fork") =>
-		toggle(words, state.drawing === drawing, { drawing: state.drawing === drawing ? undefined : drawing });
-	return html`<h3>Main branch</h3>
+	>${label}</button>`;
+	const draw = (label: string, drawing: "path" | "fork") =>
+		toggle(label, state.drawing === drawing, { drawing: state.drawing === drawing ? undefined : drawing });
+	return html`<h3>${text("main_branch")}</h3>
 		<p class="note">${
-			specimen.path
-				? `The main branch is drawn by hand. Places: ${places.length}. Forks: ${forks}.`
-				: "The main branch leads from the middle of each area to the middle of the next."
+			specimen.path ? text("main_branch_drawn", { points: places.length, forks }) : text("main_branch_straight")
 		}</p>
 		<div class="actions">
-			${draw("Draw it in the picture", "path")} ${draw("Draw a fork in the picture", "fork")}
-			${toggle("Show its places", state.path === true, { path: !state.path })}
-			${button("From middle to middle", specimen.path ? withPath(undefined) : undefined, (change) => context.set(change))}
+			${draw(text("draw_path"), "path")} ${draw(text("draw_fork"), "fork")}
+			${toggle(text("show_points"), state.path === true, { path: !state.path })}
+			${button(text("straight_path"), specimen.path ? withPath(undefined) : undefined, (change) => context.set(change))}
 		</div>
-		<p class="note" role="status">${state.drawing ? DRAWING[state.drawing] : nothing}</p>
+		<p class="note" role="status">${state.drawing ? text(`drawing_${state.drawing}`) : nothing}</p>
 		${
 			state.path
 				? places.map(
 						(
 							at,
 							i,
-						) => html`${triple(`Place ${i + 1}`, ["x", "y", "z"], "m", 0.05, at, (to) => context.set(movedPlace(specimen, i, to)))}
+						) => html`${drawTriple(text("point", { number: i + 1 }), PLACE, 0.05, at, (to) => context.set(movedPlace(specimen, i, to)))}
 						<div class="actions">
-							${button(`Add a place after place ${i + 1}`, addedPlace(specimen, i), (change) => context.set(change))}
-							${button(`Remove place ${i + 1}`, places.length > 1 ? removedPlace(specimen, i) : undefined, (change) => context.set(change))}
+							${button(text("point_add", { number: i + 1 }), addedPlace(specimen, i), (change) => context.set(change))}
+							${button(text("point_remove", { number: i + 1 }), places.length > 1 ? removedPlace(specimen, i) : undefined, (change) => context.set(change))}
 						</div>`,
 					)
 				: nothing
 		}`;
 }
 
-function button(words: string, change: Change | undefined, press: (change: Change, pressed: Element) => void): unknown {
+/** Renders a button that applies a change; disabled where there is none. */
+function button(label: string, change: Change | undefined, press: (change: Change, pressed: Element) => void): unknown {
 	const click = (event: Event) => change && press(change, event.currentTarget as Element);
-	return html`<button class="button" type="button" ?disabled=${!change} @click=${click}>${words}</button>`;
+	return html`<button class="button" type="button" ?disabled=${!change} @click=${click}>${label}</button>`;
 }
 
 /** Group of the table, but open, since areas are edited most. */
@@ -196,7 +199,9 @@ export const areaPanel: Tool<GrammarSpecimen, GrammarPlant> = {
 	applies: (specimen) => hasAreas(specimen) || usesAreas(fetchedText(specimen) ?? ""),
 	panel: { group: GROUP, place: "below", draw: (context) => drawAreas(context) },
 	drop: {
-		words: "a closed mesh (OBJ, GLB, STL) becomes a growth area",
+		get description() {
+			return text("mesh_drop");
+		},
 		takes: ({ name }) => /\.(obj|glb|gltf|stl|ply|off|fbx|dae|3mf|3ds|usdz?|blend)$/i.test(name),
 		take: (context, file) => void takeAreaMesh(context, file),
 	},

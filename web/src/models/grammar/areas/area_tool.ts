@@ -1,4 +1,5 @@
 /** Tools of growth areas: glass shells and handles in the 3-D view. */
+
 import { svg } from "lit";
 import type { EditorContext } from "../../../ui/editor_context";
 import { LazyInteraction } from "../../../ui/handles/lazy_interaction";
@@ -6,6 +7,7 @@ import { sameDocument } from "../../../ui/same_document";
 import { createShellTool } from "../../../ui/shell_tool";
 import { FILE_TOPIC, type Tool } from "../../../ui/tool";
 import type { GrammarPlant } from "../grammar_plant";
+import { text } from "../messages.generated";
 import type { GrammarSpecimen } from "../specimen";
 import { bareAreas } from "../ui/warnings";
 import { added } from "./area_edits";
@@ -35,15 +37,20 @@ export const hasAreas = ({ areas = [] }: GrammarSpecimen): boolean => areas.leng
 const areaGlass = createShellTool<GrammarSpecimen, GrammarPlant>({
 	name: "glass",
 	icon: GLASS,
-	label: "Growth areas as glass",
+	get label() {
+		return text("glass");
+	},
 	initial: true,
-	fetchFailedMessage: "The areas could not be fetched",
+	get fetchFailedMessage() {
+		return text("glass_failed");
+	},
 	applies: hasAreas,
 	renderer: async () => new (await import("../../../render/shell_renderer")).ShellRenderer(),
 	shells: ({ areas = [] }) => areas.map(surfaceOf),
 	marked: bareAreas,
 });
 
+/** The tool that shows, selects and draws the areas of a grammar that fills them. */
 export const areaTool: Tool<GrammarSpecimen, GrammarPlant, AreaState> = {
 	name: "areas",
 	initial: { handles: true },
@@ -53,15 +60,40 @@ export const areaTool: Tool<GrammarSpecimen, GrammarPlant, AreaState> = {
 		context.setToolState(areaTool, { ...state, handles: !state.handles, drawing: undefined });
 	},
 	button: {
+		slot: "edit",
 		icon: HANDLES,
-		label: "Handles of growth areas",
+		get label() {
+			return text("handles");
+		},
 		pressed: (context) => context.toolState(areaTool).handles,
 	},
-	key: { letter: "a", does: "Handles of growth areas, and back" },
+	key: {
+		letter: "a",
+		get description() {
+			return text("handles_key");
+		},
+	},
 	keys: [
-		{ keys: ["Arrow keys"], does: "On a handle of an area: move, widen or turn it; Shift goes farther" },
-		{ keys: ["Delete"], does: "On a handle of an area: remove it" },
-		{ keys: ["Page Up", "Page Down"], does: "On a handle of an area: to the next one" },
+		{
+			get keys() {
+				return [text("arrow_keys")];
+			},
+			get description() {
+				return text("key_arrows");
+			},
+		},
+		{
+			keys: ["Delete"],
+			get description() {
+				return text("key_delete");
+			},
+		},
+		{
+			keys: ["Page Up", "Page Down"],
+			get description() {
+				return text("key_page");
+			},
+		},
 	],
 	interaction: (view, context) =>
 		new LazyInteraction({
@@ -80,32 +112,32 @@ export const areaTools: readonly Tool<GrammarSpecimen, GrammarPlant>[] = [
 /** Adds a file's mesh as a growth area, as one undo step; reports errors to the user. */
 export async function takeAreaMesh(context: AreaContext, file: File): Promise<void> {
 	const isStill = sameDocument(context);
-	const notify = (title: string, words: string) => context.notify(title, [words], { topic: FILE_TOPIC });
+	const notify = (title: string, detail: string) => context.notify(title, [detail], { topic: FILE_TOPIC });
 	const reader = await import("../../../import/mesh_file/read_in_worker").catch(() => undefined);
 	if (!reader) {
-		notify("The mesh was not read", "Part of the page could not be fetched; check the connection and try again.");
+		notify(text("mesh_unreadable"), text("load_failed"));
 		return;
 	}
 	try {
 		const mesh = await reader.readMeshInWorker(file);
 		if (!isStill()) {
-			notify("The mesh was not taken", "Another plant has come meanwhile.");
+			notify(text("mesh_unused"), text("plant_changed"));
 			return;
 		}
 		const change = added(context.state.specimen, "mesh", mesh);
 		if (!change) {
-			notify("The mesh was not taken", "There are as many areas as there may be: remove one first.");
+			notify(text("mesh_unused"), text("areas_full"));
 			return;
 		}
 		context.set(change);
 		choose(context, (context.state.specimen.areas?.length ?? 1) - 1);
-		notify("The mesh is a growth area now", "Links are too short for it: download JSON or GLB to keep this plant.");
+		notify(text("mesh_is_area"), text("mesh_too_big"));
 	} catch (error) {
-		notify("The mesh was not read", error instanceof Error ? error.message : String(error));
+		notify(text("mesh_unreadable"), error instanceof Error ? error.message : String(error));
 	}
 }
 
-/** Shows an area's handles and numbers; none if undefined. */
+/** Shows an area's handles and numbers; those of none if undefined. */
 export function choose(context: AreaContext, chosen: number | undefined): void {
 	context.setToolState(areaTool, { ...context.toolState(areaTool), handles: true, chosen });
 }

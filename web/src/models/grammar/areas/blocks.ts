@@ -2,6 +2,7 @@
 import type { Block } from "../../../core/container";
 import { AREA_KINDS, type WithAreas } from "./area";
 
+/** Encodes areas and the path through them for the core; blocks that would be empty are left out. */
 export function areaBlocks({ areas = [], path = [], from = [] }: WithAreas): Block[] {
 	const blocks: Block[] = [];
 	if (areas.length > 0) {

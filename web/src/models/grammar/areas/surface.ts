@@ -16,12 +16,13 @@ const forms = new Map<AreaKind, ClosedMesh>();
 
 /** Returns the surface of a kind of area, within −1 … 1 on each axis. */
 function formOf(kind: AreaKind): ClosedMesh {
-	const known = forms.get(kind) ?? made(kind);
+	const known = forms.get(kind) ?? meshOfKind(kind);
 	forms.set(kind, known);
 	return known;
 }
 
-function made(kind: AreaKind): ClosedMesh {
+/** Returns the closed mesh of an area's kind, from −1 to 1 along each axis. */
+function meshOfKind(kind: AreaKind): ClosedMesh {
 	if (kind === "box") return box();
 	if (kind === "cylinder")
 		return revolved([
@@ -41,6 +42,7 @@ function made(kind: AreaKind): ClosedMesh {
 	return revolved(Array.from({ length: rings + 1 }, (_, i) => ring(i)));
 }
 
+/** Returns a cube from −1 to 1: corners in the order of their x, y and z, and two triangles per face. */
 function box(): ClosedMesh {
 	const sides: Triple = [-1, 1, 0];
 	const points = [0, 1].flatMap((x) => [0, 1].flatMap((y) => [0, 1].flatMap((z) => [sides[x], sides[y], sides[z]])));

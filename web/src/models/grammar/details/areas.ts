@@ -1,4 +1,5 @@
 /** Document fields of growth areas, which a text uses by bound() and reach(), and of the main branch's path. */
+
 import { readClosedMesh, sameMesh } from "../../../specimen/closed_mesh";
 import type { Field } from "../../../specimen/model_schema";
 import { type Notes, quote } from "../../../specimen/notes";
@@ -9,13 +10,14 @@ import {
 	type Area,
 	type AreaRotation,
 	FARTHEST,
-	MOST_AREAS,
-	MOST_PATH,
+	MAX_AREAS,
+	MAX_PATH,
 	SMALLEST,
 	type Triple,
 	UNTURNED,
 	unit,
 } from "../areas/area";
+import { text } from "../messages.generated";
 import type { GrammarSpecimen } from "../specimen";
 
 /** Steps of a rotation's numbers: 1 / DECIMALS. */
@@ -34,15 +36,13 @@ export const areas: Field<GrammarSpecimen> = {
 		else delete specimen.areas;
 	},
 	query: (specimen, preset) => {
-		const [written, before] = [specimen, preset].map((each) => (each.areas ?? []).map(inWords).join(";"));
+		const [written, before] = [specimen, preset].map((each) => (each.areas ?? []).map(writeArea).join(";"));
 		return written === before ? [] : [["areas", written]];
 	},
 	unlinked: {
 		keep: (specimen, preset) => {
 			const own = specimen.areas?.some(({ mesh }, i) => mesh && !sameMesh(mesh, preset.areas?.[i]?.mesh));
-			return own
-				? "It is too short for the mesh of an area, in whose place it brings an ellipsoid: download JSON or GLB to keep the mesh, and drop the file to bring it back."
-				: undefined;
+			return own ? text("link_without_mesh") : undefined;
 		},
 		missing: () => {},
 	},
@@ -74,7 +74,7 @@ export const from: Field<GrammarSpecimen> = {
 		const sound = read?.every((before, i) => Number.isInteger(before) && before <= i && before >= Math.min(i, 1));
 		if (read?.length === 0) delete specimen.from;
 		else if (read && sound && read.length === places) specimen.from = read;
-		else notes.add(key, `${quote(value)} does not say of each place an earlier one`, "the main branch does not fork");
+		else notes.add(key, text.message("not_earlier_points", { value: quote(value) }), text("no_fork"));
 	},
 	query: (specimen, preset) => {
 		const [written, before] = [specimen, preset].map((each) => each.from?.join(",") ?? "");
@@ -82,27 +82,30 @@ export const from: Field<GrammarSpecimen> = {
 	},
 };
 
-const near = (value: number): number => onStep(Math.min(Math.max(value, -FARTHEST), FARTHEST), MILLIMETRES);
-const wide = (value: number): number => onStep(Math.min(Math.max(value, SMALLEST), FARTHEST), MILLIMETRES);
+/** Limits a coordinate in metres to the range and rounds it to millimetres. */
+const fittedCoordinate = (value: number): number => onStep(Math.min(Math.max(value, -FARTHEST), FARTHEST), MILLIMETRES);
+/** Limits a size in metres to the range and rounds it to millimetres. */
+const fittedSize = (value: number): number => onStep(Math.min(Math.max(value, SMALLEST), FARTHEST), MILLIMETRES);
 
 /** Normalises an area to the form of documents: rounded to the steps of a link. */
 export function fittedArea({ kind, centre, size, rotation, mesh }: Area): Area {
 	const length = Math.hypot(...rotation);
 	const turn = Math.abs(length - 1) < SLACK && rotation[3] >= 0 ? rotation : unit(rotation);
-	const sizes = size.map((value) => wide(value));
+	const sizes = size.map((value) => fittedSize(value));
 	return {
 		kind,
-		centre: centre.map(near) as unknown as Triple,
+		centre: centre.map(fittedCoordinate) as unknown as Triple,
 		size: (kind === "sphere" ? [sizes[0], sizes[0], sizes[0]] : sizes) as unknown as Triple,
 		rotation: turn.map((value) => onStep(value, DECIMALS)) as unknown as AreaRotation,
 		...(kind === "mesh" && mesh ? { mesh } : {}),
 	};
 }
 
-/** Rounds places to the steps of a link, and limits their number. */
-export const fittedPath = (places: readonly number[]): number[] => places.slice(0, 3 * MOST_PATH).map(near);
+/** Rounds the coordinates of places to the steps of a link, and limits the number of places. */
+export const fittedPath = (places: readonly number[]): number[] => places.slice(0, 3 * MAX_PATH).map(fittedCoordinate);
 
-function inWords({ kind, centre, size, rotation }: Area): string {
+/** Writes an area as in links: kind, centre, size and, where it is turned, rotation. */
+function writeArea({ kind, centre, size, rotation }: Area): string {
 	const turn = rotation.every((value, i) => value === UNTURNED[i]) ? [] : [rotation.join(",")];
 	return [kind, centre.join(","), size.join(","), ...turn].join(":");
 }
@@ -111,41 +114,43 @@ function inWords({ kind, centre, size, rotation }: Area): string {
 function readAreas(key: string, value: unknown, before: readonly Area[] = [], notes: Notes): Area[] {
 	const list = typeof value === "string" ? value.split(";").filter(Boolean) : Array.isArray(value) ? value : undefined;
 	if (!list) {
-		notes.add(key, `${quote(value)} is not a list of areas`, "the preset's are used");
+		notes.add(key, text.message("not_areas", { value: quote(value) }), text("preset_areas_used"));
 		return [...before];
 	}
-	if (list.length > MOST_AREAS) notes.add(key, `more than ${MOST_AREAS} areas`, `the first ${MOST_AREAS} are used`);
-	return list.slice(0, MOST_AREAS).flatMap((each, i) => readArea(key, each, before[i], notes) ?? []);
+	if (list.length > MAX_AREAS)
+		notes.add(key, text.message("too_many_areas", { most: MAX_AREAS }), text("first_used", { most: MAX_AREAS }));
+	return list.slice(0, MAX_AREAS).flatMap((each, i) => readArea(key, each, before[i], notes) ?? []);
 }
 
+/**
+ * Reads an area from the outside; `before` is the area that it replaces, whose mesh is used if the new one has none.
+ */
 function readArea(key: string, value: unknown, before: Area | undefined, notes: Notes): Area | undefined {
-	const fields = isRecord(value) ? value : ofText(value);
+	const fields = isRecord(value) ? value : fieldsOfText(value);
 	const kind = AREA_KINDS.find((each) => each === fields.kind);
-	const centre = numbers(fields.centre, 3);
-	const size = numbers(fields.size, 3);
-	const rotation = fields.rotation === undefined ? UNTURNED : numbers(fields.rotation, 4);
+	const centre = readCount(fields.centre, 3);
+	const size = readCount(fields.size, 3);
+	const rotation = fields.rotation === undefined ? UNTURNED : readCount(fields.rotation, 4);
 	if (!kind || !centre || !size || !rotation) {
-		notes.add(key, `${quote(value)} is not an area like “box:0,0.8,0:1,1,1”`, "left out");
+		notes.add(key, text.message("not_an_area", { value: quote(value) }), text("left_out"));
 		return undefined;
 	}
 	const placed = { centre, size, rotation } as unknown as Pick<Area, "centre" | "size" | "rotation">;
 	if (kind !== "mesh") return fittedArea({ kind, ...placed });
 	const mesh = fields.mesh === undefined ? before?.mesh : readClosedMesh(key, fields.mesh, notes);
 	if (mesh) return fittedArea({ kind, ...placed, mesh });
-	notes.add(
-		"mesh",
-		"none came along",
-		"links are too short for one, so an ellipsoid stands in its place until a file with it is dropped",
-	);
+	notes.add("mesh", text.message("mesh_missing"), text("ellipsoid_used"));
 	return fittedArea({ kind: "ellipsoid", ...placed });
 }
 
-function ofText(value: unknown): Readonly<Record<string, unknown>> {
+/** Splits the text of an area at its colons into fields, which are not checked. */
+function fieldsOfText(value: unknown): Readonly<Record<string, unknown>> {
 	const [kind, centre, size, rotation] = typeof value === "string" ? value.split(":") : [];
 	return { kind, centre, size, rotation };
 }
 
-function numbers(value: unknown, count: number): number[] | undefined {
+/** Reads a list of `count` finite numbers; undefined where it is not one. */
+function readCount(value: unknown, count: number): number[] | undefined {
 	const read = value === undefined ? undefined : readNumbers(value);
 	return read?.length === count && read.every(Number.isFinite) ? read : undefined;
 }
@@ -154,9 +159,10 @@ function numbers(value: unknown, count: number): number[] | undefined {
 function readPath(key: string, value: unknown, notes: Notes): number[] | undefined {
 	const read = value === "" ? [] : readNumbers(value);
 	if (!read || read.length % 3 !== 0 || !read.every(Number.isFinite)) {
-		notes.add(key, `${quote(value)} is not places like “0,0,0,0,1,0”`, "the preset's are used");
+		notes.add(key, text.message("not_points", { value: quote(value) }), text("preset_areas_used"));
 		return undefined;
 	}
-	if (read.length > 3 * MOST_PATH) notes.add(key, `more than ${MOST_PATH} places`, `the first ${MOST_PATH} are used`);
+	if (read.length > 3 * MAX_PATH)
+		notes.add(key, text.message("too_many_points", { most: MAX_PATH }), text("first_used", { most: MAX_PATH }));
 	return fittedPath(read);
 }

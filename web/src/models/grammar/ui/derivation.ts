@@ -6,15 +6,15 @@ import type { GrammarSpecimen } from "../specimen";
 
 /** Geometry of a text's plant for the derivation stepper: segments and organs; each blade is a run of its mesh. */
 export const derivation: DerivationSource<GrammarSpecimen, GrammarPlant> = {
-	drawn: (grown) => drawnOf(grown, { blades: grown.bladeOrgans ?? bladesInTurn(grown) }),
+	drawn: (grown) => drawnOf(grown, { blades: grown.bladeOrgans ?? bladesInOrder(grown) }),
 	renderer: async () => new (await import("../../../render/lit_renderer")).LitRenderer(),
 	taken: (context) => context.toolState(areaTool).drawing !== undefined,
 };
 
 /** Returns the organ of each run if every polygon is visible: both then have the same order. */
-function bladesInTurn({ organs, meshes }: GrammarPlant): Uint32Array {
+function bladesInOrder({ organs, meshes }: GrammarPlant): Uint32Array {
 	const polygon = organs.tags.indexOf("polygon");
-	const found = Array.from(organs.tag.keys()).filter((organ) => organs.tag[organ] === polygon);
+	const polygons = Array.from(organs.tag.keys()).filter((organ) => organs.tag[organ] === polygon);
 	const runs = meshes.find(({ name }) => name === "blades")?.runs.length;
-	return Uint32Array.from(found.length === runs ? found : []);
+	return Uint32Array.from(polygons.length === runs ? polygons : []);
 }

@@ -8,9 +8,10 @@ import { warningsOf } from "./warnings";
 
 /** Source of a text for the editor. */
 export const source: GrammarSource<GrammarSpecimen> = {
-	noun: "plant",
+	plantName: "plant",
 	group: "lines",
 	always: true,
+	basics: () => 2,
 	warnings: (grown, specimen) => warningsOf(grown as GrammarPlant, specimen),
 	builtIn: ({ preset }) => fetchedText({ preset }) ?? fetchTexts(),
 	presetConstants: (preset) => fromPreset(GRAMMAR, preset).constants,

@@ -1,4 +1,5 @@
 /** User interface of the model, loaded with its first plant. */
+
 import { html } from "lit";
 import { steppedScene } from "../../../grammar_editor/derivation_tool";
 import { gestureTool } from "../../../grammar_editor/gesture_tool";
@@ -7,15 +8,18 @@ import type { ModelUi } from "../../../ui/tool";
 import { areaPanel } from "../areas/area_panel";
 import { areaTools } from "../areas/area_tool";
 import type { GrammarPlant } from "../grammar_plant";
+import { text } from "../messages.generated";
 import type { GrammarSpecimen } from "../specimen";
 import { grammarInWords } from "../words";
 import { derivation } from "./derivation";
 import { readout } from "./readout";
+import { stepCount } from "./step_count";
 import { source } from "./text";
 import { warningsOf } from "./warnings";
 
 export const modelUi: ModelUi<GrammarSpecimen, GrammarPlant> = {
 	tools: [
+		stepCount,
 		areaPanel,
 		...grammarTools(source, derivation),
 		...areaTools,
@@ -24,16 +28,12 @@ export const modelUi: ModelUi<GrammarSpecimen, GrammarPlant> = {
 	caption: (grown, context) => {
 		const stepped = steppedScene(context);
 		return stepped
-			? `After step ${stepped.step}: ${grammarInWords(stepped.grown as GrammarPlant)}`
+			? text("after_step", { step: stepped.step, plant: grammarInWords(stepped.grown as GrammarPlant) })
 			: grammarInWords(grown);
 	},
 	readout,
 	warnings: warningsOf,
-	about: html`<p>
-			A text grows as a plant: an axiom, and productions that rewrite it. Topiary grows in volumes that you move, turn and
-			widen by their handles; the main branch passes from one to the next.
-		</p>
-		<p>
-			After S. Seo, Y. Kim and H. Lee, “Interactive fractal tree generation method having multiple clipping volumes” (2014).
-		</p>`,
+	get about() {
+		return html`<p>${text("about_usage")}</p><p>${text("about_paper")}</p>`;
+	},
 };

@@ -1,24 +1,59 @@
 import type { Life } from "../../../ui/life";
 import { lifeTool } from "../../../ui/life_tool";
 import type { GrowthPlant } from "../growth_plant";
+import { text } from "../messages.generated";
 import type { GrowthSpecimen } from "../specimen";
 
 /** Age of a tree as its share of growth steps: each step adds shoots and leaves earlier ones unchanged. */
 export const LIFE: Life = {
 	parameter: "age",
-	label: "Age",
+	get label() {
+		return text("age");
+	},
 	stages: [
-		{ at: 0, name: "Seed" },
-		{ at: 15, from: 1, name: "Seedling" },
-		{ at: 45, from: 30, name: "Young" },
-		{ at: 75, from: 60, name: "Half grown" },
-		{ at: 100, name: "Grown" },
+		{
+			at: 0,
+			get name() {
+				return text("stage_seed");
+			},
+		},
+		{
+			at: 15,
+			from: 1,
+			get name() {
+				return text("stage_seedling");
+			},
+		},
+		{
+			at: 45,
+			from: 30,
+			get name() {
+				return text("stage_young");
+			},
+		},
+		{
+			at: 75,
+			from: 60,
+			get name() {
+				return text("stage_half_grown");
+			},
+		},
+		{
+			at: 100,
+			get name() {
+				return text("stage_grown");
+			},
+		},
 	],
 	end: 100,
 	milliseconds: 10_000,
-	play: "Play from the seed to the grown tree",
+	get play() {
+		return text("age_play");
+	},
 	steps: ({ counts }) => counts.steps ?? 0,
-	help: "0 a seed, 100 all its steps.",
+	get help() {
+		return text("age_help");
+	},
 };
 
 export const age = lifeTool<GrowthSpecimen, GrowthPlant>(LIFE);

@@ -1,19 +1,26 @@
 /** The growth language for the editor (docs/models/growth/language.md). */
+
 import type { Dialect } from "../../../grammar_editor/dialect";
 import type { Token, TokenKind } from "../../../grammar_editor/scan";
+import { text as message } from "../messages.generated";
 
 const PIECE =
 	/\/\*[\s\S]*?(?:\*\/|$)|\n|[ \t\r\f\v]+|-->|->|→|"[^"\n]*"?|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|\p{L}[\p{L}\p{N}_]*(?:\.\p{L}+)?|[<>=!]=|&&|\|\||[\s\S]/gu;
 const STATEMENTS = new Set(["footprint", "tree", "gs", "bud"]);
 
-function kindOf(piece: string, fresh: boolean, before: string): TokenKind {
+/**
+ * Classifies a piece of text for colouring.
+ * @param fresh whether it begins a statement
+ * @param rest the text behind the piece: an opening parenthesis makes it a function
+ */
+function kindOf(piece: string, fresh: boolean, rest: string): TokenKind {
 	if (piece.startsWith("/*")) return "comment";
 	if (/^(?:-->|->|→)$/.test(piece)) return "arrow";
 	if (/^[\d.]/.test(piece) && piece !== ".") return "number";
 	if (piece.startsWith('"')) return "symbol";
 	if (/^\p{L}/u.test(piece)) {
 		if (fresh && STATEMENTS.has(piece.split(".")[0])) return "statement";
-		return /^[ \t]*\(/.test(before) ? "function" : "name";
+		return /^[ \t]*\(/.test(rest) ? "function" : "name";
 	}
 	return /^(?:[<>=!]=|&&|\|\||[-+*/%^!<>=])$/.test(piece) ? "operator" : "mark";
 }
@@ -40,60 +47,44 @@ function scan(text: string): Token[] {
 	return pieces;
 }
 
-const statement = (name: string, written: string, help: string) => ({
+/**
+ * Describes a statement of the language for completion and help.
+ * @param written an example of it
+ */
+const statementWord = (name: string, written: string, help: string) => ({
 	kind: "statement" as const,
 	name,
 	written,
 	help,
 });
-const word = (name: string, help: string, written = name) => ({ kind: "function" as const, name, written, help });
+/** Describes another word of the language for completion and help. */
+const otherWord = (name: string, help: string, written = name) => ({ kind: "function" as const, name, written, help });
 
 export const GROWTH_LANGUAGE: Dialect = {
 	scan,
-	words: [
-		statement(
-			"-->",
-			"condition -> what follows : probability",
-			"What stands behind the arrow follows where the condition holds.",
-		),
-		statement(
-			"gs",
-			"gs = 8",
-			"How many growth steps the tree takes where nobody asks for others; gs.rand(7, 8) draws.",
-		),
-		statement("footprint", "footprint -> GrowVol(…)", "The growth volumes, each the trunk and crown of its own."),
-		statement(
-			"tree",
-			'tree -> DivFunc("sigma1"){branches}',
-			"The divisor functions that say how many branches and leaves there are.",
-		),
-		statement(
-			"bud",
-			"bud(k - 1) : condition -> branch : 0.9",
-			"How many buds an internode bears, and with what probability each opens.",
-		),
-		word(
-			"GrowVol",
-			"A growth volume: how many, the first one’s number, width at the base, height and width at the top in metres, lean in degrees.",
-			"GrowVol(cnt, id, wb, h, wt, grad)",
-		),
-		word(
-			"DivFunc",
-			'A divisor function: "sigma1", "sigma1b", "hat1", "star1"; "exp" is a factor of its argument.',
-			"DivFunc(type, …){branches}",
-		),
-		word("k", "The shoot’s age in steps, from 1."),
-		word("N", "One more than the age of its trunk: k == N - 1 is the trunk, k < N - 1 a branch."),
-		word("ndv", "What the divisor functions say for this shoot at this step."),
-		word("nbr", "How many branches it makes."),
-		word("nlf", "How many leaves; below 0, as many fall."),
-		word("D", "The divisor function of branches, of a whole number.", "D(k)"),
-		word("E", "That of leaves.", "E(k)"),
-		word("leaf", "Makes so many leaves.", "leaf(n)"),
-		word("fallingLeaf", "Makes so many leaves fall.", "fallingLeaf(n)"),
-		word("childTrunk", "Makes a child trunk, its volume from 1 to half its parent’s."),
-		word("gravitropism", "How much shoots are drawn down."),
-		word("phototropism", "How much they turn up to the light."),
-		word("length", "Of a shoot against what it would be."),
-	],
+	/** Statements and words with their explanations, for completion and for the word at the cursor. */
+	get words() {
+		return [
+			statementWord("-->", "condition -> successor : probability", message("help_rule")),
+			statementWord("gs", "gs = 8", message("help_gs")),
+			statementWord("footprint", "footprint -> GrowVol(…)", message("help_footprint")),
+			statementWord("tree", 'tree -> DivFunc("sigma1"){branches}', message("help_tree")),
+			statementWord("bud", "bud(k - 1) : condition -> branch : 0.9", message("help_bud")),
+			otherWord("GrowVol", message("help_growvol"), "GrowVol(cnt, id, wb, h, wt, grad)"),
+			otherWord("DivFunc", message("help_divfunc"), "DivFunc(type, …){branches}"),
+			otherWord("k", message("help_k")),
+			otherWord("N", message("help_n")),
+			otherWord("ndv", message("help_ndv")),
+			otherWord("nbr", message("help_nbr")),
+			otherWord("nlf", message("help_nlf")),
+			otherWord("D", message("help_d"), "D(k)"),
+			otherWord("E", message("help_e"), "E(k)"),
+			otherWord("leaf", message("help_leaf"), "leaf(n)"),
+			otherWord("fallingLeaf", message("help_falling"), "fallingLeaf(n)"),
+			otherWord("childTrunk", message("help_child")),
+			otherWord("gravitropism", message("help_gravitropism")),
+			otherWord("phototropism", message("help_phototropism")),
+			otherWord("length", message("help_length")),
+		];
+	},
 };

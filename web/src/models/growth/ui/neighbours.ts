@@ -1,7 +1,9 @@
 /** Shows that a tree from a stand grows among neighbours, with a button to grow it without them. */
+
 import { html } from "lit";
 import type { Tool } from "../../../ui/tool";
 import type { GrowthPlant } from "../growth_plant";
+import { text } from "../messages.generated";
 import type { GrowthSpecimen } from "../specimen";
 
 export const neighbours: Tool<GrowthSpecimen, GrowthPlant> = {
@@ -11,9 +13,9 @@ export const neighbours: Tool<GrowthSpecimen, GrowthPlant> = {
 	panel: {
 		group: "life",
 		place: "below",
-		draw: (context) => html`<p>It grows as it does in a stand: its neighbours take light and room.</p>
+		draw: (context) => html`<p>${text("neighbours")}</p>
 			<div class="actions">
-				<button class="button" type="button" @click=${() => context.set({ details: { surroundings: undefined } })}>Grow it without neighbours</button>
+				<button class="button" type="button" @click=${() => context.set({ details: { surroundings: undefined } })}>${text("neighbours_remove")}</button>
 			</div>`,
 	},
 };

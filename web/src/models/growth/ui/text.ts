@@ -5,7 +5,7 @@ import { GROWTH_LANGUAGE } from "./language";
 
 /** Source of a tree's text for the editor. */
 export const source: GrammarSource<GrowthSpecimen> = {
-	noun: "tree",
+	plantName: "tree",
 	dialect: GROWTH_LANGUAGE,
 	constants: false,
 	builtIn: ({ preset }) => fetchedText({ preset }) ?? fetchTexts(),

@@ -10,36 +10,36 @@ const NUMBER = /^[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:e[-+]?\d+)?°?$/i;
 const CALL = /^(\w+)\s*\(([^()]*)\)$/;
 
 /** Returns the positions of a text's footprints, and the text in the brackets of each volume. Linear time. */
-function footprintsOf(text: string): { from: number; to: number; volumes: string[] }[] {
+function footprintsOf(text: string): { start: number; end: number; volumes: string[] }[] {
 	const bare = blankComments(text);
-	const found: { from: number; to: number; volumes: string[] }[] = [];
+	const footprints: { start: number; end: number; volumes: string[] }[] = [];
 	for (const head of bare.matchAll(/\bfootprint\s*(?:-->|->|→)/g)) {
 		// A footprint inside the brackets of the previous one is ignored.
-		if (head.index < (found.at(-1)?.to ?? 0)) continue;
+		if (head.index < (footprints.at(-1)?.end ?? 0)) continue;
 		const volumes: string[] = [];
-		let to = head.index + head[0].length;
+		let end = head.index + head[0].length;
 		for (;;) {
-			VOLUME.lastIndex = to;
+			VOLUME.lastIndex = end;
 			const opened = VOLUME.exec(bare);
 			if (!opened) break;
-			const inside = to + opened[0].length;
-			const end = closing(bare, inside);
-			volumes.push(bare.slice(inside, end));
-			to = Math.min(bare.length, end + 1);
+			const contentStart = end + opened[0].length;
+			const bracket = closingBracket(bare, contentStart);
+			volumes.push(bare.slice(contentStart, bracket));
+			end = Math.min(bare.length, bracket + 1);
 		}
-		found.push({ from: head.index, to, volumes });
+		footprints.push({ start: head.index, end, volumes });
 	}
-	return found;
+	return footprints;
 }
 
 const VOLUME = /\s*(?:,\s*)?GrowVol\s*\(/y;
 
-/** Returns the position of the bracket that closes the one before `from`; the text's end if none does. */
-function closing(text: string, from: number): number {
+/** Returns the position of the bracket that closes the one before `contentStart`; the text's end if none does. */
+function closingBracket(text: string, contentStart: number): number {
 	let depth = 1;
-	for (let at = from; at < text.length; at++) {
-		if (text[at] === "(") depth++;
-		else if (text[at] === ")" && --depth === 0) return at;
+	for (let index = contentStart; index < text.length; index++) {
+		if (text[index] === "(") depth++;
+		else if (text[index] === ")" && --depth === 0) return index;
 	}
 	return text.length;
 }
@@ -49,11 +49,11 @@ function closing(text: string, from: number): number {
  * computed.
  */
 export function writtenVolumes(text: string): readonly GrowthVolume[] | undefined {
-	const found = footprintsOf(text)
+	const parsed = footprintsOf(text)
 		.flatMap(({ volumes }) => volumes)
 		.map(volumeOf);
-	const volumes = found.filter((volume) => volume !== undefined);
-	return found.length > 0 && volumes.length === found.length ? volumes : undefined;
+	const volumes = parsed.filter((volume) => volume !== undefined);
+	return parsed.length > 0 && volumes.length === parsed.length ? volumes : undefined;
 }
 
 /** Default direction of lean, degrees from one volume to the next. */
@@ -63,8 +63,8 @@ const TURN = 137.5;
  * Parses `1, 1, 4, 10, 2.5, 0, towards(90), at(1, 2)`. Returns undefined if a volume behind the first has no explicit
  * place, since the core computes it.
  */
-function volumeOf(inside: string, index: number): GrowthVolume | undefined {
-	const parts = partsOf(inside).map((part) => part.trim());
+function volumeOf(content: string, index: number): GrowthVolume | undefined {
+	const parts = partsOf(content).map((part) => part.trim());
 	const numbers = parts.filter((part) => NUMBER.test(part)).map(Number.parseFloat);
 	const calls = parts.filter((part) => !NUMBER.test(part)).map((part) => CALL.exec(part));
 	if (numbers.length !== 6 || numbers[0] !== 1) return undefined;
@@ -85,18 +85,18 @@ function volumeOf(inside: string, index: number): GrowthVolume | undefined {
 }
 
 /** Splits at commas outside brackets. */
-function partsOf(inside: string): string[] {
+function partsOf(content: string): string[] {
 	const parts: string[] = [];
-	let [from, depth] = [0, 0];
-	for (let at = 0; at < inside.length; at++) {
-		if (inside[at] === "(") depth++;
-		else if (inside[at] === ")") depth--;
-		else if (inside[at] === "," && depth === 0) {
-			parts.push(inside.slice(from, at));
-			from = at + 1;
+	let [partStart, depth] = [0, 0];
+	for (let at = 0; at < content.length; at++) {
+		if (content[at] === "(") depth++;
+		else if (content[at] === ")") depth--;
+		else if (content[at] === "," && depth === 0) {
+			parts.push(content.slice(partStart, at));
+			partStart = at + 1;
 		}
 	}
-	return [...parts, inside.slice(from)];
+	return [...parts, content.slice(partStart)];
 }
 
 /** Writes a number to hundredths: centimetres, and hundredths of a degree. */
@@ -119,14 +119,14 @@ const REST_OF_LINE = /[ \t]*\n?/y;
 export function withVolumes(text: string, volumes: readonly GrowthVolume[]): string {
 	const head = "footprint -> ";
 	const footprint = head + volumes.map(lineOf).join(`\n${" ".repeat(head.length)}`);
-	const [first, ...others] = footprintsOf(text);
-	if (!first) return `${text.trimEnd()}\n${footprint}\n`;
-	const pieces = [text.slice(0, first.from), footprint];
-	let done = first.to;
-	for (const { from, to } of others) {
-		pieces.push(text.slice(done, from));
-		REST_OF_LINE.lastIndex = to;
-		done = to + (REST_OF_LINE.exec(text)?.[0].length ?? 0);
+	const [firstFootprint, ...otherFootprints] = footprintsOf(text);
+	if (!firstFootprint) return `${text.trimEnd()}\n${footprint}\n`;
+	const pieces = [text.slice(0, firstFootprint.start), footprint];
+	let copiedTo = firstFootprint.end;
+	for (const { start, end } of otherFootprints) {
+		pieces.push(text.slice(copiedTo, start));
+		REST_OF_LINE.lastIndex = end;
+		copiedTo = end + (REST_OF_LINE.exec(text)?.[0].length ?? 0);
 	}
-	return pieces.join("") + text.slice(done);
+	return pieces.join("") + text.slice(copiedTo);
 }

@@ -21,40 +21,53 @@ export interface GrowthVolume {
 	readonly at: readonly [x: number, z: number];
 }
 
+/** Limits of the sizes that users can set, metres; the core allows the same and more (models/growth/volumes.cpp). */
+export const LOWEST = 0.5;
+export const HIGHEST = 100;
+export const WIDEST = 100;
+
+/** Converts degrees to radians. */
 const radians = (degrees: number): number => (degrees * Math.PI) / 180;
 
 /** Returns a volume's axis, a unit vector. */
 export function axisOf({ gradient, towards }: Pick<GrowthVolume, "gradient" | "towards">): GrowthTriple {
-	const [out, way] = [Math.sin(radians(gradient)), radians(towards)];
-	return [out * Math.cos(way), Math.cos(radians(gradient)), out * Math.sin(way)];
+	const [horizontal, angle] = [Math.sin(radians(gradient)), radians(towards)];
+	return [horizontal * Math.cos(angle), Math.cos(radians(gradient)), horizontal * Math.sin(angle)];
 }
 
 /** Returns the direction in which widths are shown: perpendicular to the axis and to the direction of lean. */
 export function acrossOf({ towards }: Pick<GrowthVolume, "towards">): GrowthTriple {
-	const way = radians(towards);
-	return [-Math.sin(way) + 0, 0, Math.cos(way)];
+	const angle = radians(towards);
+	return [-Math.sin(angle) + 0, 0, Math.cos(angle)];
 }
 
-/** Returns a point of a volume: `up` of its height, `out` metres from its axis, `about` degrees from `acrossOf`. */
-export function placeIn(volume: GrowthVolume, up: number, out = 0, about = 0): GrowthTriple {
+/** Returns a point of a volume: at a share of its height, `distance` metres from its axis, `degrees` from `acrossOf`. */
+export function placeIn(volume: GrowthVolume, share: number, distance = 0, degrees = 0): GrowthTriple {
 	const axis = axisOf(volume);
-	const one = acrossOf(volume);
-	const other: GrowthTriple = [
-		one[1] * axis[2] - one[2] * axis[1],
-		one[2] * axis[0] - one[0] * axis[2],
-		one[0] * axis[1] - one[1] * axis[0],
+	const firstDirection = acrossOf(volume);
+	const secondDirection: GrowthTriple = [
+		firstDirection[1] * axis[2] - firstDirection[2] * axis[1],
+		firstDirection[2] * axis[0] - firstDirection[0] * axis[2],
+		firstDirection[0] * axis[1] - firstDirection[1] * axis[0],
 	];
-	const [along, cosine, sine] = [up * volume.height, out * Math.cos(radians(about)), out * Math.sin(radians(about))];
+	const [height, cosine, sine] = [
+		share * volume.height,
+		distance * Math.cos(radians(degrees)),
+		distance * Math.sin(radians(degrees)),
+	];
 	const foot: GrowthTriple = [volume.at[0], 0, volume.at[1]];
-	return [0, 1, 2].map((k) => foot[k] + along * axis[k] + cosine * one[k] + sine * other[k]) as unknown as GrowthTriple;
+	return [0, 1, 2].map(
+		(k) => foot[k] + height * axis[k] + cosine * firstDirection[k] + sine * secondDirection[k],
+	) as unknown as GrowthTriple;
 }
 
 /** Returns a frustum's width halfway up, to the centimetre. */
 export const meanWidth = (base: number, top: number): number => Math.round(50 * (base + top)) / 100;
 
 /**
- * Returns the radius at a share of the height. Its square is a quadratic, which for a frustum is that of a straight
- * line.
+ * Returns the radius at a share of the height. Its square is the quadratic through the squares of the three radii
+ * (Lagrange's formula), which for a frustum is that of a straight line.
+ * @param up share of the height, 0 at the base
  */
 export function radiusAt({ base, middle, top }: Pick<GrowthVolume, "base" | "middle" | "top">, up: number): number {
 	const square = base ** 2 * (1 - up) * (1 - 2 * up) + middle ** 2 * 4 * up * (1 - up) + top ** 2 * up * (2 * up - 1);

@@ -1,131 +1,146 @@
 /** Handles of growth volumes in the 3-D view: each volume's position, and the chosen one's height, lean and widths. */
+
+import { formatNumber } from "../../../locale/format";
 import type { Change } from "../../../ui/editor_context";
 import type { HandleVector, PlantHandle, PlantHandles } from "../../../ui/handles/plant_handle";
-import { acrossOf, axisOf, type GrowthVolume, meanWidth, placeIn, radiusAt } from "./volume";
+import { text } from "../messages.generated";
+import { acrossOf, axisOf, type GrowthVolume, HIGHEST, LOWEST, meanWidth, placeIn, radiusAt, WIDEST } from "./volume";
 
 /** Metres that an arrow key moves, alone and with Shift; degrees of a lean. */
 const STEP = 0.1;
-const STRIDE = 1;
+const LARGE_STEP = 1;
 const TURN = 2;
-const TURN_FAR = 10;
-/** Limits of dragged volumes; the core allows the same and more (models/growth/volumes.cpp). */
-const LOWEST = 0.5;
-const HIGHEST = 100;
-const WIDEST = 100;
+const LARGE_TURN = 10;
+/** Limit of dragged volumes; the core allows the same and more (models/growth/volumes.cpp). */
 const STEEPEST = 80;
 const SIDES = 24;
 
-const metres = (value: number): string => `${value.toFixed(1)} m`;
+/** Formats a number with one decimal, in the language in use. */
+const tenths = (value: number): string => formatNumber(value, { minimumFractionDigits: 1, maximumFractionDigits: 1 });
+/** Formats a length in metres. */
+const metres = (value: number): string => `${tenths(value)} m`;
+/** Limits a value to a range. */
 const within = (value: number, least: number, most: number): number => Math.min(most, Math.max(least, value));
+/** Returns the dot product of two vectors. */
 const dot = (a: HandleVector, b: HandleVector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const from = (a: HandleVector, b: HandleVector): HandleVector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+/** Returns the difference a − b of two vectors. */
+const difference = (a: HandleVector, b: HandleVector): HandleVector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 
 /** Returns the name of a volume: "Growth volume 2". */
-export const nameOf = (index: number): string => `Growth volume ${index + 1}`;
+export const nameOf = (index: number): string => text("volume", { number: index + 1 });
 
 /**
  * Returns the handles of volumes.
- * @param put returns the change that sets the volumes
+ * @param changeAll returns the change that sets the volumes
  */
 export function volumeHandles(
 	volumes: readonly GrowthVolume[],
 	chosen: number,
-	put: (volumes: readonly GrowthVolume[]) => Change,
+	changeAll: (volumes: readonly GrowthVolume[]) => Change,
 ): PlantHandles {
-	const changed = (index: number, change: Partial<GrowthVolume>): Change =>
-		put(volumes.map((volume, i) => (i === index ? { ...volume, ...change } : volume)));
-	const one = volumes[chosen];
+	const changeOne = (index: number, change: Partial<GrowthVolume>): Change =>
+		changeAll(volumes.map((volume, i) => (i === index ? { ...volume, ...change } : volume)));
+	const chosenVolume = volumes[chosen];
 	return {
 		handles: [
 			...volumes.map((volume, i) => ({
-				...foot(volume, i, (change) => changed(i, change)),
+				...footHandle(volume, i, (change) => changeOne(i, change)),
 				...(i === chosen ? { kind: "chosen" as const } : {}),
-				...(volumes.length > 1 ? { remove: () => put(volumes.filter((_, other) => other !== i)) } : {}),
+				...(volumes.length > 1 ? { remove: () => changeAll(volumes.filter((_, other) => other !== i)) } : {}),
 			})),
-			...(one ? shape(one, chosen, (change) => changed(chosen, change)) : []),
+			...(chosenVolume ? shapeHandles(chosenVolume, chosen, (change) => changeOne(chosen, change)) : []),
 		],
-		lines: one
-			? [...[0, 0.5, 1].map((up) => ring(one, up, radiusAt(one, up))), [placeIn(one, 0), placeIn(one, 1)]]
+		lines: chosenVolume
+			? [
+					...[0, 0.5, 1].map((up) => ring(chosenVolume, up, radiusAt(chosenVolume, up))),
+					[placeIn(chosenVolume, 0), placeIn(chosenVolume, 1)],
+				]
 			: [],
 	};
 }
 
-const ring = (volume: GrowthVolume, up: number, out: number): readonly HandleVector[] =>
-	Array.from({ length: SIDES + 1 }, (_, i) => placeIn(volume, up, out, (360 * i) / SIDES));
+/**
+ * Returns a closed circle around a volume's axis as a polyline.
+ * @param share of the volume's height
+ * @param radius metres
+ */
+const ring = (volume: GrowthVolume, share: number, radius: number): readonly HandleVector[] =>
+	Array.from({ length: SIDES + 1 }, (_, i) => placeIn(volume, share, radius, (360 * i) / SIDES));
 
-type Put = (change: Partial<GrowthVolume>) => Change;
+/** Returns the change that sets some numbers of one volume. */
+type VolumeChanger = (change: Partial<GrowthVolume>) => Change;
 
-function foot(volume: GrowthVolume, index: number, put: Put): PlantHandle {
+/** Returns the handle at a volume's foot, which moves it on the ground. */
+function footHandle(volume: GrowthVolume, index: number, change: VolumeChanger): PlantHandle {
 	const [x, z] = volume.at;
 	return {
 		id: `volume-${index}`,
 		label: nameOf(index),
-		value: `x ${x.toFixed(1)}, z ${z.toFixed(1)}`,
+		value: `x ${tenths(x)}, z ${tenths(z)}`,
 		at: placeIn(volume, 0),
 		along: [
 			[1, 0, 0],
 			[0, 0, 1],
 		],
-		pull: ([toX, , toZ]) => put({ at: [toX, toZ] }),
+		pull: ([toX, , toZ]) => change({ at: [toX, toZ] }),
 		nudge: (right, up, large) => {
-			const by = large ? STRIDE : STEP;
-			return put({ at: [x + right * by, z - up * by] });
+			const step = large ? LARGE_STEP : STEP;
+			return change({ at: [x + right * step, z - up * step] });
 		},
 	};
 }
 
-function shape(volume: GrowthVolume, index: number, put: Put): PlantHandle[] {
-	const of = `of growth volume ${index + 1}`;
+/** Returns the handles of one volume's shape. */
+function shapeHandles(volume: GrowthVolume, index: number, change: VolumeChanger): PlantHandle[] {
+	const number = index + 1;
 	const axis = axisOf(volume);
 	const base = placeIn(volume, 0);
-	const width = (key: "base" | "middle" | "top", up: number, label: string): PlantHandle => {
-		const middle = placeIn(volume, up);
-		const across = acrossOf(volume);
+	/**
+	 * Returns the handle of a width.
+	 * @param share height of the handle as a share of the volume's
+	 */
+	const width = (key: "base" | "middle" | "top", share: number): PlantHandle => {
+		const centre = placeIn(volume, share);
+		const widthDirection = acrossOf(volume);
 		const straight = volume.middle === meanWidth(volume.base, volume.top);
 		// A frustum stays one when either end is dragged.
-		const wide = (value: number) => {
-			const changed = { ...volume, [key]: within(value, 0, WIDEST) };
-			if (key !== "middle" && straight) changed.middle = meanWidth(changed.base, changed.top);
-			return put(changed);
+		const withWidth = (value: number) => {
+			const changedVolume = { ...volume, [key]: within(value, 0, WIDEST) };
+			if (key !== "middle" && straight) changedVolume.middle = meanWidth(changedVolume.base, changedVolume.top);
+			return change(changedVolume);
 		};
 		return {
 			id: key,
-			label: `${label} ${of}`,
+			label: text(`volume_${key}`, { number }),
 			value: metres(volume[key]),
 			kind: "size",
-			at: placeIn(volume, up, volume[key] / 2),
-			along: [across],
-			pull: (to) => wide(2 * dot(from(to, middle), across)),
-			nudge: (right, higher, large) => wide(volume[key] + (right || higher) * (large ? STRIDE : STEP)),
+			at: placeIn(volume, share, volume[key] / 2),
+			along: [widthDirection],
+			pull: (to) => withWidth(2 * dot(difference(to, centre), widthDirection)),
+			nudge: (right, higher, large) => withWidth(volume[key] + (right || higher) * (large ? LARGE_STEP : STEP)),
 		};
 	};
-	const tall = (value: number) => put({ height: within(value, LOWEST, HIGHEST) });
+	const withHeight = (value: number) => change({ height: within(value, LOWEST, HIGHEST) });
 	const height: PlantHandle = {
 		id: "height",
-		label: `Height ${of}`,
+		label: text("volume_height", { number }),
 		value: metres(volume.height),
 		kind: "size",
 		at: placeIn(volume, 1),
 		along: [axis],
-		pull: (to) => tall(dot(from(to, base), axis)),
-		nudge: (right, up, large) => tall(volume.height + (up || right) * (large ? STRIDE : STEP)),
+		pull: (to) => withHeight(dot(difference(to, base), axis)),
+		nudge: (right, share, large) => withHeight(volume.height + (share || right) * (large ? LARGE_STEP : STEP)),
 	};
-	return [
-		height,
-		lean(volume, of, put),
-		width("base", 0, "Width at the base"),
-		width("middle", 0.5, "Width in the middle"),
-		width("top", 1, "Width at the top"),
-	];
+	return [height, leanHandle(volume, number, change), width("base", 0), width("middle", 0.5), width("top", 1)];
 }
 
 /** Returns the handle of the lean and its direction, at three quarters of the height. */
-function lean(volume: GrowthVolume, of: string, put: Put): PlantHandle {
+function leanHandle(volume: GrowthVolume, number: number, change: VolumeChanger): PlantHandle {
 	const base = placeIn(volume, 0);
 	return {
 		id: "lean",
-		label: `Lean ${of}`,
-		value: `${volume.gradient.toFixed(0)}°, towards ${volume.towards.toFixed(0)}°`,
+		label: text("volume_lean", { number }),
+		value: text("lean_value", { lean: volume.gradient.toFixed(0), direction: volume.towards.toFixed(0) }),
 		kind: "turn",
 		at: placeIn(volume, 0.75),
 		along: [
@@ -134,16 +149,16 @@ function lean(volume: GrowthVolume, of: string, put: Put): PlantHandle {
 			[0, 0, 1],
 		],
 		pull: (to) => {
-			const [x, y, z] = from(to, base);
-			const out = Math.hypot(x, z);
-			const gradient = within((Math.atan2(out, y) * 180) / Math.PI, 0, STEEPEST);
+			const [x, y, z] = difference(to, base);
+			const distance = Math.hypot(x, z);
+			const gradient = within((Math.atan2(distance, y) * 180) / Math.PI, 0, STEEPEST);
 			// An upright volume keeps its direction of lean.
-			return put(out > 0.01 ? { gradient, towards: (Math.atan2(z, x) * 180) / Math.PI } : { gradient });
+			return change(distance > 0.01 ? { gradient, towards: (Math.atan2(z, x) * 180) / Math.PI } : { gradient });
 		},
 		nudge: (right, up, large) => {
-			const by = large ? TURN_FAR : TURN;
-			const towards = ((volume.towards + right * by + 540) % 360) - 180;
-			return put({ gradient: within(volume.gradient - up * by, -STEEPEST, STEEPEST), towards });
+			const step = large ? LARGE_TURN : TURN;
+			const towards = ((volume.towards + right * step + 540) % 360) - 180;
+			return change({ gradient: within(volume.gradient - up * step, -STEEPEST, STEEPEST), towards });
 		},
 	};
 }

@@ -15,10 +15,11 @@ export class VolumeInteraction implements ToolInteraction<GrowthSpecimen, Growth
 		this.#context = context;
 		this.#handles = new PlantInteraction<GrowthSpecimen, GrowthPlant>(view, context, {
 			editedDetails: ({ grammar }) => ({ grammar }),
-			focused: (id) => this.#focused(id),
+			focused: (id) => this.#chooseFocused(id),
 		});
 	}
 
+	/** Shows the handles while the tool is on; a specimen without volumes of its own shows those of the grown plant. */
 	update({ specimen, grown }: EditorState<GrowthSpecimen, GrowthPlant>): void {
 		const { handles, chosen } = this.#context.toolState(volumeTool);
 		const volumes = volumesOf(specimen, grown);
@@ -30,11 +31,13 @@ export class VolumeInteraction implements ToolInteraction<GrowthSpecimen, Growth
 		);
 	}
 
+	/** Removes the handles. */
 	dispose(): void {
 		this.#handles.dispose();
 	}
 
-	#focused(id: string): void {
+	/** Chooses the volume whose handle gets the focus. */
+	#chooseFocused(id: string): void {
 		const [, volume] = /^volume-(\d+)$/.exec(id) ?? [];
 		const state = this.#context.toolState(volumeTool);
 		if (volume !== undefined && Number(volume) !== state.chosen)

@@ -1,10 +1,12 @@
 /** Tools of growth volumes: glass shells and handles in the 3-D view. Edits are written into the text. */
+
 import { svg } from "lit";
 import type { Change, EditorContext } from "../../../ui/editor_context";
 import { LazyInteraction } from "../../../ui/handles/lazy_interaction";
 import { createShellTool } from "../../../ui/shell_tool";
 import type { Tool } from "../../../ui/tool";
 import type { GrowthPlant } from "../growth_plant";
+import { text as message } from "../messages.generated";
 import type { GrowthSpecimen } from "../specimen";
 import { fetchedText } from "../texts";
 import { withVolumes, writtenVolumes } from "./footprint";
@@ -38,14 +40,19 @@ export function put(specimen: GrowthSpecimen, volumes: readonly GrowthVolume[]):
 const volumeGlass = createShellTool<GrowthSpecimen, GrowthPlant>({
 	name: "glass",
 	icon: GLASS,
-	label: "Growth volumes as glass",
+	get label() {
+		return message("glass");
+	},
 	initial: true,
-	fetchFailedMessage: "The volumes could not be fetched",
+	get fetchFailedMessage() {
+		return message("glass_failed");
+	},
 	ofPlant: true,
 	renderer: async () => new (await import("../../../render/shell_renderer")).ShellRenderer(),
 	shells: (specimen, grown) => volumesOf(specimen, grown).map(surfaceOf),
 });
 
+/** The tool that shows and drags the growth volumes. */
 export const volumeTool: Tool<GrowthSpecimen, GrowthPlant, VolumeState> = {
 	name: "volumes",
 	initial: { handles: true, chosen: 0 },
@@ -54,15 +61,40 @@ export const volumeTool: Tool<GrowthSpecimen, GrowthPlant, VolumeState> = {
 		context.setToolState(volumeTool, { ...state, handles: !state.handles });
 	},
 	button: {
+		slot: "edit",
 		icon: HANDLES,
-		label: "Handles of growth volumes",
+		get label() {
+			return message("handles");
+		},
 		pressed: (context) => context.toolState(volumeTool).handles,
 	},
-	key: { letter: "a", does: "Handles of growth volumes, and back" },
+	key: {
+		letter: "a",
+		get description() {
+			return message("handles_key");
+		},
+	},
 	keys: [
-		{ keys: ["Arrow keys"], does: "On a handle of a growth volume: move, stretch or lean it; Shift goes farther" },
-		{ keys: ["Delete"], does: "On the handle of a growth volume: remove it, if it is not the only one" },
-		{ keys: ["Page Up", "Page Down"], does: "On a handle of a growth volume: to the next one" },
+		{
+			get keys() {
+				return [message("arrow_keys")];
+			},
+			get description() {
+				return message("key_arrows");
+			},
+		},
+		{
+			keys: ["Delete"],
+			get description() {
+				return message("key_delete");
+			},
+		},
+		{
+			keys: ["Page Up", "Page Down"],
+			get description() {
+				return message("key_page");
+			},
+		},
 	],
 	interaction: (view, context) =>
 		new LazyInteraction({

@@ -25,51 +25,54 @@ interface Baked extends AttachedLeafOptions {
 	parameters?: LeafSpecimen["parameters"];
 }
 
-/** A leaf of a tree, without teeth: they are smaller than its few triangles. */
-const onTree = (corners: number): Baked => ({ detail: 0.25, corners, pixels: 64, parameters: { teeth: 0 } });
+/**
+ * Returns the options of a tree's leaf: with `corners` per half of the margin, and without teeth, which are smaller
+ * than its few triangles.
+ */
+const treeLeaf = (corners: number): Baked => ({ detail: 0.25, corners, pixels: 64, parameters: { teeth: 0 } });
 
 /** Options of the baked leaves, by name. */
 const BAKED: Readonly<Record<string, Baked>> = {
 	grapevine: { detail: 0.25, cells: 20, pixels: 512 },
 	// Drawn until the detailed grapevine leaf has been fetched.
-	grapevine_sketch: { ...onTree(14), preset: "grapevine" },
+	grapevine_sketch: { ...treeLeaf(14), preset: "grapevine" },
 	// Malus domestica: oval, widest at the middle.
 	apple: {
-		...onTree(5),
+		...treeLeaf(5),
 		preset: "beech",
 		half: "0 0 corner, 130 24, 262 150, 330 330, 330 500, 280 680, 176 830, 78 934, 0 1000 pointed",
 	},
-	beech: onTree(5),
-	birch: onTree(6),
-	lime: onTree(7),
-	maple: onTree(11),
-	oak: onTree(10),
+	beech: treeLeaf(5),
+	birch: treeLeaf(6),
+	lime: treeLeaf(7),
+	maple: treeLeaf(11),
+	oak: treeLeaf(10),
 	// Olea europaea: a lance, less slender than a willow's.
 	olive: {
-		...onTree(4),
+		...treeLeaf(4),
 		preset: "willow",
 		half: "0 0 corner, 50 80, 100 260, 118 450, 105 650, 66 830, 28 940, 0 1000 pointed",
 	},
 	// Populus nigra: a triangle on a long stalk.
 	poplar: {
-		...onTree(5),
+		...treeLeaf(5),
 		preset: "birch",
 		half: "0 0 corner, 200 -12, 400 84, 462 200, 400 345, 262 580, 122 790, 42 920, 0 1000 pointed",
 	},
-	vine: { ...onTree(11), preset: "grapevine" },
-	willow: onTree(4),
+	vine: { ...treeLeaf(11), preset: "grapevine" },
+	willow: treeLeaf(4),
 };
 
 /** Names of the baked leaves and of their files. */
 export const BAKED_LEAVES = Object.keys(BAKED);
 
-/** The specimen that a baked leaf is grown from: a preset, maybe with another outline. */
+/** Returns the specimen that a baked leaf is grown from: a preset, in some cases with another outline. */
 export function bakedSpecimen(name: string): LeafSpecimen {
 	const { parameters, half, preset = name } = BAKED[name];
-	const own = leafFromPreset(preset);
+	const base = leafFromPreset(preset);
 	return {
-		...own,
-		parameters: { ...own.parameters, ...parameters },
+		...base,
+		parameters: { ...base.parameters, ...parameters },
 		...(half ? { outline: outlineOf(half) } : {}),
 	};
 }

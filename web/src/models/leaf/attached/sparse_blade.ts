@@ -17,18 +17,23 @@ export interface SparseBlade {
 }
 
 /**
+ * Builds the blade: each half is triangulated between its margin and the midrib.
  * @param margin 2 × points, counter-clockwise from the base
  * @param corners number of corners of each half's margin, besides base and tip
  */
 export function sparseBlade(margin: Float32Array, corners: number): SparseBlade {
-	const round = Array.from({ length: margin.length / 2 }, (_, i) => new Vector2(margin[2 * i], margin[2 * i + 1]));
-	const tip = round.reduce((best, { y }, at) => (y > round[best].y ? at : best), 0);
-	const halves = [round.slice(1, tip), round.slice(tip + 1).reverse()];
+	const outline = Array.from({ length: margin.length / 2 }, (_, i) => new Vector2(margin[2 * i], margin[2 * i + 1]));
+	const tip = outline.reduce((best, { y }, at) => (y > outline[best].y ? at : best), 0);
+	const halves = [outline.slice(1, tip), outline.slice(tip + 1).reverse()];
 	const blade: { points: number[]; indices: number[] } = { points: [], indices: [] };
 	for (const [side, half] of [1, -1].map((sign, at) => [sign, halves[at]] as const)) {
 		const rib = RIB.map((height) => new Vector2(0, height));
-		const ends = [rib[0], ...half.map(({ x, y }) => new Vector2(side * Math.max(0, side * x), y)), rib[rib.length - 1]];
-		const outer = simplifiedLine(ends, corners).slice(1, -1);
+		const halfLine = [
+			rib[0],
+			...half.map(({ x, y }) => new Vector2(side * Math.max(0, side * x), y)),
+			rib[rib.length - 1],
+		];
+		const outer = simplifiedLine(halfLine, corners).slice(1, -1);
 		// Counter-clockwise from the base: up the margin and back along the midrib, or the reverse.
 		const polygon = side > 0 ? [rib[0], ...outer, ...rib.slice(1).toReversed()] : [...rib, ...outer.toReversed()];
 		const first = blade.points.length / 2;
@@ -43,8 +48,8 @@ export function sparseBlade(margin: Float32Array, corners: number): SparseBlade 
 }
 
 /**
- * Simplifies a line to its ends and `count` points: repeatedly removes the point with the least triangle area
- * (Visvalingam & Whyatt 1993).
+ * Simplifies a line to its ends and `count` points: repeatedly removes the point that forms the smallest triangle with
+ * its two neighbours (Visvalingam & Whyatt 1993).
  */
 function simplifiedLine(line: readonly Vector2[], count: number): Vector2[] {
 	const left = [...line];

@@ -5,6 +5,7 @@ import type { Mesh } from "../../../plant/plant";
 const ROUNDS = 12;
 
 /**
+ * Simplifies a mesh.
  * @param edge distance from the margin of each vertex: 0 on the margin
  * @param cells along a side of the square of texture coordinates
  */
@@ -15,6 +16,7 @@ export function lightMesh(mesh: Mesh, edge: Float32Array, cells: number): Mesh {
 		Math.floor(uvs[2 * vertex] * cells) + cells * Math.floor(uvs[2 * vertex + 1] * cells);
 	const away = (vertex: number) =>
 		Math.hypot(((uvs[2 * vertex] * cells) % 1) - 0.5, ((uvs[2 * vertex + 1] * cells) % 1) - 0.5);
+	// The vertex nearest to the middle of each cell replaces all inner vertices of the cell; the margin stays.
 	const middles = new Map<number, number>();
 	for (let vertex = 0; vertex < count; vertex++) {
 		const middle = middles.get(cellOf(vertex));
@@ -23,11 +25,12 @@ export function lightMesh(mesh: Mesh, edge: Float32Array, cells: number): Mesh {
 	const goes = Uint32Array.from({ length: count }, (_, vertex) =>
 		edge[vertex] > 0 ? (middles.get(cellOf(vertex)) as number) : vertex,
 	);
+	// Vertices of triangles that this has turned over move back.
 	for (let round = 0; round < ROUNDS; round++) {
 		const turned = new Set<number>();
 		for (let at = 0; at < indices.length; at += 3) {
 			const corners = indices.subarray(at, at + 3);
-			if (area(uvs, goes[corners[0]], goes[corners[1]], goes[corners[2]]) < 0)
+			if (doubleArea(uvs, goes[corners[0]], goes[corners[1]], goes[corners[2]]) < 0)
 				for (const each of corners) turned.add(each);
 		}
 		if (turned.size === 0) break;
@@ -39,14 +42,17 @@ export function lightMesh(mesh: Mesh, edge: Float32Array, cells: number): Mesh {
 	);
 }
 
-/** Twice the signed area of a triangle of the chart. */
-function area(uvs: Float32Array, a: number, b: number, c: number): number {
+/** Returns twice the signed area of the triangle a b c (vertex indices) in texture coordinates: a cross product. */
+function doubleArea(uvs: Float32Array, a: number, b: number, c: number): number {
 	const [ux, uy] = [uvs[2 * b] - uvs[2 * a], uvs[2 * b + 1] - uvs[2 * a + 1]];
 	const [vx, vy] = [uvs[2 * c] - uvs[2 * a], uvs[2 * c + 1] - uvs[2 * a + 1]];
 	return ux * vy - uy * vx;
 }
 
-/** Removes degenerate triangles and unused vertices. */
+/**
+ * Returns a mesh without triangles that have two equal corners, and without unused vertices.
+ * @param indices 3 × triangles, which replace the mesh's own
+ */
 function compacted({ positions, normals, uvs }: Mesh, indices: Uint32Array): Mesh {
 	const numbers = new Map<number, number>();
 	const remapped: number[] = [];

@@ -23,18 +23,19 @@ export interface BentPlace {
 const STRAIGHT = 0.05;
 const RADIANS = Math.PI / 180;
 
+/** Bends a place of the flat leaf as the core does: folded along the midrib, curled to a circular arc. */
 export function bent({ x, y }: Place, { fold, curl }: Bend): BentPlace {
-	const [rise, reach] = [Math.sin(fold * RADIANS), Math.cos(fold * RADIANS)];
+	const [rise, width] = [Math.sin(fold * RADIANS), Math.cos(fold * RADIANS)];
 	const z = Math.abs(x) * rise;
 	// On the midrib both sides have the same slope.
-	const [out, up] = x === 0 ? [1, 0] : [reach, Math.sign(x) * rise];
-	if (Math.abs(curl) < STRAIGHT) return { at: [x * reach, y, z], along: [[out, 0, up], [0, 1, 0]], stretch: 1 }; // biome-ignore format: two vectors
+	const [acrossX, acrossZ] = x === 0 ? [1, 0] : [width, Math.sign(x) * rise];
+	if (Math.abs(curl) < STRAIGHT) return { at: [x * width, y, z], along: [[acrossX, 0, acrossZ], [0, 1, 0]], stretch: 1 }; // biome-ignore format: two vectors
 	const radius = 1 / (curl * RADIANS);
 	const [sine, cosine] = [Math.sin(curl * RADIANS * y), Math.cos(curl * RADIANS * y)];
 	return {
-		at: [x * reach, (radius + z) * sine, (radius + z) * cosine - radius],
+		at: [x * width, (radius + z) * sine, (radius + z) * cosine - radius],
 		along: [
-			[out, up * sine, up * cosine],
+			[acrossX, acrossZ * sine, acrossZ * cosine],
 			[0, cosine, -sine],
 		],
 		stretch: 1 + z / radius,

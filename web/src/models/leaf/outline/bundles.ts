@@ -1,6 +1,8 @@
 /**
  * Groups indices by similar width, on a logarithmic scale from the thinnest to the widest; no group is empty. Veins
  * are drawn group by group: a stroke for each vein would take longer than growing the veins.
+ * @param count most groups
+ * @returns the indices of each group, the thinnest group first
  */
 export function bundled(widths: ArrayLike<number>, count: number): number[][] {
 	const logs = Array.from(widths, (width) => Math.log(Math.max(width, 1e-9)));

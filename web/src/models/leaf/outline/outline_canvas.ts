@@ -44,10 +44,12 @@ export type LeafPen = Pick<
 /** Width of lines and least width of a vein, CSS pixels. */
 const LINE = 1.1;
 const FINEST = 0.5;
+/** Number of groups of veins that are drawn with one width each. */
 const BUNDLES = 8;
-const BLADE = 0.07;
-const GROWN = 0.45;
-const VEIN = 0.7;
+/** Opacities of the blade, of the grown margin and of veins. */
+const BLADE_OPACITY = 0.07;
+const MARGIN_OPACITY = 0.45;
+const VEIN_OPACITY = 0.7;
 
 /** Draws the scene on a canvas at the element's size. */
 export function showOutline(canvas: HTMLCanvasElement, scene: Omit<OutlineScene, "ratio" | "ink">): void {
@@ -60,19 +62,20 @@ export function showOutline(canvas: HTMLCanvasElement, scene: Omit<OutlineScene,
 	if (pen) inkOutline(pen, { ...scene, ratio, ink: getComputedStyle(canvas).color });
 }
 
+/** Draws the blade, its veins, its outline and the beginning of the petiole. */
 export function inkOutline(pen: LeafPen, { curve, veins, frame, ratio, ink }: OutlineScene): void {
 	pen.setTransform(ratio, 0, 0, ratio, 0, 0);
 	pen.strokeStyle = ink;
 	pen.fillStyle = ink;
 	pen.lineCap = "round";
 	pen.lineJoin = "round";
-	trace(pen, frame, curve);
-	pen.globalAlpha = BLADE;
+	tracePolygon(pen, frame, curve);
+	pen.globalAlpha = BLADE_OPACITY;
 	pen.fill();
 	if (veins) inkVeins(pen, veins, frame);
 	pen.globalAlpha = 1;
 	pen.lineWidth = LINE;
-	trace(pen, frame, curve);
+	tracePolygon(pen, frame, curve);
 	pen.stroke();
 	pen.beginPath();
 	const [from, to] = [inView(frame, { x: 0, y: 0 }), inView(frame, { x: 0, y: -STUB })];
@@ -81,7 +84,8 @@ export function inkOutline(pen: LeafPen, { curve, veins, frame, ratio, ink }: Ou
 	pen.stroke();
 }
 
-function trace(pen: LeafPen, frame: OutlineFrame, curve: readonly Place[]): void {
+/** Starts a closed path along the points of a line, which are in leaf lengths. */
+function tracePolygon(pen: LeafPen, frame: OutlineFrame, curve: readonly Place[]): void {
 	pen.beginPath();
 	curve.forEach((place, index) => {
 		const { x, y } = inView(frame, place);
@@ -91,11 +95,12 @@ function trace(pen: LeafPen, frame: OutlineFrame, curve: readonly Place[]): void
 	pen.closePath();
 }
 
+/** Draws the grown margin and the veins: a stroke for each bundle of veins of about the same width. */
 function inkVeins(pen: LeafPen, { ends, widths, margin }: FlatVeins, frame: OutlineFrame): void {
 	if (margin.length > 0) {
 		const places = Array.from({ length: margin.length / 2 }, (_, i) => ({ x: margin[2 * i], y: margin[2 * i + 1] }));
-		trace(pen, frame, places);
-		pen.globalAlpha = GROWN;
+		tracePolygon(pen, frame, places);
+		pen.globalAlpha = MARGIN_OPACITY;
 		pen.lineWidth = 0.8;
 		pen.stroke();
 	}
@@ -112,7 +117,7 @@ function inkVeins(pen: LeafPen, { ends, widths, margin }: FlatVeins, frame: Outl
 		const width = (total / members.length) * frame.scale;
 		pen.lineWidth = Math.max(FINEST, width);
 		// Veins thinner than the least width are drawn paler.
-		pen.globalAlpha = VEIN * Math.sqrt(Math.min(1, width / FINEST));
+		pen.globalAlpha = VEIN_OPACITY * Math.sqrt(Math.min(1, width / FINEST));
 		pen.stroke();
 	}
 }

@@ -17,6 +17,7 @@ export interface OutlineHost {
 	schedule?(callback: () => void): void;
 }
 
+/** Returns the drag session of an outline's points; moves that make the margin cross itself are refused. */
 export function outlineDrags(host: OutlineHost): DragSession<string, OutlinePoints> {
 	let refused = false;
 	return new DragSession<string, OutlinePoints>({

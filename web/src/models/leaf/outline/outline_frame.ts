@@ -19,13 +19,14 @@ export const STUB = 0.07;
 /** The frame stays while the leaf fills this share of the size that it could have. */
 const FULL_ENOUGH = 0.8;
 
+/** Returns the frame in which the whole leaf is visible and as large as possible. */
 export function fittedFrame(curve: readonly Place[], width: number, height: number): OutlineFrame {
 	const { left, right, bottom, top } = boundsOf(curve);
-	const across = Math.max(width - 2 * MARGIN.side, 1) / Math.max(right - left, 0.01);
-	const up = Math.max(height - MARGIN.top - MARGIN.bottom, 1) / Math.max(top - bottom, 0.01);
-	const scale = Math.min(across, up);
-	const lower = (MARGIN.bottom - MARGIN.top) / 2 / scale;
-	return { width, height, scale, centre: { x: (left + right) / 2, y: (bottom + top) / 2 - lower } };
+	const scaleX = Math.max(width - 2 * MARGIN.side, 1) / Math.max(right - left, 0.01);
+	const scaleY = Math.max(height - MARGIN.top - MARGIN.bottom, 1) / Math.max(top - bottom, 0.01);
+	const scale = Math.min(scaleX, scaleY);
+	const shift = (MARGIN.bottom - MARGIN.top) / 2 / scale;
+	return { width, height, scale, centre: { x: (left + right) / 2, y: (bottom + top) / 2 - shift } };
 }
 
 /** Distance by which a drag may take a point out of view at once, CSS pixels. */
@@ -34,8 +35,9 @@ const OVER = 3;
 const RIM = { side: 6, top: 6, bottom: 20 };
 
 /**
- * The next frame: the present one while the leaf fits it well, because rescaling after every drag would distract.
- * During a drag the view only zooms out, as far as the whole leaf needs.
+ * Returns the next frame: the present one while the leaf fits it well, because rescaling after every drag would
+ * distract. During a drag the view only zooms out, as far as the whole leaf needs.
+ * @param held whether a drag is in progress
  */
 export function steadyFrame(
 	before: OutlineFrame | undefined,
@@ -46,26 +48,32 @@ export function steadyFrame(
 	if (before?.width === width && before.height === height) {
 		const scale = wholeScale(before, curve);
 		if (held) return scale < before.scale ? { ...before, scale } : before;
-		if (suits(before, curve)) return before;
+		if (fillsFrame(before, curve)) return before;
 	}
 	return fittedFrame(curve, width, height);
 }
 
-function suits(frame: OutlineFrame, curve: readonly Place[]): boolean {
-	const whole = frame.scale <= (1 + 1e-6) * wholeScale(frame, curve);
-	return whole && frame.scale >= FULL_ENOUGH * fittedFrame(curve, frame.width, frame.height).scale;
+/** Returns whether the whole leaf is visible in a frame and large enough there. */
+function fillsFrame(frame: OutlineFrame, curve: readonly Place[]): boolean {
+	const isWhole = frame.scale <= (1 + 1e-6) * wholeScale(frame, curve);
+	return isWhole && frame.scale >= FULL_ENOUGH * fittedFrame(curve, frame.width, frame.height).scale;
 }
 
-/** The largest scale at which the whole leaf is visible around a frame's centre. */
+/**
+ * Returns the largest scale (CSS pixels per leaf length) at which the whole leaf is visible around a frame's centre.
+ */
 function wholeScale({ width, height, centre }: OutlineFrame, curve: readonly Place[]): number {
 	const { left, right, bottom, top } = boundsOf(curve);
-	const side = (width / 2 - RIM.side) / Math.max(right - centre.x, centre.x - left, 0.01);
-	const up = (height / 2 - RIM.top) / Math.max(top - centre.y, 0.01);
-	const down = (height / 2 - RIM.bottom) / Math.max(centre.y - bottom, 0.01);
-	return Math.max(1, Math.min(side, up, down));
+	const sideScale = (width / 2 - RIM.side) / Math.max(right - centre.x, centre.x - left, 0.01);
+	const upScale = (height / 2 - RIM.top) / Math.max(top - centre.y, 0.01);
+	const downScale = (height / 2 - RIM.bottom) / Math.max(centre.y - bottom, 0.01);
+	return Math.max(1, Math.min(sideScale, upScale, downScale));
 }
 
-/** The nearest position for a dragged point: in view, or slightly outside, so that the view zooms out slowly. */
+/**
+ * Returns the position nearest to `to` that a dragged point may take: in view, or slightly outside, so that the view
+ * zooms out slowly.
+ */
 export function inReach(frame: OutlineFrame, to: Place): Place {
 	const { x, y } = inView(frame, to);
 	const [left, top] = [RIM.side - OVER, RIM.top - OVER];
@@ -91,7 +99,7 @@ export interface LeafScaleBar {
 }
 
 /**
- * The longest round length that takes at most a third of the view.
+ * Returns a scale bar for the longest round length that takes at most a third of the view.
  * @param millimetres length of the leaf
  */
 export function scaleBar({ width, scale }: OutlineFrame, millimetres: number): LeafScaleBar {
@@ -99,6 +107,7 @@ export function scaleBar({ width, scale }: OutlineFrame, millimetres: number): L
 	return { length: (length / millimetres) * scale, label: length >= 10 ? `${length / 10} cm` : `${length} mm` };
 }
 
+/** Returns the bounds of the leaf with the visible part of its petiole, in leaf lengths. */
 function boundsOf(places: readonly Place[]) {
 	const [xs, ys] = [places.map(({ x }) => x), places.map(({ y }) => y)];
 	return { left: Math.min(...xs), right: Math.max(...xs), bottom: Math.min(...ys, -STUB), top: Math.max(...ys) };

@@ -1,28 +1,28 @@
 /** Texts of the editor about points. */
+import { text } from "../messages.generated";
 import type { LeafKind, OutlinePoint } from "./points";
 
-export const KIND_WORDS: Readonly<Record<LeafKind, string>> = {
-	smooth: "smooth",
-	corner: "corner",
-	lobe: "rounded lobe tip",
-	pointed: "pointed lobe tip",
-};
+/** Returns the name of a kind of points: "corner". */
+export const kindInWords = (kind: LeafKind): string => text("kind", { kind });
 
-/** "31 % right, 45 % up", of the leaf's length. */
+/** Describes a position in percent of the leaf's length: "31 % right, 45 % up". */
 export function placeInWords({ x, y }: OutlinePoint): string {
 	const [across, up] = [x, y].map((value) => Math.round(1000 * value) / 10);
-	const sideways = across === 0 ? "in the middle" : `${Math.abs(across)} % ${across > 0 ? "right" : "left"}`;
-	return `${sideways}, ${Math.abs(up)} % ${up < 0 ? "below" : "up"}`;
+	return text("place", {
+		side: across === 0 ? "middle" : across > 0 ? "right" : "left",
+		across: Math.abs(across),
+		level: up < 0 ? "below" : "up",
+		up: Math.abs(up),
+	});
 }
 
-/** "Point 5 of 36, corner: 31 % right, 45 % up". */
+/** Describes a point: "Point 5 of 36, corner: 31 % right, 45 % up". */
 export function pointInWords(points: readonly OutlinePoint[], index: number): string {
 	const point = points[index];
-	return `Point ${index} of ${points.length - 1}, ${KIND_WORDS[point.kind]}: ${placeInWords(point)}`;
+	return text("point_described", {
+		number: index,
+		count: points.length - 1,
+		kind: kindInWords(point.kind),
+		place: placeInWords(point),
+	});
 }
-
-/** Message where an edit would make the outline cross itself. */
-export const CROSSES = "The outline would cross itself";
-
-export const HELP =
-	"Drag, or use the arrow keys: half a hundredth of the leaf a step, ten times that with Shift. Page keys go to the next point and the one before, Insert puts one in, Delete takes it out, T changes its kind. Escape calls off a drag.";

@@ -20,7 +20,7 @@ export type OutlinePoints = readonly OutlinePoint[];
 export const REACH = { x: [-1.023, 1.023], y: [-0.5, 1.547] } as const;
 export const STEP = 0.001;
 export const FEWEST_POINTS = 3;
-export const MOST_POINTS = 64;
+export const MAX_POINTS = 64;
 
 /** Whether both sides move together. */
 export interface Symmetry {
@@ -30,27 +30,31 @@ export interface Symmetry {
 /** A position in leaf lengths, y to the tip. */
 export type Place = Point;
 
-/** The nearest allowed position. */
+/** Returns the nearest allowed position: within REACH, in whole STEPs. */
 export function placed({ x, y }: Place): Place {
-	return { x: within(x, REACH.x), y: within(y, REACH.y) };
+	return { x: limitedToRange(x, REACH.x), y: limitedToRange(y, REACH.y) };
 }
 
-function within(value: number, [low, high]: readonly [number, number]): number {
+/** Limits a coordinate to a range and rounds it to a multiple of STEP. */
+function limitedToRange(value: number, [low, high]: readonly [number, number]): number {
 	return Math.round(Math.min(high, Math.max(low, value)) / STEP) / Math.round(1 / STEP) + 0; // −0 becomes 0
 }
 
-/** Index of the mirror point; the base and a tip on the midrib are their own mirror points. */
+/**
+ * Returns the index of a point's mirror point; the base and a tip on the midrib are their own mirror points.
+ * @param count number of points of the outline
+ */
 export function mirrorOf(index: number, count: number): number {
 	return (count - index) % count;
 }
 
-/** The mirror image of a point. */
+/** Returns the mirror image of a point at the midrib. */
 export function mirrored({ x, y, kind }: OutlinePoint): OutlinePoint {
 	return { x: 0 - x, y, kind }; // never −0
 }
 
 /**
- * Both sides of a leaf from its right side.
+ * Returns all points of a symmetric leaf from those of its right side.
  * @param half from the base to the tip; a last point beside the midrib is mirrored too
  */
 export function bothSides(half: OutlinePoints): OutlinePoint[] {
@@ -58,12 +62,12 @@ export function bothSides(half: OutlinePoints): OutlinePoint[] {
 	return [...half, ...turned.map(mirrored).reverse()];
 }
 
-/** The right side, from the base to the tip. */
+/** Returns the points of the right side, from the base to the tip: the first half of the list. */
 export function rightSide(points: OutlinePoints): OutlinePoints {
 	return points.slice(0, Math.floor(points.length / 2) + 1);
 }
 
-/** Whether the left side mirrors the right one. */
+/** Returns whether the left side mirrors the right one exactly. */
 export function isSymmetric(points: OutlinePoints): boolean {
 	return points.every((point, index) => {
 		const other = points[mirrorOf(index, points.length)];
@@ -71,17 +75,20 @@ export function isSymmetric(points: OutlinePoints): boolean {
 	});
 }
 
-/** Mirrors the right side to the left; the right side ends at the highest point, which moves to the midrib. */
+/**
+ * Mirrors the right side to the left; the right side ends at the highest point, which moves to the midrib. The outline
+ * remains unchanged where there would be too few or too many points.
+ */
 export function madeSymmetric(points: OutlinePoints): OutlinePoint[] {
 	if (isSymmetric(points)) return [...points];
 	const top = points.reduce((best, { y }, index) => (index > 0 && y > points[best].y ? index : best), 1);
 	const half = points.slice(0, top + 1).map((point) => ({ ...point, x: Math.max(0, point.x) }));
 	half[top] = { ...half[top], x: 0 };
 	const both = bothSides(half);
-	return both.length < FEWEST_POINTS || both.length > MOST_POINTS ? [...points] : both;
+	return both.length < FEWEST_POINTS || both.length > MAX_POINTS ? [...points] : both;
 }
 
-/** Moves a point; the base stays. */
+/** Moves a point, with its mirror point on a symmetric leaf; the base stays. */
 export function movePoint(points: OutlinePoints, index: number, to: Place, { mirror }: Symmetry): OutlinePoint[] {
 	if (index === 0) return [...points];
 	const other = mirrorOf(index, points.length);
@@ -92,40 +99,49 @@ export function movePoint(points: OutlinePoints, index: number, to: Place, { mir
 	});
 }
 
-/** Inserts a smooth point after another; no change where there would be too many. */
+/**
+ * Inserts a smooth point on the edge that begins at point `after`; no change where there would be too many points. On a
+ * symmetric leaf, its mirror image is inserted on the mirror edge. An edge that crosses the midrib is its own mirror
+ * edge: it gets a single point, on the midrib.
+ */
 export function insertPoint(points: OutlinePoints, after: number, at: Place, { mirror }: Symmetry): OutlinePoint[] {
 	const { length } = points;
-	const opposite = mirrorOf(after + 1, length);
-	const alone = !mirror || opposite === after;
-	if (length + (alone ? 1 : 2) > MOST_POINTS) return [...points];
-	const { x, y } = placed(mirror && alone ? { x: 0, y: at.y } : at);
-	const next: OutlinePoint = { x, y, kind: "smooth" };
-	return points.flatMap((point, index) => {
-		if (index === after) return [point, next];
-		return !alone && index === opposite ? [point, mirrored(next)] : [point];
+	// Edge `after` ends at point `after + 1`, so its mirror edge begins at the mirror point of that.
+	const mirrorEdge = mirrorOf(after + 1, length);
+	const single = !mirror || mirrorEdge === after;
+	if (length + (single ? 1 : 2) > MAX_POINTS) return [...points];
+	const { x, y } = placed(mirror && single ? { x: 0, y: at.y } : at);
+	const inserted: OutlinePoint = { x, y, kind: "smooth" };
+	return points.flatMap((point, edge) => {
+		if (edge === after) return [point, inserted];
+		return !single && edge === mirrorEdge ? [point, mirrored(inserted)] : [point];
 	});
 }
 
-/** Index of a point that was inserted after another. */
+/**
+ * Returns the index of a point after it was inserted behind point `after`: one more where its mirror image was inserted
+ * before it.
+ * @param count number of points before
+ */
 export function insertedAt(count: number, after: number, { mirror }: Symmetry): number {
 	return after + 1 + (mirror && mirrorOf(after + 1, count) < after ? 1 : 0);
 }
 
-/** Removes a point; the base and the last `FEWEST_POINTS` stay. */
+/** Removes a point, with its mirror point on a symmetric leaf; the base and the last `FEWEST_POINTS` stay. */
 export function removePoint(points: OutlinePoints, index: number, { mirror }: Symmetry): OutlinePoint[] {
 	const gone = new Set(mirror ? [index, mirrorOf(index, points.length)] : [index]);
 	if (index === 0 || points.length - gone.size < FEWEST_POINTS) return [...points];
 	return points.filter((_, at) => !gone.has(at));
 }
 
-/** Changes a point to the next kind. */
+/** Changes a point, with its mirror point on a symmetric leaf, to the next kind. */
 export function turnKind(points: OutlinePoints, index: number, { mirror }: Symmetry): OutlinePoint[] {
 	const kind = KINDS[(KINDS.indexOf(points[index].kind) + 1) % KINDS.length];
 	const turned = new Set(mirror ? [index, mirrorOf(index, points.length)] : [index]);
 	return points.map((point, at) => (turned.has(at) ? { ...point, kind } : point));
 }
 
-/** Twice the signed area, positive where the loop runs counter-clockwise. */
+/** Returns twice the signed area of a closed polygon (shoelace formula), positive where it runs counter-clockwise. */
 export function doubleArea(points: readonly Place[]): number {
 	return points.reduce((sum, { x, y }, index) => {
 		const next = points[(index + 1) % points.length];

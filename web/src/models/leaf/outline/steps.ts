@@ -1,6 +1,8 @@
 /** Edits of the chosen point by keys and buttons, each with a message for screen readers. Pure functions. */
+
 import { ARROWS } from "../../../ui/handles/point";
-import { CROSSES, KIND_WORDS, placeInWords } from "./outline_words";
+import { text } from "../messages.generated";
+import { kindInWords, placeInWords } from "./outline_words";
 import {
 	insertedAt,
 	insertPoint,
@@ -25,7 +27,7 @@ export interface Step {
 /** Step of an arrow key, in leaf lengths. */
 const NUDGE = 0.005;
 
-/** The edit that a key causes; undefined where it causes none. */
+/** Returns the edit that a key causes; undefined where it causes none. */
 export function pressed(
 	points: OutlinePoints,
 	chosen: number,
@@ -41,33 +43,46 @@ export function pressed(
 	return key === "t" || key === "T" ? turned(points, chosen, symmetry) : undefined;
 }
 
-function nudged(points: OutlinePoints, chosen: number, way: Place, by: number, symmetry: Symmetry): Step {
+/**
+ * Moves the chosen point by a step in a direction, unless the outline would cross itself.
+ * @param step in leaf lengths
+ */
+function nudged(points: OutlinePoints, chosen: number, direction: Place, step: number, symmetry: Symmetry): Step {
 	const { x, y } = points[chosen];
-	const moved = movePoint(points, chosen, { x: x + by * way.x, y: y + by * way.y }, symmetry);
-	return sound({ points: moved, chosen, message: placeInWords(moved[chosen]) });
+	const after = movePoint(points, chosen, { x: x + step * direction.x, y: y + step * direction.y }, symmetry);
+	return unlessCrossing({ points: after, chosen, message: placeInWords(after[chosen]) });
 }
 
-/** Changes the chosen point to the next kind. */
+/** Changes the chosen point to the next kind, unless the outline would cross itself. */
 export function turned(points: OutlinePoints, chosen: number, symmetry: Symmetry): Step {
-	const next = turnKind(points, chosen, symmetry);
-	return sound({ points: next, chosen, message: KIND_WORDS[next[chosen].kind] });
+	const outlineAfter = turnKind(points, chosen, symmetry);
+	return unlessCrossing({ points: outlineAfter, chosen, message: kindInWords(outlineAfter[chosen].kind) });
 }
 
-/** Inserts a point halfway to the next, or at a position near the curve. */
+/** Inserts a point behind point `after`: halfway to the next point, or at the position `at` near the curve. */
 export function inserted(points: OutlinePoints, after: number, symmetry: Symmetry, at?: Place): Step {
-	const next = insertPoint(points, after, at ?? placeOn(spansOf(points)[after], 0.5), symmetry);
-	if (next.length === points.length) return { message: "There is no room for more points" };
-	return sound({ points: next, chosen: insertedAt(points.length, after, symmetry), message: "Point added" });
+	const outlineAfter = insertPoint(points, after, at ?? placeOn(spansOf(points)[after], 0.5), symmetry);
+	if (outlineAfter.length === points.length) return { message: text("no_room") };
+	return unlessCrossing({
+		points: outlineAfter,
+		chosen: insertedAt(points.length, after, symmetry),
+		message: text("point_added"),
+	});
 }
 
+/** Removes the chosen point; without a change, and with a message, where too few would be left. */
 export function removed(points: OutlinePoints, chosen: number, symmetry: Symmetry): Step {
-	const next = removePoint(points, chosen, symmetry);
-	if (next.length === points.length) return { message: "The last points stay" };
-	return sound({ points: next, chosen: Math.min(chosen, next.length - 1), message: "Point removed" });
+	const outlineAfter = removePoint(points, chosen, symmetry);
+	if (outlineAfter.length === points.length) return { message: text("points_needed") };
+	return unlessCrossing({
+		points: outlineAfter,
+		chosen: Math.min(chosen, outlineAfter.length - 1),
+		message: text("point_removed"),
+	});
 }
 
 /** Rejects an edit after which the outline would not enclose a blade. */
-function sound(step: Step): Step {
+function unlessCrossing(step: Step): Step {
 	if (!step.points || enclosesBlade(step.points)) return step;
-	return { message: CROSSES };
+	return { message: text("would_cross") };
 }

@@ -4,7 +4,7 @@
  */
 import { noise } from "../../../plant/noise";
 import type { Chart, Leaf } from "../grown";
-import { inCells, insideOf, spread } from "./chart";
+import { distanceTransform, inCells, insideOf } from "./chart";
 
 /** Noise cells per metre: broad patches, mottling. */
 const BROAD = 60;
@@ -44,6 +44,7 @@ export interface BladeFields extends Ground {
 }
 
 /**
+ * Returns the fields of a blade on a grid of side × side cells.
  * @param millimetres length of the leaf
  * @param seed changes the noise
  */
@@ -57,42 +58,53 @@ export function bladeFields(
 }
 
 /** The last result: while particles move, all frames have the same. */
-let known: { margin: Float32Array; rest: string; ground: Ground } | undefined;
+let lastGround: { margin: Float32Array; rest: string; ground: Ground } | undefined;
 
 type Flat = Pick<Leaf, "margin" | "square">;
 
+/** Returns the fields that do not depend on veins; reuses the last ones if all inputs are the same. */
 function groundOf({ margin, square }: Flat, millimetres: number, seed: number, side: number): Ground {
-	const rest = JSON.stringify([square, millimetres, seed, side]);
-	const same = known?.rest === rest && known.margin.length === margin.length;
-	if (known && same && known.margin.every((value, at) => value === margin[at])) return known.ground;
-	known = { margin, rest, ground: lie({ margin, square }, millimetres, seed, side) };
-	return known.ground;
+	const otherInputs = JSON.stringify([square, millimetres, seed, side]);
+	const isSame = lastGround?.rest === otherInputs && lastGround.margin.length === margin.length;
+	if (lastGround && isSame && lastGround.margin.every((value, at) => value === margin[at])) return lastGround.ground;
+	lastGround = { margin, rest: otherInputs, ground: computeGround({ margin, square }, millimetres, seed, side) };
+	return lastGround.ground;
 }
 
-function lie({ margin, square }: Flat, millimetres: number, seed: number, side: number): Ground {
+/**
+ * Computes the fields that do not depend on veins, on a grid of side × side cells. Noise is in metres, so that its
+ * grain does not depend on the size of the leaf.
+ */
+function computeGround({ margin, square }: Flat, millimetres: number, seed: number, side: number): Ground {
 	const edge = edgeOf(margin, square, side);
-	const near = nearLeaf(edge, side);
+	const near = markNearLeaf(edge, side);
 	const broad = new Float32Array(side * side);
 	const mottle = new Float32Array(side * side);
 	const metres = (square.size * millimetres) / 1000 / side;
-	const depth = (seed % 4096) * 7.31;
+	const seedOffset = (seed % 4096) * 7.31;
 	for (let at = 0; at < side * side; at++) {
 		if (!near[at]) continue;
 		const [x, y] = [(at % side) * metres, Math.floor(at / side) * metres];
-		broad[at] = noise(BROAD * x, BROAD * y, depth) - 0.5;
-		mottle[at] = noise(MOTTLE * x, MOTTLE * y, depth) - 0.5;
+		broad[at] = noise(BROAD * x, BROAD * y, seedOffset) - 0.5;
+		mottle[at] = noise(MOTTLE * x, MOTTLE * y, seedOffset) - 0.5;
 	}
 	return { side, near, edge, broad, mottle };
 }
 
+/** Returns the distance of each cell from the margin, in leaf lengths; 0 outside the leaf. */
 function edgeOf(margin: Float32Array, square: Chart, side: number): Float32Array {
-	const away = Float32Array.from(insideOf(inCells(margin, square, side), side), (inside) => (inside ? 2 * side : 0));
-	spread(away, side);
-	return away.map((cells) => (Math.max(0, cells - 0.5) * square.size) / side);
+	const distances = Float32Array.from(insideOf(inCells(margin, square, side), side), (inside) =>
+		inside ? 2 * side : 0,
+	);
+	distanceTransform(distances, side);
+	return distances.map((cells) => (Math.max(0, cells - 0.5) * square.size) / side);
 }
 
-/** The leaf and the cells around it, from which textures interpolate at the margin. */
-function nearLeaf(edge: Float32Array, side: number): Uint8Array {
+/**
+ * Marks with 1 the cells of the leaf and those up to two cells beside it, from which textures interpolate at the
+ * margin.
+ */
+function markNearLeaf(edge: Float32Array, side: number): Uint8Array {
 	const near = new Uint8Array(side * side);
 	for (let row = 0; row < side; row++) {
 		for (let column = 0; column < side; column++) {
@@ -105,38 +117,51 @@ function nearLeaf(edge: Float32Array, side: number): Uint8Array {
 	return near;
 }
 
-/** Fields of the veins: each cell takes its best supplying vein from its neighbours. */
+/**
+ * Computes the supply of each cell by the veins, and the paler halo along them.
+ * @param side cells along a side of the square
+ */
 function feedingOf(
 	{ chart: ends, segments: { radii } }: Pick<Leaf, "chart"> & { segments: Pick<Leaf["segments"], "radii"> },
 	square: Chart,
 	side: number,
 ): Pick<BladeFields, "fed" | "halo"> {
 	const widest = radii.reduce((most, radius) => Math.max(most, radius), 1e-9);
-	const away = new Float32Array(side * side).fill(2 * side);
+	const distances = new Float32Array(side * side).fill(2 * side);
 	/** The vein that supplies each cell: position of its axis and relative width; 0 where there is none yet. */
 	const [atX, atY, width] = [0, 0, 0].map(() => new Float32Array(side * side));
-	const places = inCells(ends, square, side);
-	for (let piece = 0; 4 * piece < ends.length; piece++) {
-		const share = radii[2 * piece + 1] / widest;
-		if (share < LEAST_WIDTH) continue;
-		const [x1, y1, x2, y2] = places.subarray(4 * piece, 4 * piece + 4);
+	const cells = inCells(ends, square, side);
+	for (let segment = 0; 4 * segment < ends.length; segment++) {
+		const relativeWidth = radii[2 * segment + 1] / widest;
+		if (relativeWidth < LEAST_WIDTH) continue;
+		const [x1, y1, x2, y2] = cells.subarray(4 * segment, 4 * segment + 4);
+		// Points of the segment at most half a cell apart; the widest vein of a cell counts.
 		const steps = Math.ceil(Math.hypot(x2 - x1, y2 - y1) * 2) + 1;
 		for (let step = 0; step <= steps; step++) {
 			const [x, y] = [x1 + ((x2 - x1) * step) / steps, y1 + ((y2 - y1) * step) / steps];
 			const at = cellOf(y, side) * side + cellOf(x, side);
-			away[at] = 0;
-			if (share <= width[at]) continue;
-			[atX[at], atY[at], width[at]] = [x, y, share];
+			distances[at] = 0;
+			if (relativeWidth <= width[at]) continue;
+			[atX[at], atY[at], width[at]] = [x, y, relativeWidth];
 		}
 	}
-	spread(away, side);
-	const reach = Float32Array.from(width, (share) => REACH * side * share ** REACH_POWER);
-	const fed = handedOn(side, atX, atY, width, reach);
-	const halo = away.map((cells) => Math.max(0, 1 - cells / (HALO_REACH * side)) ** 2);
+	// Distances to the nearest vein, in cells.
+	distanceTransform(distances, side);
+	const reach = Float32Array.from(width, (relativeWidth) => REACH * side * relativeWidth ** REACH_POWER);
+	const fed = spreadSupply(side, atX, atY, width, reach);
+	const halo = distances.map((cells) => Math.max(0, 1 - cells / (HALO_REACH * side)) ** 2);
 	return { fed, halo };
 }
 
-function handedOn(
+/**
+ * Spreads the supply of the veins over all cells, in two passes over the grid: each cell takes the vein that supplies
+ * it best from its neighbours. Returns the supply of each cell; overwrites the four arrays.
+ * @param side cells along a side
+ * @param atX position of each cell's vein, cells; `atY` likewise
+ * @param width relative width of each cell's vein; 0 where it has none yet
+ * @param reach distance over which that vein supplies the blade, cells
+ */
+function spreadSupply(
 	side: number,
 	atX: Float32Array,
 	atY: Float32Array,
@@ -144,19 +169,20 @@ function handedOn(
 	reach: Float32Array,
 ): Float32Array {
 	/** Logarithm of each cell's supply. */
-	const best = Float32Array.from(width, (share, at) => {
+	const logSupply = Float32Array.from(width, (share, at) => {
 		if (share === 0) return Number.NEGATIVE_INFINITY;
-		const away = Math.hypot(atX[at] - (at % side) - 0.5, atY[at] - Math.floor(at / side) - 0.5) / reach[at];
-		return STRENGTH_POWER * Math.log(share) - away ** 1.5;
+		const distance = Math.hypot(atX[at] - (at % side) - 0.5, atY[at] - Math.floor(at / side) - 0.5) / reach[at];
+		return STRENGTH_POWER * Math.log(share) - distance ** 1.5;
 	});
-	const take = (at: number, from: number) => {
+	/** Gives the vein that supplies the cell `from` to the cell `at`, if it supplies it better than its own. */
+	const takeFrom = (at: number, from: number) => {
 		if (width[from] === 0) return;
 		const dx = atX[from] - (at % side) - 0.5;
 		const dy = atY[from] - Math.floor(at / side) - 0.5;
-		const away = Math.sqrt(dx * dx + dy * dy) / reach[from];
-		const found = STRENGTH_POWER * Math.log(width[from]) - away * Math.sqrt(away);
-		if (found <= best[at]) return;
-		best[at] = found;
+		const distance = Math.sqrt(dx * dx + dy * dy) / reach[from];
+		const candidate = STRENGTH_POWER * Math.log(width[from]) - distance * Math.sqrt(distance);
+		if (candidate <= logSupply[at]) return;
+		logSupply[at] = candidate;
 		atX[at] = atX[from];
 		atY[at] = atY[from];
 		width[at] = width[from];
@@ -167,18 +193,19 @@ function handedOn(
 		for (let k = 0; k <= last; k++) {
 			const at = sign < 0 ? k : last - k;
 			const column = at % side;
-			const beside = column + sign >= 0 && column + sign < side;
-			const beyond = at + sign * side >= 0 && at + sign * side <= last;
-			if (beside) take(at, at + sign);
-			if (!beyond) continue;
-			take(at, at + sign * side);
-			if (beside) take(at, at + sign * (side + 1));
-			if (column - sign >= 0 && column - sign < side) take(at, at + sign * (side - 1));
+			const hasBeside = column + sign >= 0 && column + sign < side;
+			const hasRow = at + sign * side >= 0 && at + sign * side <= last;
+			if (hasBeside) takeFrom(at, at + sign);
+			if (!hasRow) continue;
+			takeFrom(at, at + sign * side);
+			if (hasBeside) takeFrom(at, at + sign * (side + 1));
+			if (column - sign >= 0 && column - sign < side) takeFrom(at, at + sign * (side - 1));
 		}
 	}
-	return best.map((value) => Math.exp(value));
+	return logSupply.map((value) => Math.exp(value));
 }
 
+/** Returns the row or column in which a coordinate (in cells) lies, limited to the grid. */
 function cellOf(place: number, side: number): number {
 	return Math.min(side - 1, Math.max(0, Math.floor(place)));
 }

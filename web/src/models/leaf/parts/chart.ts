@@ -1,12 +1,15 @@
 /** Grids over the square of the flat leaf, rows from the bottom. */
 import type { Chart } from "../grown";
 
-/** Converts 2 × points to cells of a grid. */
+/** Converts 2 × points from leaf lengths to coordinates in cells of a grid of side × side cells. */
 export function inCells(points: Float32Array, { left, bottom, size }: Chart, side: number): Float32Array {
 	return points.map((value, at) => ((value - (at % 2 === 0 ? left : bottom)) / size) * side);
 }
 
-/** By cell, whether its centre is inside a margin in cells: 1 or 0, row by row between the intersections. */
+/**
+ * Returns 1 for each cell whose centre is inside a margin, else 0: row by row between the intersections.
+ * @param margin 2 × points, in cells
+ */
 export function insideOf(margin: Float32Array, side: number): Uint8Array {
 	const inside = new Uint8Array(side * side);
 	const crossings: number[][] = Array.from({ length: side }, () => []);
@@ -22,38 +25,38 @@ export function insideOf(margin: Float32Array, side: number): Uint8Array {
 	crossings.forEach((xs, row) => {
 		xs.sort((a, b) => a - b);
 		for (let k = 0; k + 1 < xs.length; k += 2) {
-			const [from, to] = [Math.max(0, Math.ceil(xs[k] - 0.5)), Math.min(side, Math.ceil(xs[k + 1] - 0.5))];
-			inside.fill(1, row * side + from, row * side + Math.max(from, to));
+			const [begin, end] = [Math.max(0, Math.ceil(xs[k] - 0.5)), Math.min(side, Math.ceil(xs[k + 1] - 0.5))];
+			inside.fill(1, row * side + begin, row * side + Math.max(begin, end));
 		}
 	});
 	return inside;
 }
 
 /**
- * Distance transform: distance of each cell from the nearest zero, in cells, by two chamfer passes (Borgefors 1986).
- * Initial values are at most `far`.
+ * Computes the distance transform in place: the distance of each cell from the nearest zero, in cells, by two chamfer
+ * passes (Borgefors 1986). Other initial values only have to be large enough.
  */
-export function spread(away: Float32Array, side: number): void {
-	for (let at = 0; at < away.length; at++) {
+export function distanceTransform(distances: Float32Array, side: number): void {
+	for (let at = 0; at < distances.length; at++) {
 		const column = at % side;
-		let least = away[at];
-		if (column > 0) least = Math.min(least, away[at - 1] + 1);
+		let nearest = distances[at];
+		if (column > 0) nearest = Math.min(nearest, distances[at - 1] + 1);
 		if (at >= side) {
-			least = Math.min(least, away[at - side] + 1);
-			if (column > 0) least = Math.min(least, away[at - side - 1] + Math.SQRT2);
-			if (column < side - 1) least = Math.min(least, away[at - side + 1] + Math.SQRT2);
+			nearest = Math.min(nearest, distances[at - side] + 1);
+			if (column > 0) nearest = Math.min(nearest, distances[at - side - 1] + Math.SQRT2);
+			if (column < side - 1) nearest = Math.min(nearest, distances[at - side + 1] + Math.SQRT2);
 		}
-		away[at] = least;
+		distances[at] = nearest;
 	}
-	for (let at = away.length - 1; at >= 0; at--) {
+	for (let at = distances.length - 1; at >= 0; at--) {
 		const column = at % side;
-		let least = away[at];
-		if (column < side - 1) least = Math.min(least, away[at + 1] + 1);
-		if (at + side < away.length) {
-			least = Math.min(least, away[at + side] + 1);
-			if (column < side - 1) least = Math.min(least, away[at + side + 1] + Math.SQRT2);
-			if (column > 0) least = Math.min(least, away[at + side - 1] + Math.SQRT2);
+		let nearest = distances[at];
+		if (column < side - 1) nearest = Math.min(nearest, distances[at + 1] + 1);
+		if (at + side < distances.length) {
+			nearest = Math.min(nearest, distances[at + side] + 1);
+			if (column < side - 1) nearest = Math.min(nearest, distances[at + side + 1] + Math.SQRT2);
+			if (column > 0) nearest = Math.min(nearest, distances[at + side - 1] + Math.SQRT2);
 		}
-		away[at] = least;
+		distances[at] = nearest;
 	}
 }

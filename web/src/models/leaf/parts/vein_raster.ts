@@ -25,6 +25,7 @@ export interface VeinRaster {
 }
 
 /**
+ * Draws all veins into a raster of side × side cells.
  * @param millimetres length of the leaf
  * @param raised whether heights are computed
  */
@@ -48,28 +49,37 @@ export function veinRaster(
 		height: new Float32Array(raised ? side * side : 0),
 	};
 	const places = inCells(ends, square, side);
-	const range = rangeOf(energy);
+	const range = logarithmicRange(energy);
 	for (let piece = 0; piece < segments.count; piece++) {
 		const radius = (segments.radii[2 * piece + 1] * 1000) / cell;
-		draw(raster, places, 4 * piece, radius, strength(energy[piece], range));
+		drawSegment(raster, places, 4 * piece, radius, opacityOf(energy[piece], range));
 	}
 	return raster;
 }
 
-/** Logarithms of the least and the largest positive energy; trails that no particle has passed have none. */
-function rangeOf(energy: Float32Array): readonly [least: number, most: number] {
+/**
+ * Returns the logarithms of the least and the largest positive energy; trails that no particle has passed have none.
+ */
+function logarithmicRange(energy: Float32Array): readonly [least: number, most: number] {
 	let [least, most] = [Number.POSITIVE_INFINITY, 0];
 	for (const each of energy) if (each > 0) [least, most] = [Math.min(least, each), Math.max(most, each)];
 	return [Math.log(least), Math.log(most)];
 }
 
-function strength(energy: number, [least, most]: readonly [number, number]): number {
+/** Returns the opacity of a vein, FAINTEST … 1, from its energy and the range of all energies' logarithms. */
+function opacityOf(energy: number, [least, most]: readonly [number, number]): number {
 	if (!(energy > 0)) return FAINTEST;
 	return most > least ? FAINTEST + ((1 - FAINTEST) * (Math.log(energy) - least)) / (most - least) : 1;
 }
 
-/** Draws one segment of a vein; the radius is in cells. */
-function draw(
+/**
+ * Draws one segment of a vein into coverage, ink and height.
+ * @param places ends of all segments, in cells: x y x y each
+ * @param from index of the segment's first number in `places`
+ * @param radius in cells
+ * @param strong opacity of the vein
+ */
+function drawSegment(
 	{ side, cell, cover, ink, height }: VeinRaster,
 	places: Float32Array,
 	from: number,
@@ -80,6 +90,7 @@ function draw(
 	const y1 = places[from + 1];
 	const dx = places[from + 2] - x1;
 	const dy = places[from + 3] - y1;
+	// Half of the drawn width: the vein with its pale sheath, at least half a cell; then the height's profile.
 	const pale = radius + SHEATH / cell;
 	const covering = Math.max(pale, 0.5) + 0.5;
 	const thin = Math.min(1, 2 * pale);
@@ -87,11 +98,12 @@ function draw(
 	const top = (cell * radius * FOOT * radius) / foot;
 	const reach = Math.max(covering, foot);
 	const squared = dx * dx + dy * dy;
-	const left = within(x1 + Math.min(0, dx) - reach, side);
-	const right = within(x1 + Math.max(0, dx) + reach, side);
-	const upTo = within(y1 + Math.max(0, dy) + reach, side);
-	for (let row = within(y1 + Math.min(0, dy) - reach, side); row <= upTo; row++) {
+	const left = cellOf(x1 + Math.min(0, dx) - reach, side);
+	const right = cellOf(x1 + Math.max(0, dx) + reach, side);
+	const upTo = cellOf(y1 + Math.max(0, dy) + reach, side);
+	for (let row = cellOf(y1 + Math.min(0, dy) - reach, side); row <= upTo; row++) {
 		for (let column = left; column <= right; column++) {
+			// The distance from the middle of the cell to the segment, squared.
 			const px = column + 0.5 - x1;
 			const py = row + 0.5 - y1;
 			const t = squared > 0 ? Math.min(1, Math.max(0, (px * dx + py * dy) / squared)) : 0;
@@ -105,6 +117,7 @@ function draw(
 			if (share > cover[at]) cover[at] = share;
 			if (share * strong > ink[at]) ink[at] = share * strong;
 			if (height.length === 0) continue;
+			// A smooth ridge, which ends flat at `foot`.
 			const slope = Math.max(0, 1 - away / (foot * foot));
 			const high = top * slope * slope;
 			if (high > height[at]) height[at] = high;
@@ -112,6 +125,7 @@ function draw(
 	}
 }
 
-function within(value: number, side: number): number {
+/** Returns the row or column in which a coordinate (in cells) lies, limited to the raster. */
+function cellOf(value: number, side: number): number {
 	return Math.min(side - 1, Math.max(0, Math.floor(value)));
 }

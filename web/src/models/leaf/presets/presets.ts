@@ -18,15 +18,18 @@ import willow from "./willow.json";
 
 /** Leaves by how their main veins run. */
 export const PRESET_KINDS = [
-	{ key: "palmate", title: "Main veins from the base" },
-	{ key: "pinnate", title: "A midrib with side veins" },
-	{ key: "free", title: "Fans and bows" },
+	{ key: "palmate", title: "Palmate", family: "leaves" },
+	{ key: "pinnate", title: "Pinnate", family: "leaves" },
+	{ key: "free", title: "Parallel and fan", family: "leaves" },
 ] as const satisfies readonly PresetKind[];
 
 /** The preset a link without `preset` means. */
 export const DEFAULT_PRESET = "grapevine";
 
-/** As the file holds it: choices by name, and the right side of the outline from base to tip, in thousandths: `x y kind`. */
+/**
+ * As the file holds it: choices by name, and the right side of the outline from base to tip, in thousandths: `x y
+ * kind`.
+ */
 interface PresetFile extends Omit<Preset, "parameters"> {
 	half: string;
 	parameters: Readonly<Partial<Record<string, number | string>>>;
@@ -55,7 +58,10 @@ export const PRESETS: readonly Preset[] = FILES.map(({ half, ...file }) => ({
 	details: { outline: outlineOf(half) },
 }));
 
-/** Of a leaf whose sides are alike: `half` as preset files have it. */
+/**
+ * Reads the outline of a symmetric leaf from its right side, as preset files have it: `x y kind, x y kind, …`, in
+ * thousandths of the leaf's length.
+ */
 export function outlineOf(half: string): OutlinePoint[] {
 	const side = half.split(",").map((written): OutlinePoint => {
 		const [x, y, kind = "smooth"] = written.trim().split(/\s+/);

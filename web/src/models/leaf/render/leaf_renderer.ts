@@ -54,16 +54,20 @@ export class LeafRenderer implements ModelRenderer<LeafSpecimen, Leaf> {
 			undefined,
 			(leaf) => swayOf(leaf),
 		);
-		this.#painters = painters((faces, preview) => (preview ? this.#pass(faces) : this.#deliver(faces)));
+		this.#painters = painters((faces, preview) => (preview ? this.#applyPreview(faces) : this.#receiveFinal(faces)));
 	}
 
+	/**
+	 * Replaces the drawn leaf and orders its textures. Another leaf is drawn with coarse textures at first, unless the
+	 * last ones serve.
+	 */
 	show(leaf: Leaf, specimen: LeafSpecimen): void {
 		this.#sheets = [];
 		// Previews have no visibility of the sky.
 		const preview = !leaf.meshes.some(({ sky }) => sky);
 		// The next frame of an animation or a drag, its end included, looks much like the last one.
 		const next = this.#faces && (preview || this.#preview) && specimen.preset === this.#preset;
-		if (leaf !== this.#leaf && !next) this.#faces = coarse(leaf, specimen);
+		if (leaf !== this.#leaf && !next) this.#faces = coarseTextures(leaf, specimen);
 		this.#leaf = leaf;
 		this.#preview = preview;
 		this.#preset = specimen.preset;
@@ -71,45 +75,54 @@ export class LeafRenderer implements ModelRenderer<LeafSpecimen, Leaf> {
 		this.#painters.order(leaf, specimen, preview);
 	}
 
+	/** Returns the bounds of the drawn leaf. */
 	bounds(): Bodies {
 		return this.#parts.bounds();
 	}
 
+	/** Returns the movement in the wind; undefined where there is none. */
 	sway(): Sway | undefined {
 		return this.#parts.sway();
 	}
 
+	/** Uploads everything again after the graphics context was lost. */
 	restored(): void {
 		this.#parts.restored();
 	}
 
+	/** Prepares the next frame: uploads at most one texture that waits. */
 	prepare(camera: PerspectiveCamera): void {
 		this.#applyNextSheet();
 		this.#parts.prepare(camera);
 	}
 
+	/** Returns the number of the part that a ray from the camera hits; undefined where it hits none. */
 	pick(ray: ViewRay): number | undefined {
 		return this.#parts.pick(ray);
 	}
 
+	/** Highlights the part that `pick` returned; undefined ends the highlight. */
 	mark(picked: number | undefined): void {
 		this.#parts.mark(picked);
 	}
 
+	/** Does nothing: a leaf has a single mode. */
 	setMode(): void {}
 
+	/** Waits until all fine textures are painted and applied. */
 	async whenFinished(): Promise<void> {
 		await this.#painters.whenDone();
 		while (this.#sheets.length > 0) this.#applyNextSheet();
 	}
 
+	/** Stops painting and releases the graphics memory. */
 	dispose(): void {
 		this.#painters.dispose();
 		this.#parts.dispose();
 	}
 
 	/** Applies the textures of a preview at once: they are small. */
-	#pass(faces: BladeTextures): void {
+	#applyPreview(faces: BladeTextures): void {
 		this.#faces = (side) => ({ ...faces[side], normal: FLAT_PICTURE });
 		for (const side of ["upper", "lower"] as const) {
 			this.#parts.setPicture(FACES[side], "colour", faces[side].colour);
@@ -118,7 +131,8 @@ export class LeafRenderer implements ModelRenderer<LeafSpecimen, Leaf> {
 		this.#stage.changed?.();
 	}
 
-	#deliver(faces: BladeTextures): void {
+	/** Receives fine textures: they wait for their upload, one per frame. */
+	#receiveFinal(faces: BladeTextures): void {
 		this.#faces = (side) => faces[side];
 		const sides = ["upper", "lower"] as const;
 		const sheets = (kind: Sheet["kind"]) => sides.map((side) => ({ side, kind, picture: faces[side][kind] }));
@@ -135,8 +149,10 @@ export class LeafRenderer implements ModelRenderer<LeafSpecimen, Leaf> {
 	}
 }
 
-/** Coarse textures, computed at once: with fewer pixels and without relief. */
-function coarse(leaf: Leaf, specimen: LeafSpecimen): (side: Side) => FaceTextures {
+/**
+ * Returns a function that computes a face's coarse textures at its first use: with fewer pixels and without relief.
+ */
+function coarseTextures(leaf: Leaf, specimen: LeafSpecimen): (side: Side) => FaceTextures {
 	const pictures = new FacePictures(leaf, specimen.parameters.length, PREVIEW_SIDE, true);
 	const faces = new Map<Side, FaceTextures>();
 	return (side) => {

@@ -26,6 +26,10 @@ export interface PaintedLeaf extends BladeTextures {
 export class Painter {
 	#pictures: FacePictures | undefined;
 
+	/**
+	 * Paints the textures of both faces.
+	 * @param order.leaf undefined for the leaf of the last order
+	 */
 	paint({ leaf, specimen, preview }: Omit<PaintOrder, "id">): BladeTextures {
 		const side = preview ? PREVIEW_SIDE : SIDE;
 		if (leaf) this.#pictures = new FacePictures(leaf, specimen.parameters.length, side, preview);
@@ -39,7 +43,7 @@ export class Painter {
 	}
 }
 
-/** Buffers that are transferred with a result instead of copied. */
+/** Returns the pictures' buffers, which are transferred with a result instead of copied. */
 export function moved({ upper, lower }: BladeTextures): ArrayBuffer[] {
 	return [upper, lower].flatMap(({ colour, normal }) =>
 		[colour, normal].map(({ pixels }) => pixels.buffer as ArrayBuffer),

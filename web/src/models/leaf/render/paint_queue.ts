@@ -12,14 +12,17 @@ export class PaintQueue {
 	readonly #deliver: (faces: BladeTextures, preview: boolean) => void;
 	readonly #start: () => PaintWorker;
 	#worker: PaintWorker | undefined;
-	/** Paints on this thread where no worker is available. */
-	#alone: Painter | undefined;
-	/** The leaf that the worker has received. */
-	#given: FlatLeaf | undefined;
-	#underWay: { order: PaintOrder; leaf: FlatLeaf } | undefined;
+	/** Paints on this thread after the worker has failed. */
+	#localPainter: Painter | undefined;
+	/** The leaf that the worker, or the local painter, has received last. */
+	#lastLeaf: FlatLeaf | undefined;
+	#inProgress: { order: PaintOrder; leaf: FlatLeaf } | undefined;
 	#next: { leaf: FlatLeaf; specimen: PaintOrder["specimen"]; preview: boolean } | undefined;
-	#orders = 0;
-	#wanted = 0;
+	/** Id of the newest order; ids count from 1. */
+	#newestId = 0;
+	/** Id of the order whose textures are still to be delivered; 0 for none. */
+	#wantedId = 0;
+	/** Resolve the promises of `whenDone`. */
 	readonly #waiting: (() => void)[] = [];
 
 	/** @param deliver receives textures that are still wanted, and whether they are of a preview */
@@ -30,47 +33,53 @@ export class PaintQueue {
 
 	/** Replaces the waiting order. During previews the order in progress stays wanted. */
 	order(leaf: FlatLeaf, { look, parameters, seed }: PaintOrder["specimen"], preview = false): void {
-		this.#wanted = ++this.#orders;
+		this.#wantedId = ++this.#newestId;
 		this.#next = { leaf, specimen: { look, parameters, seed }, preview };
-		if (!this.#underWay) this.#begin();
+		if (!this.#inProgress) this.#begin();
 	}
 
 	/** Resolves when no order is wanted any more. */
 	whenDone(): Promise<void> {
-		if (this.#wanted === 0) return Promise.resolve();
+		if (this.#wantedId === 0) return Promise.resolve();
 		return new Promise((resolve) => this.#waiting.push(resolve));
 	}
 
+	/** Drops all orders and ends the worker. */
 	dispose(): void {
-		this.#wanted = 0;
+		this.#wantedId = 0;
 		this.#next = undefined;
-		this.#wake();
+		this.#resolveWaiting();
 		this.#worker?.terminate();
 	}
 
+	/**
+	 * Starts the waiting order, if there is one. The leaf is only sent if the worker does not have it from the order
+	 * before, and without its other fields, which painting does not use and cloning for the worker would copy.
+	 */
 	#begin(): void {
 		if (!this.#next) return;
 		const { leaf, specimen, preview } = this.#next;
 		this.#next = undefined;
 		const { chart, margin, square, energy, segments } = leaf;
 		const flat = { chart, margin, square, energy, segments: { count: segments.count, radii: segments.radii } };
-		const order = { id: this.#orders, specimen, preview, ...(leaf === this.#given ? {} : { leaf: flat }) };
-		this.#underWay = { order, leaf };
-		this.#given = leaf;
-		if (this.#alone) this.#paint(this.#alone);
+		const order = { id: this.#newestId, specimen, preview, ...(leaf === this.#lastLeaf ? {} : { leaf: flat }) };
+		this.#inProgress = { order, leaf };
+		this.#lastLeaf = leaf;
+		if (this.#localPainter) this.#paint(this.#localPainter);
 		else this.#send(order);
 	}
 
 	/** Sends an order to the worker; paints here an order that cannot be cloned. */
 	#send(order: PaintOrder): void {
 		try {
-			this.#employ().postMessage(order);
+			this.#startedWorker().postMessage(order);
 		} catch {
 			this.#paintAlone();
 		}
 	}
 
-	#employ(): PaintWorker {
+	/** Returns the worker, started for the first order; if it fails, this thread paints. */
+	#startedWorker(): PaintWorker {
 		if (this.#worker) return this.#worker;
 		const worker = this.#start();
 		worker.onmessage = ({ data }: MessageEvent<PaintedLeaf>) => this.#take(data);
@@ -85,33 +94,39 @@ export class PaintQueue {
 	/** Paints without a worker from now on. */
 	#paintAlone(): void {
 		this.#worker?.terminate();
-		this.#alone = new Painter();
-		this.#paint(this.#alone);
+		this.#localPainter = new Painter();
+		this.#paint(this.#localPainter);
 	}
 
 	/** Paints the order in progress on this thread. */
 	#paint(painter: Painter): void {
-		if (!this.#underWay) return;
-		const { order, leaf } = this.#underWay;
+		if (!this.#inProgress) return;
+		const { order, leaf } = this.#inProgress;
 		this.#take({ ...painter.paint({ ...order, leaf }), id: order.id });
 	}
 
+	/**
+	 * Delivers painted textures if they are still wanted; during a drag also those of an older preview, because in a fast
+	 * drag the newest one would rarely be ready in time.
+	 */
 	#take({ id, ...faces }: PaintedLeaf): void {
-		const preview = this.#underWay?.order.preview ?? false;
-		this.#underWay = undefined;
-		if (id === this.#wanted) {
-			this.#wanted = 0;
+		const preview = this.#inProgress?.order.preview ?? false;
+		this.#inProgress = undefined;
+		if (id === this.#wantedId) {
+			this.#wantedId = 0;
 			this.#deliver(faces, preview);
-			this.#wake();
+			this.#resolveWaiting();
 		} else if (preview && this.#next?.preview) this.#deliver(faces, preview);
 		this.#begin();
 	}
 
-	#wake(): void {
+	/** Resolves the promises of `whenDone`. */
+	#resolveWaiting(): void {
 		for (const resolve of this.#waiting.splice(0)) resolve();
 	}
 }
 
+/** Starts the worker that paints leaves. */
 function startPainter(): PaintWorker {
 	return startWorker(new URL(address, import.meta.url));
 }

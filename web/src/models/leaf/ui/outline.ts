@@ -1,8 +1,8 @@
 import { html } from "lit";
 import { flatVeins, type Leaf } from "../grown";
+import { text } from "../messages.generated";
 import type { FlatVeins } from "../outline/outline_canvas";
 import type { OutlineEvent } from "../outline/outline_event";
-import { CROSSES } from "../outline/outline_words";
 import { madeSymmetric, type OutlinePoint } from "../outline/points";
 import { enclosesBlade } from "../outline/spline";
 import type { LeafContext, LeafTool } from "./context";
@@ -13,17 +13,43 @@ export const outline: LeafTool<boolean> = {
 	name: "outline",
 	initial: true,
 	recall: (stored) => stored !== false,
-	editor: { title: "Outline", draw },
+	editor: {
+		get title() {
+			return text("outline");
+		},
+		draw,
+	},
 	keys: [
-		{ keys: ["Page ↑", "Page ↓"], does: "On a point of the outline: the one before, the next" },
-		{ keys: ["Insert"], does: "On a point of the outline: another after it" },
-		{ keys: ["Delete"], does: "On a point of the outline: takes it out" },
-		{ keys: ["T"], does: "On a point of the outline: smooth, corner, rounded tip, pointed tip" },
+		{
+			keys: ["Page ↑", "Page ↓"],
+			get description() {
+				return text("key_page");
+			},
+		},
+		{
+			keys: ["Insert"],
+			get description() {
+				return text("key_insert");
+			},
+		},
+		{
+			keys: ["Delete"],
+			get description() {
+				return text("key_delete");
+			},
+		},
+		{
+			keys: ["T"],
+			get description() {
+				return text("key_kind");
+			},
+		},
 	],
 };
 
 const GESTURE = "outline";
 
+/** Renders the view of the outline, connected to the document. */
 function draw(context: LeafContext): unknown {
 	const { specimen, grown, grownFrom } = context.state;
 	return html`<panicle-outline
@@ -31,7 +57,7 @@ function draw(context: LeafContext): unknown {
 		.millimetres=${specimen.parameters.length} .mirror=${context.toolState(outline)}
 		@outline-input=${({ detail: { outline, run } }: OutlineEvent) => context.edit({ details: { outline }, run }, GESTURE)}
 		@outline-change=${() => context.settle(GESTURE)} @outline-mirror=${() => toggleMirror(context)}
-		@outline-refused=${() => context.notify(`${CROSSES} there`, ["It stays where it last did not."], { brief: true, topic: GESTURE })}
+		@outline-refused=${() => context.notify(text("would_cross_there"), [text("stays")], { brief: true, topic: GESTURE })}
 	></panicle-outline>`;
 }
 
@@ -50,6 +76,10 @@ export function setOutline(context: LeafContext, points: OutlinePoint[]): void {
 /** Cache of the leaves' flat veins. */
 const known = new WeakMap<Leaf, FlatVeins>();
 
+/**
+ * Returns the flat veins of a leaf, from the cache where possible, so that the view sees the same object again.
+ * @param millimetres length of the leaf
+ */
 function veinsOf(leaf: Leaf, millimetres: number): FlatVeins {
 	const before = known.get(leaf);
 	if (before) return before;

@@ -3,7 +3,9 @@ import { traceFile } from "../../../import/tracing/trace_file";
 import { chooseFile } from "../../../ui/choose_file";
 import type { Change } from "../../../ui/editor_context";
 import { isPicture, PICTURES } from "../../../ui/picture_file";
+import { text } from "../messages.generated";
 import type { LeafSpecimen } from "../specimen";
+import { LEAF_TABLE } from "../table";
 import type { TracedLeaf } from "../trace/trace";
 import type { LeafContext, LeafTool } from "./context";
 
@@ -13,21 +15,24 @@ export const trace: LeafTool = {
 	initial: undefined,
 	panel: { group: "shape", place: "below", draw },
 	drop: {
-		words: "a picture of a leaf is traced",
+		get description() {
+			return text("trace_drop");
+		},
 		takes: isPicture,
 		take: (context, file) => void traceLeafFile(context, file),
 	},
 };
 
+/** Renders the choice of a picture to trace, and a button that restores the preset's outline. */
 function draw(context: LeafContext): unknown {
 	const altered = context.state.specimen.outline !== context.preset.outline;
 	const take = (file: File) => void traceLeafFile(context, file);
 	return html`<div class="actions">
-		${chooseFile({ accept: PICTURES, label: "Picture of a leaf", words: "Trace a picture…", take })}
+		${chooseFile({ accept: PICTURES, label: text("picture"), caption: text("trace"), take })}
 		<button
 			class="button" type="button" ?disabled=${!altered}
 			@click=${() => context.set({ details: { outline: context.preset.outline } })}
-		>Preset’s outline</button>
+		>${text("preset_outline")}</button>
 	</div>`;
 }
 
@@ -38,22 +43,23 @@ export function traceLeafFile(context: LeafContext, file: Blob): Promise<void> {
 		take: (traced) => {
 			const { change, messages } = asChange(traced, context.state.specimen);
 			context.set(change);
-			return { title: `An outline of ${traced.outline.length} points was traced`, details: messages };
+			return { title: text("traced", { count: traced.outline.length }), details: messages };
 		},
 	});
 }
 
-/** The change that a traced leaf causes, with messages. Teeth are set to 0: the traced outline has its own. */
+/** Returns the change that a traced leaf causes, with messages. Teeth are set to 0: the traced outline has its own. */
 export function asChange(
 	{ outline, petiole }: TracedLeaf,
 	{ parameters }: LeafSpecimen,
 ): { change: Change; messages: string[] } {
 	const changed: Record<string, number> = { teeth: 0 };
-	const messages = parameters.teeth > 0 ? ["It has the teeth of the picture: Teeth is 0 now."] : [];
+	const messages =
+		parameters.teeth > 0 ? [text("teeth_off", { parameter: LEAF_TABLE.entry("teeth")?.label ?? "" })] : [];
 	if (petiole) {
 		changed.petiole = Math.round(100 * petiole.length);
 		changed.petiole_width = Math.round(10 * petiole.width * parameters.length) / 10;
-		messages.push("The stalk in the picture is the petiole.");
+		messages.push(text("stalk_is_petiole"));
 	}
 	return { change: { parameters: changed, details: { outline } }, messages };
 }

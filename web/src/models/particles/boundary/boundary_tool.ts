@@ -1,8 +1,10 @@
 /** The editor of the outer and the inner boundary, seen from the front. */
+
 import { html } from "lit";
 import { guard } from "lit/directives/guard.js";
 import type { EditorContext } from "../../../ui/editor_context";
 import type { Tool } from "../../../ui/tool";
+import { text } from "../messages.generated";
 import { ACTIVE_GRIP } from "./active_grip";
 import { boundaryButtons } from "./boundary_buttons";
 import type { BoundedSpecimen } from "./bounded";
@@ -17,6 +19,11 @@ import { wallsOf } from "./editor/walls";
 import type { WoodenPlant } from "./wooden_plant";
 import "./editor/boundary_view";
 
+/**
+ * Creates the tool.
+ * @param layout how the model's parameters describe the boundary
+ * @param group the group of the panel in which its buttons are
+ */
 export function boundaryTool<S extends BoundedSpecimen>(
 	layout: BoundaryLayout<S>,
 	group: string,
@@ -24,15 +31,34 @@ export function boundaryTool<S extends BoundedSpecimen>(
 	return {
 		name: "boundary",
 		initial: undefined,
-		editor: { title: "Boundary", draw: (context) => draw(context, layout) },
+		editor: {
+			get title() {
+				return text("boundary");
+			},
+			draw: (context) => draw(context, layout),
+		},
 		panel: { group, place: "below", draw: (context) => boundaryButtons(context, layout) },
 		keys: [
-			{ keys: ["Insert"], does: "On a point of the boundary: one more after it" },
-			{ keys: ["Delete"], does: "On a point of the boundary, a target or an obstacle: takes it out" },
+			{
+				keys: ["Insert"],
+				get description() {
+					return text("key_insert");
+				},
+			},
+			{
+				keys: ["Delete"],
+				get description() {
+					return text("key_delete");
+				},
+			},
 		],
 	};
 }
 
+/**
+ * Renders the view from the front. Pose and scene are computed only when their inputs change, not with each grown
+ * plant.
+ */
 function draw<S extends BoundedSpecimen>(context: EditorContext<S, WoodenPlant>, layout: BoundaryLayout<S>): unknown {
 	const { specimen, grown } = context.state;
 	const inputs = layoutInputs(context);
@@ -44,6 +70,7 @@ function draw<S extends BoundedSpecimen>(context: EditorContext<S, WoodenPlant>,
 	></panicle-boundary>`;
 }
 
+/** Returns the shapes that the view draws, in metres; outlines are in shares of the box. */
 function sceneOf<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: S): BoundaryScene {
 	return {
 		box: layout.box(specimen),

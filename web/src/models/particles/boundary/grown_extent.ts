@@ -5,8 +5,8 @@ import type { BoundaryLayout } from "./editor/boundary_layout";
 import { shellsOf } from "./editor/shell";
 
 /**
- * Points of the fully grown boundary, metres, for plants whose boundary grows with age: the view frames these points,
- * so that a young plant appears small. Empty for other plants.
+ * Returns points of the fully grown boundary, metres, for plants whose boundary grows with age: the view frames these
+ * points, so that a young plant appears small. Empty for other plants.
  */
 export function grownExtent<S extends BoundedSpecimen>(
 	layout: BoundaryLayout<S>,

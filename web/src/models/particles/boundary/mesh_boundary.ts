@@ -6,7 +6,7 @@ import type { ModelSchema } from "../../../specimen/model_schema";
 import type { Table } from "../../../specimen/table";
 import type { BoundedSpecimen } from "./bounded";
 
-/** Parameters of a boundary that is a mesh, `tall` metres high, with the mesh's proportions. */
+/** Returns the parameters of a boundary that is a mesh, `tall` metres high, with the mesh's proportions. */
 export function meshParameters(table: Table, { points }: ClosedMesh, tall: number): Record<string, number> {
 	const shape = table.entry("shape");
 	const span = (axis: number) => {
@@ -24,18 +24,18 @@ export function meshParameters(table: Table, { points }: ClosedMesh, tall: numbe
 }
 
 /**
- * A specimen whose boundary is the mesh of a file, as high as the boundary was.
+ * Returns a specimen whose boundary is the mesh of a file, as high as the boundary was.
  * @param height the key of the parameter for the boundary's height
  * @throws MeshFileError with a message for users
  */
 export async function boundedBy<S extends BoundedSpecimen>(
-	species: ModelSchema<S>,
+	schema: ModelSchema<S>,
 	specimen: S,
 	file: File,
 	height: string,
 ): Promise<S> {
 	const { readMeshFile } = await import("../../../import/mesh_file/read");
 	const volume = await readMeshFile(file);
-	const parameters = meshParameters(species.table, volume, specimen.parameters[height]);
-	return { ...withParameters(species, specimen, parameters), volume };
+	const parameters = meshParameters(schema.table, volume, specimen.parameters[height]);
+	return { ...withParameters(schema, specimen, parameters), volume };
 }

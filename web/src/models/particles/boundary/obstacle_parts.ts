@@ -9,17 +9,21 @@ const STONE: Material = { name: "Obstacle", colour: linear("b9b2a6"), roughness:
 /** Segments around and rings of an ellipsoid. */
 const [ROUND, RINGS] = [32, 16];
 
+/** Yields each obstacle as a part: boxes, then ellipsoids. */
 export function* obstacleParts(specimen: Bounded): Generator<Part> {
 	for (const [i, wall] of wallsOf(specimen).entries()) {
 		yield { name: `Obstacle ${i + 1}`, shape: { mesh: boxMesh(wall), material: STONE } };
 	}
 	for (const [i, round] of wallsOf(specimen, "rounds").entries()) {
-		yield { name: `Round obstacle ${i + 1}`, shape: { mesh: ovalMesh(round), material: STONE } };
+		yield { name: `Round obstacle ${i + 1}`, shape: { mesh: ellipsoidMesh(round), material: STONE } };
 	}
 }
 
-/** The ellipsoid inscribed in a box, with rings from its lowest to its highest point. */
-function ovalMesh(corners: readonly number[]): PartMesh {
+/**
+ * Returns the ellipsoid inscribed in a box, with rings from its lowest to its highest point.
+ * @param corners low x, y, z, high x, y, z
+ */
+function ellipsoidMesh(corners: readonly number[]): PartMesh {
 	const middle = [0, 1, 2].map((k) => (corners[k] + corners[k + 3]) / 2);
 	const half = [0, 1, 2].map((k) => Math.max((corners[k + 3] - corners[k]) / 2, 1e-6));
 	const across = ROUND + 1;
@@ -55,7 +59,7 @@ function ovalMesh(corners: readonly number[]): PartMesh {
 }
 
 /**
- * A box.
+ * Returns the mesh of a box.
  * @param corners low x, y, z, high x, y, z
  */
 function boxMesh(corners: readonly number[]): PartMesh {
@@ -79,6 +83,7 @@ function boxMesh(corners: readonly number[]): PartMesh {
 			positions.push(...corner);
 			normals.push(...[0, 1, 2].map((k) => (k === axis ? 2 * side - 1 : 0)));
 		}
+		// Counter-clockwise, seen from outside.
 		indices.push(...(side > 0 ? [0, 1, 2, 0, 2, 3] : [0, 2, 1, 0, 3, 2]).map((k) => first + k));
 	}
 	return {

@@ -1,6 +1,6 @@
 /** Encodes a specimen as the blocks of a request (wasm-core/src/models/particles/space_request.hpp). */
 import type { Block } from "../../../core/container";
-import { CoreError } from "../../../core/errors";
+import { requestBlocks } from "../../../plant/request";
 import type { Table } from "../../../specimen/table";
 import type { GrowthOptions } from "../../model";
 import type { BoundedSpecimen } from "./bounded";
@@ -14,7 +14,10 @@ export interface RequestOptions extends GrowthOptions {
 	light?: boolean;
 }
 
-/** @throws CoreError where a parameter is not a number, which specimen/restore.ts prevents */
+/**
+ * Encodes a request of a bounded plant, with its boundary, obstacles and targets.
+ * @throws CoreError where a parameter is not a number, which specimen/restore.ts prevents
+ */
 export function encodeBounded(table: Table, specimen: BoundedSpecimen, options: RequestOptions = {}): Block[] {
 	const { meshes = true, preview = false, meshFingerprint = false, light = false } = options;
 	const { measures = !preview, sky = meshes && !preview } = options;
@@ -25,14 +28,9 @@ export function encodeBounded(table: Table, specimen: BoundedSpecimen, options: 
 		light && "light",
 		meshFingerprint && "mesh_fingerprint",
 	];
-	const { model, seed, parameters, profile, targets, obstacles, rounds, volume, hollow } = specimen;
+	const { profile, targets, obstacles, rounds, volume, hollow } = specimen;
 	const shape = table.option(specimen, "shape");
-	const blocks: Block[] = [
-		{ name: "model", data: model },
-		{ name: "seed", data: Uint32Array.of(seed) },
-		{ name: "outputs", data: outputs.filter(Boolean).join(" ") },
-		{ name: "parameters", data: Float32Array.from(table.core, ({ key }) => number(key, parameters[key])) },
-	];
+	const blocks = requestBlocks(specimen, table.core, outputs);
 	if (shape === "spline" && profile) blocks.push({ name: "profile", data: Float32Array.from(profile.flat()) });
 	if (shape === "mesh" && volume) {
 		blocks.push({ name: "volume.points", data: Float32Array.from(volume.points) });
@@ -46,9 +44,4 @@ export function encodeBounded(table: Table, specimen: BoundedSpecimen, options: 
 	if (obstacles) blocks.push({ name: "obstacles", data: Float32Array.from(obstacles) });
 	if (rounds) blocks.push({ name: "obstacles.round", data: Float32Array.from(rounds) });
 	return blocks;
-}
-
-function number(key: string, value: number): number {
-	if (Number.isFinite(value)) return value;
-	throw new CoreError("bad request", `${key} is not a number.`);
 }

@@ -20,6 +20,7 @@ const FAR = 0xa0;
 type PaperPoint = readonly [x: number, y: number, radius: number];
 
 /**
+ * Writes the SVG.
  * @param words the title
  * @param link the address that restores the plant
  */
@@ -35,7 +36,7 @@ export function woodSvg(plant: TrailPlant, words: string, link: string): string 
 	const shades = Array.from({ length: SHADES }, (): string[] => []);
 	branches.forEach((branch, i) => {
 		const shade = Math.floor((SHADES * (depths[i] - far)) / (near - far || 1));
-		shades[Math.min(SHADES - 1, shade)].push(`<path d="${shapeOf(placesOf(branch, plant, toPaper))}"/>`);
+		shades[Math.min(SHADES - 1, shade)].push(`<path d="${shapeOf(paperPointsOf(branch, plant, toPaper))}"/>`);
 	});
 	const box = [left * toPaper, -high * toPaper, (right - left) * toPaper, (high - low) * toPaper];
 	const [x, y, width, height] = box.map((value, i) => short(value + (i < 2 ? -MARGIN : 2 * MARGIN)));
@@ -50,14 +51,15 @@ ${groups.filter((_, i) => shades[i].length > 0).join("\n")}
 }
 
 /**
- * Branches as lists of segments from the target outwards: at each fork the segment with the most energy continues the
- * branch.
+ * Returns the branches as lists of segment indices from the target outwards: at each fork the segment with the most
+ * energy continues the branch.
  */
 export function branchesOf({ segments: { count, parent }, energy }: TrailPlant): number[][] {
+	// The segment that continues each segment's branch; −1 at a tip.
 	const next = new Int32Array(count).fill(-1);
 	for (let i = 0; i < count; i++) {
-		const from = parent[i];
-		if (from >= 0 && (next[from] < 0 || energy[i] > energy[next[from]])) next[from] = i;
+		const inner = parent[i];
+		if (inner >= 0 && (next[inner] < 0 || energy[i] > energy[next[inner]])) next[inner] = i;
 	}
 	const branches: number[][] = [];
 	for (let i = 0; i < count; i++) {
@@ -70,10 +72,12 @@ export function branchesOf({ segments: { count, parent }, energy }: TrailPlant):
 }
 
 /**
- * Points of a branch on the paper, from the surface of its parent. Points closer than `STEP` to the last one are left
- * out.
+ * Returns the points of a branch on the paper, from the surface of its parent. Points closer than `STEP` to the last
+ * one are left out.
+ * @param branch indices of its segments from the base outwards
+ * @param toPaper millimetres on the paper per metre
  */
-function placesOf(
+function paperPointsOf(
 	branch: readonly number[],
 	{ segments: { ends, radii, parent } }: TrailPlant,
 	toPaper: number,
@@ -95,21 +99,25 @@ function placesOf(
 		const [x, y] = places[places.length - 1];
 		if (k === seen.length - 1 || Math.hypot(next[0] - x, next[1] - y) >= STEP) places.push(next);
 	});
-	if (seen[0] === first && within > 0) places[0] = towards(places[0], places[1], within / lengthOf(first, ends));
+	if (seen[0] === first && within > 0) places[0] = pointBetween(places[0], places[1], within / lengthOf(first, ends));
 	return places;
 }
 
-/** Interpolates between two points. */
-function towards(from: PaperPoint, to: PaperPoint, share: number): PaperPoint {
+/** Returns the point at a share of the way between two points; a share above 1 gives `to`. */
+function pointBetween(from: PaperPoint, to: PaperPoint, share: number): PaperPoint {
 	const at = (k: 0 | 1 | 2) => from[k] + Math.min(1, share) * (to[k] - from[k]);
 	return [at(0), at(1), at(2)];
 }
 
+/**
+ * Returns the length of a segment, metres; 1 instead of 0, because it is divided by.
+ * @param ends 6 numbers for each segment: start x y z, end x y z
+ */
 function lengthOf(segment: number, ends: Float32Array): number {
 	return Math.hypot(...[0, 1, 2].map((axis) => ends[6 * segment + 3 + axis] - ends[6 * segment + axis])) || 1;
 }
 
-/** The outline of a branch as path data: along one side to the tip and back along the other. */
+/** Returns the outline of a branch as SVG path data: along one side to the tip and back along the other. */
 function shapeOf(places: readonly PaperPoint[]): string {
 	const sides = places.map(([x, y, radius], k) => {
 		const [from, to] = [places[Math.max(0, k - 1)], places[Math.min(places.length - 1, k + 1)]];
@@ -121,11 +129,16 @@ function shapeOf(places: readonly PaperPoint[]): string {
 	return `M${[...sides.map(([one]) => one), ...sides.map(([, other]) => other).reverse()].join("L")}Z`;
 }
 
-/** Mean distance of a branch towards the viewer. */
+/**
+ * Returns the mean z of a branch, the distance towards the viewer, metres.
+ * @param branch indices of its segments
+ * @param ends 6 numbers for each segment: start x y z, end x y z
+ */
 function depthOf(branch: readonly number[], ends: Float32Array): number {
 	return branch.reduce((sum, segment) => sum + ends[6 * segment + 2] + ends[6 * segment + 5], 0) / (2 * branch.length);
 }
 
+/** Returns the least and the largest of every `stride`-th value from index `first` on; [0, 0] without values. */
 function rangeOf(values: ArrayLike<number>, first: number, stride = 3): [number, number] {
 	let [least, most] = [Infinity, -Infinity];
 	for (let at = first; at < values.length; at += stride) {
@@ -135,7 +148,7 @@ function rangeOf(values: ArrayLike<number>, first: number, stride = 3): [number,
 	return least <= most ? [least, most] : [0, 0];
 }
 
-/** The least scale 1, 2, 5, 10, 20 … at which a length in metres fits on the paper. */
+/** Returns the least of the scale denominators 1, 2, 5, 10, 20 … at which a length in metres fits on the paper. */
 function scaleFor(metres: number): number {
 	for (let power = 1; ; power *= 10) {
 		const found = [1, 2, 5].find((digit) => (metres * 1000) / (digit * power) <= LONGEST);
@@ -143,7 +156,7 @@ function scaleFor(metres: number): number {
 	}
 }
 
-/** The colour of a depth class. */
+/** Returns the colour of a depth class as `#rrggbb`: class 0 is the palest, the nearest one black. */
 function grey(shade: number): string {
 	const value = Math.round(FAR * (1 - shade / (SHADES - 1)));
 	return `#${value.toString(16).padStart(2, "0").repeat(3)}`;

@@ -5,6 +5,7 @@ import { readTrailPlant, type TrailPlant } from "../trails";
 
 export type WoodenPlant = TrailPlant & Wooden;
 
+/** Reads a tree or a root; the segments of the vertices are absent where the plant was grown without meshes. */
 export function readWoodenPlant(answer: Answer): WoodenPlant {
 	const { columns } = answer;
 	const name = "mesh.stems.segment";

@@ -6,7 +6,7 @@ import fibrous from "./fibrous.json";
 import heart from "./heart.json";
 import tap from "./tap.json";
 
-export const PRESET_KINDS = [{ key: "root", title: "Roots" }] as const satisfies readonly PresetKind[];
+export const PRESET_KINDS = [{ key: "root", title: "Roots", family: "roots" }] as const satisfies readonly PresetKind[];
 
 /** As the file holds it: choices by name. */
 interface PresetFile extends Omit<Preset, "kind" | "parameters"> {
@@ -15,6 +15,7 @@ interface PresetFile extends Omit<Preset, "kind" | "parameters"> {
 
 export const PRESETS: readonly Preset[] = ofKind("root", [tap, fibrous, heart, carrot]);
 
+/** Returns the presets of a kind from their files, with choices as numbers. */
 function ofKind(kind: (typeof PRESET_KINDS)[number]["key"], files: readonly PresetFile[]): Preset[] {
 	return files.map((file) => ({ ...file, kind, parameters: numbersIn(ROOT_TABLE, file.parameters) }));
 }

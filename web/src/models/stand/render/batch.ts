@@ -77,20 +77,27 @@ export class Batch {
 	 */
 	show(slot: Slot, step: number, bright: number): void {
 		const level = step < 0 ? -1 : Math.floor(step / STEPS);
-		const gone = step < 0 ? 0 : step / STEPS - level;
+		const faded = step < 0 ? 0 : step / STEPS - level;
 		// The next level fades in before the other fades out: one is always complete, else thin stems would have holes.
-		this.#set(slot, slot.now, level, Math.min(1, 2 - 2 * gone), bright);
-		this.#set(slot, slot.other, gone > 0 ? level + 1 : -1, Math.min(1, 2 * gone), bright);
+		this.#setInstance(slot, slot.now, level, Math.min(1, 2 - 2 * faded), bright);
+		this.#setInstance(slot, slot.other, faded > 0 ? level + 1 : -1, Math.min(1, 2 * faded), bright);
 	}
 
-	#set({ geometries, colour }: Slot, instance: number, level: number, share: number, bright: number): void {
+	/**
+	 * Shows one instance at a level, or hides it where the level is negative or has no mesh.
+	 * @param instance index in the batch
+	 * @param opacity share of the pixels that are drawn, for fading
+	 * @param bright factor on the colour
+	 */
+	#setInstance({ geometries, colour }: Slot, instance: number, level: number, opacity: number, bright: number): void {
 		const geometry = level < 0 ? -1 : (geometries[Math.min(level, geometries.length - 1)] ?? -1);
 		this.object.setVisibleAt(instance, geometry >= 0);
 		if (geometry < 0) return;
 		if (this.object.getGeometryIdAt(instance) !== geometry) this.object.setGeometryIdAt(instance, geometry);
-		this.object.setColorAt(instance, four.set(bright * colour[0], bright * colour[1], bright * colour[2], share));
+		this.object.setColorAt(instance, four.set(bright * colour[0], bright * colour[1], bright * colour[2], opacity));
 	}
 
+	/** Removes the batch from the scene and releases its graphics memory. */
 	dispose(): void {
 		this.object.removeFromParent();
 		this.object.dispose();
@@ -107,6 +114,7 @@ function releaseAfterUpload(attribute: BufferAttribute): void {
 	});
 }
 
+/** Creates a geometry from packed arrays, which shaders read as −1 … 1 or 0 … 1. */
 function geometryOf(mesh: PackedMesh): BufferGeometry {
 	const { positions, normals, sky, colours, indices } = mesh;
 	const geometry = new BufferGeometry();

@@ -7,7 +7,7 @@ import type { Material } from "../../../plant/material";
 import type { PackedMesh } from "../../../plant/packed_mesh";
 import type { LightUniforms } from "../../../render/light_shader";
 import { matrixOf } from "../../../render/part_meshes";
-import type { WindUniforms } from "../../../render/wind";
+import type { WindUniforms } from "../../../render/wind_shader";
 import type { Member } from "../../model";
 import { plantsOf } from "../parts";
 import type { StandPlant } from "../stand_plant";
@@ -20,12 +20,14 @@ import { STEPS } from "./level_choice";
  * With more members than this, only a few plants have their finest level: that of all would take as much memory as all
  * other levels.
  */
-const MOST_FINE = 250;
+const MAX_FINE = 250;
+/** Number of plants with their finest level in that case. */
 const NEAREST = 12;
 /** Most triangles in a view; as many again may cast shadows. */
-const MOST_TRIANGLES = 1_400_000;
+const MAX_TRIANGLES = 1_400_000;
 /** Most attempts per view to make all plants coarser. */
 const TRIES = 6;
+/** Factor on the colour of a marked plant. */
 const MARKED = 1.9;
 
 export class Crowd {
@@ -36,18 +38,18 @@ export class Crowd {
 	readonly #materials = new Map<string, MeshStandardMaterial>();
 	#batches: Batch[] = [];
 	#cells = new Cells({ width: 1, depth: 1 });
-	#standing: DrawnPlant[] = [];
+	#drawnPlants: DrawnPlant[] = [];
 	#places: StandPlant["places"] | undefined;
-	#known = new Set<Member>();
+	#shownMembers = new Set<Member>();
 	#marked: number | undefined;
 	/** Whether only the nearest plants have their finest level, those plants, and a buffer for candidates. */
-	#sparing = false;
-	#near: DrawnPlant[] = [];
-	readonly #nearing: DrawnPlant[] = [];
+	#savesMemory = false;
+	#refined: DrawnPlant[] = [];
+	readonly #candidates: DrawnPlant[] = [];
 	#triangles = 0;
 	/** The last view: a frame with the same view needs no work. */
 	readonly #view = new Matrix4();
-	#settled = false;
+	#isChosen = false;
 	readonly #frustum = new Frustum();
 	readonly #next = new Matrix4();
 
@@ -63,43 +65,44 @@ export class Crowd {
 
 	/** Shows a stand; of the same stand only new plants are added. */
 	show(stand: StandPlant): void {
-		const there = new Set(stand.members);
-		if (stand.places !== this.#places || [...this.#known].some((member) => !there.has(member))) this.#begin(stand);
+		const current = new Set(stand.members);
+		if (stand.places !== this.#places || [...this.#shownMembers].some((member) => !current.has(member)))
+			this.#begin(stand);
 		const plants = plantsOf(stand);
-		const fresh = stand.members.flatMap((member, index) =>
-			member && plants[index] && !this.#known.has(member) ? [{ member, index }] : [],
+		const newMembers = stand.members.flatMap((member, index) =>
+			member && plants[index] && !this.#shownMembers.has(member) ? [{ member, index }] : [],
 		);
-		if (fresh.length > 0) this.#add(stand, plants, fresh);
+		if (newMembers.length > 0) this.#add(stand, plants, newMembers);
 	}
 
-	/** Chooses the level of detail of each plant for a camera. */
+	/** Chooses the level of detail of each plant for a camera, with at most MAX_TRIANGLES in view. */
 	aim(camera: PerspectiveCamera): void {
 		this.group.updateWorldMatrix(true, false);
 		this.#next.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
-		if (this.#settled && this.#next.equals(this.#view)) return;
-		this.#settled = true;
+		if (this.#isChosen && this.#next.equals(this.#view)) return;
+		this.#isChosen = true;
 		this.#frustum.setFromProjectionMatrix(this.#view.copy(this.#next));
-		const high = 2 * Math.tan((camera.fov * Math.PI) / 360);
+		const viewHeight = 2 * Math.tan((camera.fov * Math.PI) / 360);
 		// Chosen from scratch for each view: no later frame may come that corrects it.
-		let modest = 1;
-		this.#triangles = this.#cells.choose(this.#frustum, camera.position, high, modest);
-		for (let tries = 0; this.#triangles > MOST_TRIANGLES && tries < TRIES; tries++) {
-			modest *= Math.min(0.75, Math.max(0.5, Math.sqrt(MOST_TRIANGLES / this.#triangles)));
-			this.#triangles = this.#cells.choose(this.#frustum, camera.position, high, modest);
+		let sizeFactor = 1;
+		this.#triangles = this.#cells.choose(this.#frustum, camera.position, viewHeight, sizeFactor);
+		for (let tries = 0; this.#triangles > MAX_TRIANGLES && tries < TRIES; tries++) {
+			sizeFactor *= Math.min(0.75, Math.max(0.5, Math.sqrt(MAX_TRIANGLES / this.#triangles)));
+			this.#triangles = this.#cells.choose(this.#frustum, camera.position, viewHeight, sizeFactor);
 		}
-		if (this.#sparing) this.#refine(camera.position);
-		for (const each of this.#standing) if (each.wanted !== each.shown) this.#set(each);
+		if (this.#savesMemory) this.#refine(camera.position);
+		for (const each of this.#drawnPlants) if (each.wanted !== each.shown) this.#showLevel(each);
 	}
 
 	/** Gives the nearest large plants their finest level, and takes it from all others. */
 	#refine(eye: Vector3): void {
-		const nearing = this.#nearing;
-		nearing.length = 0;
-		for (const each of this.#standing) if (each.ideal < STEPS && each.fine.length > 0) nearing.push(each);
-		nearing.sort((one, other) => one.at.distanceToSquared(eye) - other.at.distanceToSquared(eye));
-		if (nearing.length > NEAREST) nearing.length = NEAREST;
-		for (const each of this.#near) if (!nearing.includes(each)) this.#coarsen(each);
-		for (const each of nearing) {
+		const candidates = this.#candidates;
+		candidates.length = 0;
+		for (const each of this.#drawnPlants) if (each.ideal < STEPS && each.fine.length > 0) candidates.push(each);
+		candidates.sort((one, other) => one.at.distanceToSquared(eye) - other.at.distanceToSquared(eye));
+		if (candidates.length > NEAREST) candidates.length = NEAREST;
+		for (const each of this.#refined) if (!candidates.includes(each)) this.#coarsen(each);
+		for (const each of candidates) {
 			each.wanted = each.ideal;
 			this.#triangles += each.triangles[0];
 			if (each.near.length > 0) continue;
@@ -110,9 +113,10 @@ export class Crowd {
 			});
 			each.shown = -1;
 		}
-		this.#near = [...nearing];
+		this.#refined = [...candidates];
 	}
 
+	/** Removes the finest level of a plant. */
 	#coarsen(each: DrawnPlant): void {
 		for (const { batch } of each.near) batch.dispose();
 		each.near = [];
@@ -122,7 +126,7 @@ export class Crowd {
 	mark(plant: number | undefined): void {
 		const before = this.#marked;
 		this.#marked = plant;
-		for (const each of this.#standing) if (each.plant === before || each.plant === plant) this.#set(each);
+		for (const each of this.#drawnPlants) if (each.plant === before || each.plant === plant) this.#showLevel(each);
 	}
 
 	/** Rebuilds everything after a loss of the graphics context. */
@@ -133,6 +137,7 @@ export class Crowd {
 		this.mark(marked);
 	}
 
+	/** Removes the plants from the scene and releases their graphics memory. */
 	dispose(): void {
 		this.#clear();
 		for (const material of this.#materials.values()) material.dispose();
@@ -140,38 +145,41 @@ export class Crowd {
 		this.group.removeFromParent();
 	}
 
+	/** Prepares for the plants of another stand: removes all plants and divides the new ground into cells. */
 	#begin({ places, ground, memberOf }: StandPlant): void {
 		this.#clear();
 		this.#places = places;
-		this.#sparing = new Set(memberOf).size > MOST_FINE;
+		this.#savesMemory = new Set(memberOf).size > MAX_FINE;
 		this.#cells = new Cells(ground);
 	}
 
+	/** Removes all plants. */
 	#clear(): void {
 		for (const batch of this.#batches) batch.dispose();
-		for (const each of this.#near) this.#coarsen(each);
-		this.#near = [];
+		for (const each of this.#refined) this.#coarsen(each);
+		this.#refined = [];
 		this.#batches = [];
-		this.#standing = [];
-		this.#known = new Set();
+		this.#drawnPlants = [];
+		this.#shownMembers = new Set();
 		this.#marked = undefined;
 	}
 
 	/** Adds one batch per finish for all new members. */
-	#add(stand: StandPlant, plants: readonly number[][], fresh: readonly { member: Member; index: number }[]): void {
-		this.#settled = false;
-		const rows = fresh.map(({ member, index }) => ({
+	#add(stand: StandPlant, plants: readonly number[][], newMembers: readonly { member: Member; index: number }[]): void {
+		this.#isChosen = false;
+		const rows = newMembers.map(({ member, index }) => ({
 			member,
 			plants: plants[index],
-			layers: layersOf(member, this.#sparing),
+			layers: layersOf(member, this.#savesMemory),
 		}));
+		// The layers of all members by their finish: each finish is one draw call.
 		const finishes = new Map<string, { layers: Layer[]; instances: number }>();
-		for (const { plants: there, layers } of rows) {
+		for (const { plants: itsPlants, layers } of rows) {
 			for (const layer of layers) {
 				const finish = finishes.get(layer.finish) ?? { layers: [], instances: 0 };
 				finishes.set(layer.finish, finish);
 				finish.layers.push(layer);
-				finish.instances += there.length;
+				finish.instances += itsPlants.length;
 			}
 		}
 		const batches = new Map<string, Batch>();
@@ -182,12 +190,13 @@ export class Crowd {
 			this.#batches.push(batch);
 			batches.set(finish, batch);
 		}
-		for (const { member, plants: there, layers } of rows) {
-			this.#known.add(member);
-			for (const plant of there) this.#addPlant(stand, plant, member, layers, batches);
+		for (const { member, plants: itsPlants, layers } of rows) {
+			this.#shownMembers.add(member);
+			for (const plant of itsPlants) this.#addPlant(stand, plant, member, layers, batches);
 		}
 	}
 
+	/** Adds a plant to the batches of its cell of the ground, with its meshes at all levels of detail. */
 	#addPlant(
 		{ places, kinds }: StandPlant,
 		plant: number,
@@ -199,9 +208,10 @@ export class Crowd {
 		if (layers.length === 0) return;
 		const scale = places.scale[plant];
 		const [x, y, z] = places.at.subarray(3 * plant, 3 * plant + 3);
-		const [low, high, out] = [y + scale * extent.low, y + scale * extent.high, scale * extent.out];
+		const [low, high, radius] = [y + scale * extent.low, y + scale * extent.high, scale * extent.out];
+		// The cell's box contains all of its plants, and is used for culling.
 		const cell = this.#cells.at(x, z);
-		cell.box.union(new Box3(new Vector3(x - out, low, z - out), new Vector3(x + out, high, z + out)));
+		cell.box.union(new Box3(new Vector3(x - radius, low, z - radius), new Vector3(x + radius, high, z + radius)));
 		const stem = stemOf(places, kinds, plant);
 		const fine: FineMesh[] = [];
 		const slots = layers.map((layer) => {
@@ -209,31 +219,35 @@ export class Crowd {
 			const { colour } = layer.material;
 			const unit = (spared ?? levels.find((mesh) => mesh))?.unit ?? 1;
 			const place = matrixOf(places.transforms, plant).scale(new Vector3(unit, unit, unit));
+			// The matrix's last row is free: crowd_material.ts reads the stem's data there.
 			for (const [row, value] of stem.entries()) place.elements[4 * row + 3] = value;
 			if (spared) fine.push({ mesh: spared, material: this.#materialOf(finish, layer), place, colour });
 			return (batches.get(finish) as Batch).add(levels, place, colour);
 		});
+		// Triangles of the plant at each level, for the limit of the view.
 		const triangles = Array.from({ length: layers[0]?.levels.length ?? 0 }, (_, level) =>
 			layers.reduce((sum, { levels, spared }) => {
 				const mesh = level === 0 ? (spared ?? levels[0]) : levels[level];
 				return sum + (mesh?.indices.length ?? 0) / 3;
 			}, 0),
 		);
-		const size = Math.max(high - low, 2 * out);
-		const at = new Vector3(x, 0.5 * (low + high), z);
+		const size = Math.max(high - low, 2 * radius);
+		const centre = new Vector3(x, 0.5 * (low + high), z);
 		const steps = { shown: -1, wanted: -1, ideal: -1 };
-		const standing: DrawnPlant = { plant, at, size, slots, fine, near: [], triangles, ...steps };
-		cell.plants.push(standing);
-		this.#standing.push(standing);
+		const drawnPlant: DrawnPlant = { plant, at: centre, size, slots, fine, near: [], triangles, ...steps };
+		cell.plants.push(drawnPlant);
+		this.#drawnPlants.push(drawnPlant);
 	}
 
+	/** Returns the material of a finish, created at the first use. */
 	#materialOf(finish: string, { material, coloured }: Layer): MeshStandardMaterial {
 		const known = this.#materials.get(finish) ?? crowdMaterial(material, coloured, this.#light, this.#wind);
 		this.#materials.set(finish, known);
 		return known;
 	}
 
-	#set(each: DrawnPlant): void {
+	/** Draws a plant at the level that was chosen for it, brighter where it is marked. */
+	#showLevel(each: DrawnPlant): void {
 		const bright = each.plant === this.#marked ? MARKED : 1;
 		for (const slot of each.slots) slot.batch.show(slot, each.wanted, bright);
 		for (const slot of each.near) slot.batch.show(slot, each.wanted, bright);
@@ -242,14 +256,15 @@ export class Crowd {
 }
 
 /**
- * Data for wind (crowd_material.ts): the vector from the plant to the base that it sways about, and the size of the
- * swaying plant. Attached plants sway with their parent; sizes are the plan's, known before anything has grown.
+ * Returns data for wind (crowd_material.ts): the vector from the plant to the base that it sways about, and the size of
+ * the swaying plant, metres. Attached plants sway with their parent; sizes are the plan's, known before anything has
+ * grown.
  */
 export function stemOf({ at, parent, scale, kind }: StandPlant["places"], kinds: StandPlant["kinds"], plant: number) {
-	const of = parent[plant] < 0 ? plant : parent[plant];
-	const { width, height } = kinds[kind[of]].crown;
-	const from = (axis: number) => at[3 * of + axis] - at[3 * plant + axis];
-	return [from(0), from(1), from(2), scale[of] * Math.max(height, 0.5 * width)] as const;
+	const swaying = parent[plant] < 0 ? plant : parent[plant];
+	const { width, height } = kinds[kind[swaying]].crown;
+	const offset = (axis: number) => at[3 * swaying + axis] - at[3 * plant + axis];
+	return [offset(0), offset(1), offset(2), scale[swaying] * Math.max(height, 0.5 * width)] as const;
 }
 
 /** A member's meshes of one material, from the finest level to the coarsest. */
@@ -262,14 +277,17 @@ interface Layer {
 	readonly spared?: PackedMesh | undefined;
 }
 
-/** @param sparing whether the finest of three or more levels is separated */
-function layersOf({ levels }: Member, sparing: boolean): Layer[] {
+/**
+ * Returns a member's meshes as layers, one for each material, with their levels of detail.
+ * @param savesMemory whether the finest of three or more levels is separated, because only near plants show it
+ */
+function layersOf({ levels }: Member, savesMemory: boolean): Layer[] {
 	const layers: Layer[] = [];
 	for (const material of new Set(levels.flatMap((level) => level.map((each) => each.material)))) {
 		const meshes = levels.map((level) => level.find((each) => each.material === material)?.mesh);
 		const coloured = meshes.some((mesh) => mesh?.colours !== undefined);
 		const layer = { finish: finishOf(material, coloured), material, coloured };
-		const spares = sparing && meshes.length > 2 && meshes.slice(1).some((mesh) => mesh);
+		const spares = savesMemory && meshes.length > 2 && meshes.slice(1).some((mesh) => mesh);
 		layers.push(
 			spares ? { ...layer, levels: [undefined, ...meshes.slice(1)], spared: meshes[0] } : { ...layer, levels: meshes },
 		);

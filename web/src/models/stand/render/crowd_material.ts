@@ -7,7 +7,7 @@ import type { Material } from "../../../plant/material";
 import { float } from "../../../render/glsl";
 import type { LightUniforms } from "../../../render/light_shader";
 import { standardMaterial } from "../../../render/standard_material";
-import { WIND_CHUNK, type WindUniforms } from "../../../render/wind";
+import { WIND_CHUNK, type WindUniforms } from "../../../render/wind_shader";
 
 /** Dithering: shows the share of the pixels that `vColor.a` gives. */
 const DITHERED = /* glsl */ `
@@ -70,27 +70,33 @@ const IN_WORLD = /* glsl */ `
 
 const viewport = new Vector4();
 
-/** Key of a finish: all properties of a material except the colour, which each plant has for itself. */
+/**
+ * Returns the key of a finish: all properties of a material except name and colour, which each plant has for itself.
+ */
 export function finishOf({ name: _, colour: __, ...finish }: Material, coloured: boolean): string {
 	return JSON.stringify([finish, coloured]);
 }
 
+/**
+ * Creates the material. Its colour is white: the batch gives each plant its own.
+ * @param coloured whether the meshes have vertex colours
+ */
 export function crowdMaterial(
 	material: Material,
 	coloured: boolean,
 	light: LightUniforms,
 	wind: WindUniforms,
 ): MeshStandardMaterial {
-	const made = standardMaterial({ ...material, colour: [1, 1, 1] }, { light, sky: true, coloured });
-	const lit = made.onBeforeCompile.bind(made);
-	const key = made.customProgramCacheKey();
+	const swaying = standardMaterial({ ...material, colour: [1, 1, 1] }, { light, sky: true, coloured });
+	const compileLit = swaying.onBeforeCompile.bind(swaying);
+	const key = swaying.customProgramCacheKey();
 	const viewPixels = { value: 1 };
 	// The size of the drawing buffer varies: downloaded pictures are larger than the view.
-	made.onBeforeRender = (renderer) => {
+	swaying.onBeforeRender = (renderer) => {
 		viewPixels.value = renderer.getCurrentViewport(viewport).w;
 	};
-	made.onBeforeCompile = (shader, renderer) => {
-		lit(shader, renderer);
+	swaying.onBeforeCompile = (shader, renderer) => {
+		compileLit(shader, renderer);
 		Object.assign(shader.uniforms, wind, { viewPixels });
 		shader.vertexShader = shader.vertexShader
 			.replace(
@@ -102,19 +108,19 @@ export function crowdMaterial(
 			.replace("#include <worldpos_vertex>", IN_WORLD);
 		shader.fragmentShader = shader.fragmentShader.replace("#include <color_fragment>", DITHERED);
 	};
-	made.customProgramCacheKey = () => `${key} crowd`;
-	return made;
+	swaying.customProgramCacheKey = () => `${key} crowd`;
+	return swaying;
 }
 
 /**
- * Material for the shadow map, without wind: drawing thousands of swaying plants twice a frame costs more than the
- * visible difference justifies.
+ * Creates the material for the shadow map, without wind: drawing thousands of swaying plants twice a frame costs more
+ * than the visible difference justifies.
  */
 export function crowdDepth(): MeshDepthMaterial {
-	const made = new MeshDepthMaterial();
-	made.onBeforeCompile = (shader) => {
+	const depthMaterial = new MeshDepthMaterial();
+	depthMaterial.onBeforeCompile = (shader) => {
 		shader.vertexShader = shader.vertexShader.replace("#include <batching_vertex>", STEM);
 	};
-	made.customProgramCacheKey = () => "crowd";
-	return made;
+	depthMaterial.customProgramCacheKey = () => "crowd";
+	return depthMaterial;
 }

@@ -54,20 +54,21 @@ export class Cells {
 		this.#ground = ground;
 	}
 
+	/** Returns the cell in which a point of the ground lies, metres; for points beyond the ground the nearest cell. */
 	at(x: number, z: number): GroundCell {
-		const along = (value: number, length: number) =>
+		const cellAlong = (value: number, length: number) =>
 			Math.min(CELLS - 1, Math.max(0, Math.floor(CELLS * (value / length + 0.5))));
-		return this.all[CELLS * along(z, this.#ground.depth) + along(x, this.#ground.width)];
+		return this.all[CELLS * cellAlong(z, this.#ground.depth) + cellAlong(x, this.#ground.width)];
 	}
 
 	/**
 	 * Chooses the next step of each plant; in invisible cells that of the last level, which casts shadows into view.
 	 * Allocates nothing.
-	 * @param modest factor for all sizes
-	 * @param high height of the view at a distance of 1
+	 * @param sizeFactor factor for all sizes; below 1, all plants have coarser levels
+	 * @param viewHeight height of the view at a distance of 1
 	 * @returns number of visible triangles
 	 */
-	choose(frustum: Frustum, eye: Vector3, high: number, modest: number): number {
+	choose(frustum: Frustum, eye: Vector3, viewHeight: number, sizeFactor: number): number {
 		let count = 0;
 		for (const cell of this.all) {
 			cell.seen = !cell.box.isEmpty() && frustum.intersectsBox(cell.box);
@@ -75,7 +76,7 @@ export class Cells {
 				const { at, size, triangles } = each;
 				const last = STEPS * (triangles.length - 1);
 				const distance = Math.max(at.distanceTo(eye) - 0.5 * size, 0.01);
-				each.ideal = cell.seen ? stepAt((modest * size) / (distance * high), triangles.length) : last;
+				each.ideal = cell.seen ? stepAt((sizeFactor * size) / (distance * viewHeight), triangles.length) : last;
 				each.wanted = each.fine.length > 0 ? Math.max(STEPS, each.ideal) : each.ideal;
 				if (!cell.seen) continue;
 				const level = Math.floor(each.wanted / STEPS);

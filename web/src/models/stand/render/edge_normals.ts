@@ -14,63 +14,84 @@ type Mesh = Pick<PackedMesh, "positions" | "indices">;
  * Cache by mesh: 300,000 triangles take 90 ms, and plants are uploaded again when they come near or the graphics
  * context is lost.
  */
-const known = new WeakMap<Mesh, Int8Array<ArrayBuffer>>();
+const cache = new WeakMap<Mesh, Int8Array<ArrayBuffer>>();
 
-/** Edge normals of a mesh, computed once: meshes are immutable. */
+/** Returns the edge normals of a mesh, computed at the first use: meshes are immutable. */
 export function edgeNormalsOf(mesh: Mesh): Int8Array<ArrayBuffer> {
-	const edgeNormals = known.get(mesh) ?? found(mesh);
-	known.set(mesh, edgeNormals);
+	const edgeNormals = cache.get(mesh) ?? computeEdgeNormals(mesh);
+	cache.set(mesh, edgeNormals);
 	return edgeNormals;
 }
 
 /**
- * Computes 4 × vertices. The vector points out of a tube or across the margin of a sheet: from the centre of each
- * triangle, without the component along the triangle (`alongOf`). The width is that of the widest adjacent triangle.
+ * Computes the edge normals, EDGE_NORMAL_SIZE numbers per vertex. The vector points out of a tube or across the margin
+ * of a sheet: from the centre of each triangle, without the component along the triangle (`directionAlong`). The width
+ * is that of the widest adjacent triangle.
  */
-function found({ positions, indices }: Mesh): Int8Array<ArrayBuffer> {
+function computeEdgeNormals({ positions, indices }: Mesh): Int8Array<ArrayBuffer> {
 	const vertices = positions.length / 3;
-	const ways = new Float32Array(3 * vertices);
+	const vectors = new Float32Array(3 * vertices);
 	const widths = new Float32Array(vertices);
-	const [way, width] = [new Float32Array(3), new Float32Array(1)];
+	const [direction, width] = [new Float32Array(3), new Float32Array(1)];
 	for (let i = 0; i < indices.length; i += 3) {
 		const [a, b, c] = [3 * indices[i], 3 * indices[i + 1], 3 * indices[i + 2]];
-		alongOf(positions, a, b, c, way, width);
+		directionAlong(positions, a, b, c, direction, width);
 		for (const at of [a, b, c]) {
+			// From the triangle's centre to this corner, without the component along the triangle.
 			const x = positions[at] - (positions[a] + positions[b] + positions[c]) / 3;
 			const y = positions[at + 1] - (positions[a + 1] + positions[b + 1] + positions[c + 1]) / 3;
 			const z = positions[at + 2] - (positions[a + 2] + positions[b + 2] + positions[c + 2]) / 3;
-			const along = x * way[0] + y * way[1] + z * way[2];
-			ways[at] += x - along * way[0];
-			ways[at + 1] += y - along * way[1];
-			ways[at + 2] += z - along * way[2];
+			const component = x * direction[0] + y * direction[1] + z * direction[2];
+			vectors[at] += x - component * direction[0];
+			vectors[at + 1] += y - component * direction[1];
+			vectors[at + 2] += z - component * direction[2];
 			if (width[0] > widths[at / 3]) widths[at / 3] = width[0];
 		}
 	}
 	const edgeNormals = new Int8Array(EDGE_NORMAL_SIZE * vertices);
 	for (let v = 0; v < vertices; v++) {
-		const length = Math.hypot(ways[3 * v], ways[3 * v + 1], ways[3 * v + 2]) || 1;
-		for (let k = 0; k < 3; k++) edgeNormals[EDGE_NORMAL_SIZE * v + k] = Math.round((STEPS * ways[3 * v + k]) / length);
+		const length = Math.hypot(vectors[3 * v], vectors[3 * v + 1], vectors[3 * v + 2]) || 1;
+		for (let k = 0; k < 3; k++)
+			edgeNormals[EDGE_NORMAL_SIZE * v + k] = Math.round((STEPS * vectors[3 * v + k]) / length);
 		edgeNormals[EDGE_NORMAL_SIZE * v + 3] = Math.min(STEPS, Math.ceil(STEPS * Math.sqrt(widths[v] / PLACE_STEPS)));
 	}
 	return edgeNormals;
 }
 
 /**
- * Unit vector along a triangle, and its width across the longest edge. The vector follows the edge of medium length:
- * the longest edge of a tube's triangle is oblique.
+ * Computes the unit vector along a triangle, and its width across the longest edge. The vector follows the edge of
+ * medium length: the longest edge of a tube's triangle is oblique.
+ * @param a index of the first corner's x in `positions`; `b` and `c` likewise
+ * @param direction receives the vector
+ * @param width receives the width, in its first element
  */
-function alongOf(at: Int16Array, a: number, b: number, c: number, way: Float32Array, width: Float32Array): void {
-	const [ux, uy, uz] = [at[b] - at[a], at[b + 1] - at[a + 1], at[b + 2] - at[a + 2]];
-	const [vx, vy, vz] = [at[c] - at[a], at[c + 1] - at[a + 1], at[c + 2] - at[a + 2]];
+function directionAlong(
+	positions: Int16Array,
+	a: number,
+	b: number,
+	c: number,
+	direction: Float32Array,
+	width: Float32Array,
+): void {
+	const [ux, uy, uz] = [
+		positions[b] - positions[a],
+		positions[b + 1] - positions[a + 1],
+		positions[b + 2] - positions[a + 2],
+	];
+	const [vx, vy, vz] = [
+		positions[c] - positions[a],
+		positions[c + 1] - positions[a + 1],
+		positions[c + 2] - positions[a + 2],
+	];
 	const [wx, wy, wz] = [vx - ux, vy - uy, vz - uz];
 	const [u, v, w] = [ux * ux + uy * uy + uz * uz, vx * vx + vy * vy + vz * vz, wx * wx + wy * wy + wz * wz];
 	const longest = Math.max(u, v, w);
 	const middle = u + v + w - longest - Math.min(u, v, w);
 	const [x, y, z] = middle === u ? [ux, uy, uz] : middle === v ? [vx, vy, vz] : [wx, wy, wz];
 	const length = Math.sqrt(middle) || 1;
-	way[0] = x / length;
-	way[1] = y / length;
-	way[2] = z / length;
+	direction[0] = x / length;
+	direction[1] = y / length;
+	direction[2] = z / length;
 	const [nx, ny, nz] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
 	width[0] = longest > 0 ? Math.sqrt((nx * nx + ny * ny + nz * nz) / longest) : 0;
 }

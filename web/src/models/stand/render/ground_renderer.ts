@@ -39,15 +39,15 @@ export class GroundRenderer {
 	 * Shows a ground in place of the last one.
 	 * @param part the ground; undefined where there is none
 	 * @param rim distance of each vertex into the rim, 0 … 1
-	 * @param side length of its shorter side, metres
+	 * @param shorterSide length of its shorter side, metres
 	 */
-	show(part: Part | undefined, rim: Float32Array, side: number): void {
+	show(part: Part | undefined, rim: Float32Array, shorterSide: number): void {
 		this.#clear();
 		if (!part?.shape) return;
 		const { mesh, material } = part.shape;
-		this.#patches.value = PATCHES / side;
-		const worn = this.#wearing(material, mesh.colours !== undefined);
-		this.#meshes = new PartMeshes([part], { materialOf: () => worn });
+		this.#patches.value = PATCHES / shorterSide;
+		const groundMaterial = this.#materialFor(material, mesh.colours !== undefined);
+		this.#meshes = new PartMeshes([part], { materialOf: () => groundMaterial });
 		for (const object of this.#meshes.objects) {
 			object.geometry.setAttribute("rim", new BufferAttribute(rim, 1));
 			object.castShadow = false;
@@ -55,21 +55,23 @@ export class GroundRenderer {
 		}
 	}
 
+	/** Removes the ground from the scene and releases its graphics memory. */
 	dispose(): void {
 		this.#clear();
 		this.object.removeFromParent();
 		this.#material?.dispose();
 	}
 
+	/** Removes the shown ground. */
 	#clear(): void {
 		this.object.clear();
 		this.#meshes?.dispose();
 		this.#meshes = undefined;
 	}
 
-	/** The shared material with a ground's colours. */
-	#wearing(material: Material, coloured: boolean): MeshStandardMaterial {
-		this.#material ??= fading(material, coloured, this.#patches, this.#light);
+	/** Returns the shared material, set to a ground's colours. */
+	#materialFor(material: Material, coloured: boolean): MeshStandardMaterial {
+		this.#material ??= groundMaterial(material, coloured, this.#patches, this.#light);
 		if (coloured) this.#material.color.set(1, 1, 1);
 		else this.#material.color.fromArray(material.colour);
 		if (this.#material.vertexColors !== coloured) this.#material.needsUpdate = true;
@@ -78,7 +80,8 @@ export class GroundRenderer {
 	}
 }
 
-function fading(
+/** Returns the ground's material, whose rim fades into the background. */
+function groundMaterial(
 	material: Material,
 	coloured: boolean,
 	patches: { value: number },

@@ -1,23 +1,23 @@
 /** Chooses a plant's level of detail by its size in the view. */
 
 /** Least size of each level, as a share of the view's height; the last level has no limit. */
-const FROM = [0.75, 0.26, 0.085];
+const LEAST_SIZES = [0.75, 0.26, 0.085];
 /** Range of sizes over which a level fades to the next, as a share of its least size. */
 const BAND = 0.2;
 /** Steps of fading between two levels. */
 export const STEPS = 16;
 
 /**
- * Step of a plant: `STEPS` × level + the step of fading to the next level. A single number, because it is computed for
- * thousands of plants per frame.
+ * Returns the step of a plant: `STEPS` × level + the step of fading to the next level. A single number, because it is
+ * computed for thousands of plants per frame.
  * @param size size in the view, as a share of the view's height
  * @param levels number of levels
  */
 export function stepAt(size: number, levels: number): number {
 	for (let level = 0; level + 1 < levels; level++) {
-		const from = FROM[Math.min(level, FROM.length - 1)];
-		if (size < from) continue;
-		const remaining = Math.ceil((STEPS * (size - from)) / (BAND * from));
+		const leastSize = LEAST_SIZES[Math.min(level, LEAST_SIZES.length - 1)];
+		if (size < leastSize) continue;
+		const remaining = Math.ceil((STEPS * (size - leastSize)) / (BAND * leastSize));
 		return STEPS * level + STEPS - Math.min(STEPS, remaining);
 	}
 	return STEPS * (levels - 1);

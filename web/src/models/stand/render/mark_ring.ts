@@ -24,12 +24,13 @@ const BANDS = [
 	{ from: -0.5, to: 0.5, colour: PALE },
 	{ from: 0.5, to: 1, colour: DARK },
 ];
+/** Number of vertices around each edge of a band. */
 const ROUND = 72;
 /** Half width and least radius, as shares of the view's height. */
-const WIDE = 0.0038;
-const LEAST = 0.016;
+const HALF_WIDTH = 0.0038;
+const LEAST_RADIUS = 0.016;
 /** Radius of the ring relative to the crown's. */
-const ABOUT = 0.8;
+const CROWN_SHARE = 0.8;
 /** Render order: after the ground and all plants. */
 const ORDER = 9;
 
@@ -45,6 +46,7 @@ export class MarkRing {
 	#fov = 0;
 	#isBuilt = false;
 
+	/** Creates the bands' triangles and colours; positions are set when a plant is marked. */
 	constructor() {
 		const colours = BANDS.flatMap(({ colour }) => {
 			const { r, g, b } = new Color(colour);
@@ -87,28 +89,33 @@ export class MarkRing {
 		this.#build(this.#stand, this.#eye.copy(camera.position));
 	}
 
+	/**
+	 * Places the ring's vertices around the chosen plant on the ground, at least as large as can be seen from `eye`.
+	 */
 	#build(stand: StandPlant, eye: Vector3): void {
 		const { places, kinds } = stand;
-		const seen = 2 * this.#at.distanceTo(eye) * Math.tan((this.#fov * Math.PI) / 360);
+		// Height of the view at the plant's distance, metres.
+		const viewHeight = 2 * this.#at.distanceTo(eye) * Math.tan((this.#fov * Math.PI) / 360);
 		const crown = 0.5 * kinds[places.kind[this.#plant]].crown.width * places.scale[this.#plant];
-		const radius = Math.max(ABOUT * crown, LEAST * seen);
+		const radius = Math.max(CROWN_SHARE * crown, LEAST_RADIUS * viewHeight);
 		// A hanging plant has no ground around it.
-		const stands = places.parent[this.#plant] < 0;
+		const isOnGround = places.parent[this.#plant] < 0;
 		const position = this.#geometry.getAttribute("position");
 		let v = 0;
 		for (const { from, to } of BANDS)
 			for (let i = 0; i < ROUND; i++) {
 				const angle = (2 * Math.PI * i) / ROUND;
-				for (const off of [from, to]) {
-					const r = radius + off * WIDE * seen;
+				for (const offset of [from, to]) {
+					const r = radius + offset * HALF_WIDTH * viewHeight;
 					const [x, z] = [this.#at.x + r * Math.cos(angle), this.#at.z + r * Math.sin(angle)];
-					const y = stands ? heightAt(stand, x, z) : this.#at.y;
-					position.setXYZ(v++, x, y + 0.5 * WIDE * seen, z);
+					const y = isOnGround ? heightAt(stand, x, z) : this.#at.y;
+					position.setXYZ(v++, x, y + 0.5 * HALF_WIDTH * viewHeight, z);
 				}
 			}
 		position.needsUpdate = true;
 	}
 
+	/** Removes the ring from the scene and releases its graphics memory. */
 	dispose(): void {
 		this.object.removeFromParent();
 		this.#geometry.dispose();
@@ -116,6 +123,7 @@ export class MarkRing {
 	}
 }
 
+/** Creates a ring's material. With `tested`, objects in front hide it; without, it is drawn over them. */
 function material(opacity: number, tested: boolean): MeshBasicMaterial {
 	return new MeshBasicMaterial({
 		vertexColors: true,

@@ -3,8 +3,9 @@ import type { ViewRay } from "../../../render/model_renderer";
 import type { StandPlant } from "../stand_plant";
 
 /** Factor of the ellipsoid's radius: some twigs reach beyond the visible crown. */
-const LEANER = 0.8;
+const RADIUS_FACTOR = 0.8;
 
+/** Returns the plant whose extent a ray meets first; undefined if it meets none. */
 export function firstPlantHit(
 	{ places, memberOf, members }: Pick<StandPlant, "places" | "memberOf" | "members">,
 	{ origin, direction }: ViewRay,
@@ -15,16 +16,16 @@ export function firstPlantHit(
 		const extent = members[memberOf[plant]]?.extent;
 		if (!extent) continue;
 		const scale = places.scale[plant];
-		const out = Math.max(LEANER * scale * extent.out, 1e-6);
-		const half = Math.max(0.5 * scale * (extent.high - extent.low), 1e-6);
+		const radius = Math.max(RADIUS_FACTOR * scale * extent.out, 1e-6);
+		const halfHeight = Math.max(0.5 * scale * (extent.high - extent.low), 1e-6);
 		const middle = places.at[3 * plant + 1] + 0.5 * scale * (extent.high + extent.low);
 		const from = [
-			(origin[0] - places.at[3 * plant]) / out,
-			(origin[1] - middle) / half,
-			(origin[2] - places.at[3 * plant + 2]) / out,
+			(origin[0] - places.at[3 * plant]) / radius,
+			(origin[1] - middle) / halfHeight,
+			(origin[2] - places.at[3 * plant + 2]) / radius,
 		];
-		const way = [direction[0] / out, direction[1] / half, direction[2] / out];
-		const distance = unitSphereHit(from, way);
+		const scaledDirection = [direction[0] / radius, direction[1] / halfHeight, direction[2] / radius];
+		const distance = unitSphereHit(from, scaledDirection);
 		if (distance >= nearest) continue;
 		nearest = distance;
 		found = plant;
@@ -33,13 +34,14 @@ export function firstPlantHit(
 }
 
 /**
- * Distance to the unit sphere around the origin, in multiples of `way`; infinite where the sphere is missed or behind.
+ * Returns the distance from a point to the unit sphere around the origin along a direction, in lengths of the direction
+ * (the smaller root of a quadratic equation); infinite where the sphere is missed or behind.
  */
-function unitSphereHit(from: readonly number[], way: readonly number[]): number {
+function unitSphereHit(from: readonly number[], direction: readonly number[]): number {
 	const dot = (a: readonly number[], b: readonly number[]) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-	const [a, b, c] = [dot(way, way), dot(from, way), dot(from, from) - 1];
-	const square = b * b - a * c;
-	if (square < 0) return Number.POSITIVE_INFINITY;
-	const distance = (-b - Math.sqrt(square)) / a;
+	const [a, b, c] = [dot(direction, direction), dot(from, direction), dot(from, from) - 1];
+	const discriminant = b * b - a * c;
+	if (discriminant < 0) return Number.POSITIVE_INFINITY;
+	const distance = (-b - Math.sqrt(discriminant)) / a;
 	return distance > 0 ? distance : Number.POSITIVE_INFINITY;
 }

@@ -17,7 +17,7 @@ const STEPS = 4;
 /** Greatest height over the ground that counts as walking, in eye heights. */
 const HIGHEST = 3;
 
-/** Whether a camera is where a walker's eyes are. */
+/** Returns whether a camera is where a walker's eyes could be: over the ground and not much above it. */
 export function isWalking(stand: Pick<StandPlant, "ground" | "meshes">, eye: Vector3): boolean {
 	const { width, depth } = stand.ground;
 	if (Math.abs(eye.x) > 0.5 * width || Math.abs(eye.z) > 0.5 * depth) return false;
@@ -25,6 +25,8 @@ export function isWalking(stand: Pick<StandPlant, "ground" | "meshes">, eye: Vec
 }
 
 /**
+ * Returns the bounding sphere of the part that casts shadows; before a walker it moves in steps, so that shadows rarely
+ * change.
  * @param whole bounding sphere of the stand
  * @param eye camera position, metres
  * @param towards view direction, a unit vector
@@ -38,7 +40,7 @@ export function shadedBall(
 	const radius = REACH * eyeHeight(stand);
 	if (radius >= whole.radius || !isWalking(stand, eye)) return whole;
 	const step = radius / STEPS;
-	const stepped = (value: number) => step * Math.round(value / step);
-	const [x, z] = [eye.x + AHEAD * radius * towards.x, eye.z + AHEAD * radius * towards.z].map(stepped);
-	return { centre: new Vector3(x, stepped(heightAt(stand, eye.x, eye.z)), z), radius };
+	const toStep = (value: number) => step * Math.round(value / step);
+	const [x, z] = [eye.x + AHEAD * radius * towards.x, eye.z + AHEAD * radius * towards.z].map(toStep);
+	return { centre: new Vector3(x, toStep(heightAt(stand, eye.x, eye.z)), z), radius };
 }

@@ -27,11 +27,11 @@ export class StandRenderer implements ModelRenderer<StandSpecimen, StandPlant> {
 	readonly #ground: GroundRenderer;
 	#trellis: PartMeshes;
 	#stand: StandPlant | undefined;
-	#whole: StandBall = { centre: new Vector3(), radius: 0 };
+	#wholeBall: StandBall = { centre: new Vector3(), radius: 0 };
 	#shaded: StandBall | undefined;
-	readonly #towards = new Vector3();
-	/** Directions of key and rim light while the user isWalking. */
-	#held: readonly [Vector3, Vector3] | undefined;
+	readonly #viewDirection = new Vector3();
+	/** Directions of key and rim light while the user walks. */
+	#heldLight: readonly [Vector3, Vector3] | undefined;
 	#bounds: Bodies = { spheres: new Float32Array(0), points: new Float32Array(0) };
 
 	constructor(stage: RendererStage) {
@@ -43,6 +43,7 @@ export class StandRenderer implements ModelRenderer<StandSpecimen, StandPlant> {
 		stage.root.add(this.#lights.group, this.#crowd.group, this.#ground.object, this.#ring.object);
 	}
 
+	/** Replaces the drawn stand; called again whenever more of its plants have arrived. */
 	show(grown: StandPlant, specimen: StandSpecimen): void {
 		this.mark(undefined);
 		this.#clear();
@@ -56,48 +57,59 @@ export class StandRenderer implements ModelRenderer<StandSpecimen, StandPlant> {
 		for (const object of this.#trellis.objects) this.#stage.root.add(object);
 		this.#crowd.show(grown);
 		this.#bounds = bodiesOf(grown);
-		this.#whole = ballOf(this.#bounds);
+		this.#wholeBall = ballOf(this.#bounds);
 		this.#shaded = undefined;
 	}
 
+	/** Returns the bounds of the whole stand. */
 	bounds(): Bodies {
 		return this.#bounds;
 	}
 
+	/** Whether the camera is inside the stand, at a walker's eye level. */
 	get within(): boolean {
-		return this.#held !== undefined;
+		return this.#heldLight !== undefined;
 	}
 
-	/** Makes the stage animate the stand; the crowd moves each plant. */
+	/**
+	 * Returns a movement of the whole stand, so that the stage animates it; the crowd then moves each plant. Undefined
+	 * without a stand.
+	 */
 	sway(): Sway | undefined {
-		const { centre, radius } = this.#whole;
+		const { centre, radius } = this.#wholeBall;
 		return radius > 0 ? { foot: centre.toArray(), up: 1, height: radius, reach: radius } : undefined;
 	}
 
+	/** Uploads everything again after the graphics context was lost. */
 	restored(): void {
 		this.#lights.restored();
 		if (this.#stand) this.#crowd.restored(this.#stand);
 	}
 
+	/** Prepares the next frame for a camera: light, shadows, levels of detail and the ring. */
 	prepare(camera: PerspectiveCamera): void {
-		this.#hold(camera.position);
+		this.#holdLight(camera.position);
 		this.#shade(camera);
 		this.#lights.aim(this.#stage.light, camera);
 		this.#crowd.aim(camera);
 		this.#ring.aim(camera);
 	}
 
+	/** Returns the plant that a ray from the camera hits first; undefined where it hits none. */
 	pick(ray: ViewRay): number | undefined {
 		return this.#stand && firstPlantHit(this.#stand, ray);
 	}
 
+	/** Highlights a plant; undefined ends the highlight. */
 	mark(picked: number | undefined): void {
 		this.#crowd.mark(picked);
 		this.#ring.show(this.#stand, picked);
 	}
 
+	/** Does nothing: a stand has a single mode. */
 	setMode(): void {}
 
+	/** Removes the stand from the scene and releases its graphics memory. */
 	dispose(): void {
 		this.#clear();
 		this.#crowd.dispose();
@@ -107,25 +119,31 @@ export class StandRenderer implements ModelRenderer<StandSpecimen, StandPlant> {
 		this.#lights.dispose();
 	}
 
-	/** Orbiting turns the stand in the light; walking keeps the light's direction in the stand. */
-	#hold(eye: Vector3): void {
+	/** Fixes the light's direction in the stand while the user walks; in other views the stand turns in the light. */
+	#holdLight(eye: Vector3): void {
 		const { keyDirection, rimDirection } = this.#stage.light.uniforms;
-		if (!this.#stand || !isWalking(this.#stand, eye)) this.#held = undefined;
-		else if (this.#held) {
-			keyDirection.value.copy(this.#held[0]);
-			rimDirection.value.copy(this.#held[1]);
-		} else this.#held = [keyDirection.value.clone(), rimDirection.value.clone()];
+		if (!this.#stand || !isWalking(this.#stand, eye)) this.#heldLight = undefined;
+		else if (this.#heldLight) {
+			keyDirection.value.copy(this.#heldLight[0]);
+			rimDirection.value.copy(this.#heldLight[1]);
+		} else this.#heldLight = [keyDirection.value.clone(), rimDirection.value.clone()];
 	}
 
 	/** Redraws the shadows where the shaded sphere has moved by a step. */
 	#shade(camera: PerspectiveCamera): void {
 		if (!this.#stand) return;
-		const ball = shadedBall(this.#stand, this.#whole, camera.position, camera.getWorldDirection(this.#towards));
+		const ball = shadedBall(
+			this.#stand,
+			this.#wholeBall,
+			camera.position,
+			camera.getWorldDirection(this.#viewDirection),
+		);
 		if (this.#shaded?.radius === ball.radius && this.#shaded.centre.equals(ball.centre)) return;
 		this.#shaded = ball;
 		this.#lights.shade(ball);
 	}
 
+	/** Removes the posts and wires. */
 	#clear(): void {
 		for (const object of this.#trellis.objects) object.removeFromParent();
 		this.#trellis.dispose();
@@ -133,7 +151,8 @@ export class StandRenderer implements ModelRenderer<StandSpecimen, StandPlant> {
 }
 
 /**
- * Bounds: the ground's corners and a sphere around each crown as planned, so that they do not change as plants arrive.
+ * Returns the bounds: the ground's corners and a sphere around each crown as planned, so that they do not change as
+ * plants arrive.
  */
 function bodiesOf({ ground, places, kinds }: StandPlant): Bodies {
 	const [x, z, y] = [0.5 * ground.width, 0.5 * ground.depth, 0.5 * ground.relief];

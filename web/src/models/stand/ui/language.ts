@@ -1,6 +1,8 @@
 /** The plan language for the editor (docs/models/stand/language.md). */
+
 import type { Dialect } from "../../../grammar_editor/dialect";
 import type { Token, TokenKind } from "../../../grammar_editor/scan";
+import { text as message } from "../messages.generated";
 
 const TOKEN =
 	/\/\*[\s\S]*?(?:\*\/|$)|\n|[ \t\r\f\v]+|"[^"\n]*"?|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|\p{L}[\p{L}\p{N}_]*(?:\/[\p{L}\p{N}_-]*)?|[\s\S]/gu;
@@ -11,6 +13,10 @@ const ITEMS = new Set(
 	),
 );
 
+/**
+ * Classifies a piece of text for colouring.
+ * @param fresh whether it begins a statement
+ */
 function kindOf(piece: string, fresh: boolean): TokenKind {
 	if (piece.startsWith("/*")) return "comment";
 	if (/^[\d.]/.test(piece) && piece !== ".") return "number";
@@ -43,47 +49,57 @@ function scan(text: string): Token[] {
 	return tokens;
 }
 
-const statement = (name: string, written: string, help: string) => ({
+/**
+ * Describes a statement of the language for completion and help.
+ * @param written an example
+ * @param help its explanation
+ */
+const describeStatement = (name: string, written: string, help: string) => ({
 	kind: "statement" as const,
 	name,
 	written,
 	help,
 });
-const word = (name: string, written: string, help: string) => ({ kind: "function" as const, name, written, help });
+/**
+ * Describes a word inside statements, for completion and help.
+ * @param written an example
+ * @param help its explanation
+ */
+const describeWord = (name: string, written: string, help: string) => ({
+	kind: "function" as const,
+	name,
+	written,
+	help,
+});
 
 export const STAND_LANGUAGE: Dialect = {
 	scan,
-	words: [
-		statement("ground", "ground 60 x 40, relief 2", "Width and depth of the ground, in metres."),
-		statement(
-			"plants",
-			"plants 100, blue 2",
-			"How many plants stand there, and how; below it what grows, a line each: model/preset.",
-		),
-		statement(
-			"trellis",
-			"trellis 2, posts 5, wire 0.9",
-			"Posts and wires along the rows of plants above: how high posts are, metres.",
-		),
-		word("relief", "relief 2", "From the lowest place to the highest at the most, metres."),
-		word("hills", "hills 20", "From one rise to the next, metres."),
-		word("stratified", "stratified", "One plant in each cell of a grid, anywhere in it."),
-		word("random", "random", "Anywhere, each by itself."),
-		word("blue", "blue 1.5", "By chance, but none nearer to another than this, metres."),
-		word("rows", "rows 2.5 x 1.2", "From row to row, and from plant to plant in a row, metres."),
-		word("towards", "towards 30", "Where rows run, degrees from +x to +z."),
-		word("jitter", "jitter 0.1", "How far plants may stand off their places in rows, metres."),
-		word("depth", "depth 0 to 0.5", "A strip of the ground, from its back, 0, to its front, 1."),
-		word("share", "share 3", "How many there are against the other lines’ shares."),
-		word("crown", "crown 4 x 8", "Width of the crown and height of the plant, in metres: what neighbours know of it."),
-		word("scale", "scale 0.8 to 1.2", "How large each is against what its preset says; drawn for each."),
-		word("seeds", "seeds 8", "How many different ones there are: fewer are quicker to grow, and smaller in files."),
-		word("each", "each 3 to 5", "Makes the line hang on the plants of the line above: so many on each."),
-		word("at", "at bunch", "At which of its bearer’s organs it hangs, in place of height and reach."),
-		word("posts", "posts 5", "From post to post at the most, metres; posts stand between plants."),
-		word("wire", "wire 0.9", "A wire at that height, metres."),
-		word("pair", "pair 1.2", "Two wires at that height, to both sides of the posts, metres."),
-		word("height", "height 0.8 to 1", "How high what is borne hangs, metres."),
-		word("reach", "reach 0.5", "How far along its bearer it hangs, metres each way."),
-	],
+	/** Statements and words with their explanations, for completion and for the word at the cursor. */
+	get words() {
+		return [
+			describeStatement("ground", "ground 60 x 40, relief 2", message("help_ground")),
+			describeStatement("plants", "plants 100, blue 2", message("help_plants")),
+			describeStatement("trellis", "trellis 2, posts 5, wire 0.9", message("help_trellis")),
+			describeWord("relief", "relief 2", message("help_relief")),
+			describeWord("hills", "hills 20", message("help_hills")),
+			describeWord("stratified", "stratified", message("help_stratified")),
+			describeWord("random", "random", message("help_random")),
+			describeWord("blue", "blue 1.5", message("help_blue")),
+			describeWord("rows", "rows 2.5 x 1.2", message("help_rows")),
+			describeWord("towards", "towards 30", message("help_towards")),
+			describeWord("jitter", "jitter 0.1", message("help_jitter")),
+			describeWord("depth", "depth 0 to 0.5", message("help_depth")),
+			describeWord("share", "share 3", message("help_share")),
+			describeWord("crown", "crown 4 x 8", message("help_crown")),
+			describeWord("scale", "scale 0.8 to 1.2", message("help_scale")),
+			describeWord("seeds", "seeds 8", message("help_seeds")),
+			describeWord("each", "each 3 to 5", message("help_each")),
+			describeWord("at", "at bunch", message("help_at")),
+			describeWord("posts", "posts 5", message("help_posts")),
+			describeWord("wire", "wire 0.9", message("help_wire")),
+			describeWord("pair", "pair 1.2", message("help_pair")),
+			describeWord("height", "height 0.8 to 1", message("help_height")),
+			describeWord("reach", "reach 0.5", message("help_reach")),
+		];
+	},
 };

@@ -5,7 +5,7 @@ import { STAND_LANGUAGE } from "./language";
 
 /** Source of a stand's plan for the editor. */
 export const source: GrammarSource<StandSpecimen> = {
-	noun: "stand",
+	plantName: "stand",
 	dialect: STAND_LANGUAGE,
 	constants: false,
 	builtIn: ({ preset }) => fetchedText({ preset }) ?? fetchTexts(),

@@ -33,6 +33,10 @@ const BRIGHT = [1, 0.86, 0.35];
 const DARK_OPACITY = 0.16;
 const BRIGHT_OPACITY = 0.015;
 
+/**
+ * Returns a point in the middle of each cell, brighter and more transparent with more light. Colours have four values: red,
+ * green, blue, opacity.
+ */
 export function lightPoints({ cells, counts: [x, y], low, edge }: LightGrid): LightPoints {
 	const positions = new Float32Array(3 * cells.length);
 	const colours = new Float32Array(4 * cells.length);

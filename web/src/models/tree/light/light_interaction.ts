@@ -33,25 +33,26 @@ export class LightHands implements ToolInteraction<TreeSpecimen, TreePlant> {
 		this.#points.name = "light";
 		this.#points.renderOrder = ORDER;
 		this.#points.visible = false;
-		view.addOverlay(this.#points);
+		view.addOverlay(this.#points, true);
 	}
 
-	/** Shows or hides the points. Previews have no light: the last grid stays. */
+	/** Shows or hides the points. Previews have no light: no points are shown until the plant itself has grown. */
 	update({ grown }: EditorState<TreeSpecimen, TreePlant>): void {
-		const visible = this.#context.toolState(this.#tool);
-		const grid = grown?.light ?? this.#shown;
-		if (visible && grid && grid !== this.#shown) this.#show(grid);
-		if (!visible && !this.#points.visible) return;
-		this.#points.visible = visible && grid !== undefined;
+		const grid = this.#context.toolState(this.#tool) ? grown?.light : undefined;
+		if (grid && grid !== this.#shown) this.#show(grid);
+		if (!grid && !this.#points.visible) return;
+		this.#points.visible = grid !== undefined;
 		this.#view.requestRender();
 	}
 
+	/** Removes the points from the view. */
 	dispose(): void {
 		this.#view.removeOverlay(this.#points);
 		this.#points.geometry.dispose();
 		this.#material.dispose();
 	}
 
+	/** Replaces the points. Their size is that of the cells, in metres. */
 	#show(grid: LightGrid): void {
 		const { positions, colours } = lightPoints(grid);
 		this.#points.geometry.dispose();

@@ -12,8 +12,9 @@ import sphere from "./sphere.json";
 import twin from "./twin.json";
 
 export const PRESET_KINDS = [
-	{ key: "tree", title: "Trees" },
-	{ key: "boundary", title: "Boundaries" },
+	{ key: "tree", title: "Trees", family: "trees" },
+	{ key: "shaped", title: "Clipped shapes", family: "topiary" },
+	{ key: "boundary", title: "Boundaries of the paper", family: "trees", fromPaper: true },
 ] as const satisfies readonly PresetKind[];
 
 /** As the file holds it: choices by name. */
@@ -23,10 +24,12 @@ interface PresetFile extends Omit<Preset, "kind" | "parameters"> {
 
 /** The boundaries are those of the paper's section 4.1 and 4.2. */
 export const PRESETS: readonly Preset[] = [
-	...ofKind("tree", [oak, birch, cypress, bonsai, hedge]),
-	...ofKind("boundary", [sphere, box, twin, printed]),
+	...ofKind("tree", [oak, birch, cypress, twin]),
+	...ofKind("shaped", [bonsai, hedge]),
+	...ofKind("boundary", [sphere, box, printed]),
 ];
 
+/** Returns the presets of a kind from their files, with choices as numbers. */
 function ofKind(kind: (typeof PRESET_KINDS)[number]["key"], files: readonly PresetFile[]): Preset[] {
 	return files.map((file) => ({ ...file, kind, parameters: numbersIn(TREE_TABLE, file.parameters) }));
 }

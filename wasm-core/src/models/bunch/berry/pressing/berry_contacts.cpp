@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "foundation/mathematics.hpp"
+#include "foundation/rotation.hpp"
 #include "spatial/closest_points.hpp"
 #include "spatial/sphere_overlaps.hpp"
 
@@ -17,9 +18,12 @@ namespace {
 struct Furthest {
   glm::vec3 point, round, along;
 
+  // The mean of the two radii of curvature there.
   float curvature_radius() const { return 0.5f * (glm::dot(round, round) + glm::dot(along, along)); }
 };
 
+// Finds a berry's furthest point in a direction, a unit vector in world space: in the unit space of the berry's frame M
+// it is the furthest along the direction times M (Mᵀ n), found in the meridian's table.
 Furthest furthest(const BerryFrame& frame, const BerryMeridian& meridian, const glm::vec3& direction) {
   const glm::vec3 m = direction * frame.axes;  // in unit space
   const float out = std::sqrt(m.x * m.x + m.z * m.z);
@@ -33,21 +37,23 @@ Furthest furthest(const BerryFrame& frame, const BerryMeridian& meridian, const 
           frame.axes * unit_along * std::sqrt(support.along / length)};
 }
 
-// Where two bodies meet, or nearly do: a direction from the first to the second, their furthest points along it, and
-// the vector between these.
-struct Meeting {
+// The separation of two bodies in a direction from the first to the second: their furthest points along it, the vector
+// between these, and its length along the direction.
+struct Separation {
   glm::vec3 direction;
   Furthest a, b;
   glm::vec3 gap;
   float apart;  // negative where they overlap
 };
 
-class Pair {
+// Two berries, convex bodies, whose separation is sought.
+class BodyPair {
  public:
-  Pair(const BerryFrame& a, const BerryFrame& b, const BerryMeridian& meridian)
+  BodyPair(const BerryFrame& a, const BerryFrame& b, const BerryMeridian& meridian)
       : a_(a), b_(b), meridian_(meridian), between_(b.centre - a.centre) {}
 
-  Meeting meet(const glm::vec3& direction) const {
+  // Measures the separation in one direction, a unit vector.
+  Separation meeting_along(const glm::vec3& direction) const {
     const Furthest a = furthest(a_, meridian_, direction), b = furthest(b_, meridian_, -direction);
     const glm::vec3 gap = between_ + b.point - a.point;
     return {direction, a, b, gap, glm::dot(gap, direction)};
@@ -55,17 +61,17 @@ class Pair {
 
   // Finds the largest separation over all directions by Newton's method: it is the distance of two convex bodies, or
   // their penetration depth.
-  Meeting separate(const Meeting& first) const {
-    Meeting best = first;
+  Separation largest_separation(const Separation& first) const {
+    Separation best = first;
     for (int step = 0; step < 6; ++step) {
-      glm::vec3 turn = uphill(best);
+      glm::vec3 turn = best_turn(best);
       const float size = glm::length(turn);
       if (size < 2e-3f) break;
       turn *= std::min(1.0f, 0.4f / size);
-      Meeting next = meet(glm::normalize(best.direction + turn));
+      Separation next = meeting_along(glm::normalize(best.direction + turn));
       for (int half = 0; half < 2 && next.apart < best.apart; ++half) {
         turn *= 0.4f;
-        next = meet(glm::normalize(best.direction + turn));
+        next = meeting_along(glm::normalize(best.direction + turn));
       }
       if (!(next.apart > best.apart)) break;
       best = next;
@@ -86,14 +92,17 @@ class Pair {
   }
 
  private:
+  // Half the core of a berry's capsule, a vector along its axis; 0 for a flat berry.
   static glm::vec3 core(const BerryFrame& frame) {
     const float length = glm::length(frame.axes[1]);
     return frame.axes[1] * std::max(0.0f, 1 - glm::length(frame.axes[0]) / length);
   }
 
-  static glm::vec3 uphill(const Meeting& m) {
+  // The change of direction by which the separation grows most: one Newton step, with the bodies' curvature as second
+  // derivative. 0 where there is none.
+  static glm::vec3 best_turn(const Separation& m) {
     const glm::vec3& n = m.direction;
-    const glm::vec3 right = glm::normalize(std::fabs(n.x) < 0.6f ? glm::vec3(0, n.z, -n.y) : glm::vec3(-n.z, 0, n.x));
+    const glm::vec3 right = any_perpendicular(n, 0.6f, {1, 0, 0}, {0, 1, 0});
     const glm::vec3 up = glm::cross(n, right);
     float xx = m.apart, xy = 0, yy = m.apart;
     for (const glm::vec3& along : {m.a.round, m.a.along, m.b.round, m.b.along}) {
@@ -121,23 +130,24 @@ struct Plane {
   float from_a, from_b, end_a, end_b;
 };
 
-// The plane between two bodies; none if they are well apart, or at one place.
+// The plane in which two berries press on each other; none if they are well apart, or at one place. `reach`: factor by
+// which berries may bulge.
 std::optional<Plane> plane_between(const BerryFrame& a, const BerryFrame& b, const BerryMeridian& meridian,
                                    float reach) {
   const glm::vec3 between = b.centre - a.centre;
   if (!(glm::dot(between, between) > 0)) return {};
-  const Pair pair(a, b, meridian);
-  const auto well_apart = [&](const Meeting& m) {
+  const BodyPair bodies(a, b, meridian);
+  const auto well_apart = [&](const Separation& m) {
     return glm::dot(between, m.direction) > reach * glm::dot(m.a.point - m.b.point, m.direction);
   };
-  Meeting m = pair.meet(pair.first_direction());
+  Separation m = bodies.meeting_along(bodies.first_direction());
   if (well_apart(m)) return {};
-  m = pair.separate(m);
+  m = bodies.largest_separation(m);
   if (well_apart(m)) return {};
   float distance = glm::dot(between, m.direction);
   const float sizes = glm::dot(m.a.point - m.b.point, m.direction);
   if (distance < 0.1f * sizes) {
-    m = pair.meet(glm::normalize(between));
+    m = bodies.meeting_along(glm::normalize(between));
     distance = glm::dot(between, m.direction);
     if (distance < 1e-3f * sizes) return {};
   }
@@ -150,6 +160,7 @@ std::optional<Plane> plane_between(const BerryFrame& a, const BerryFrame& b, con
 
 }  // namespace
 
+// The frame of a berry: centre and the three half axes, turned about its own axis by `roll` degrees.
 BerryFrame frame_of(const BerryBody& body, float roll) {
   // The least turn from straight down to the body's direction: smooth except for one straight up.
   const glm::vec3& d = body.direction;
@@ -163,6 +174,8 @@ BerryFrame frame_of(const BerryBody& body, float roll) {
                                  (right * turn.sine + ahead * turn.cosine) * width)};
 }
 
+// Moves a plane away from its berry's centre by `distance`, and its twin, the neighbour's plane, likewise towards the
+// neighbour.
 void BerryContacts::move(std::size_t plane, float distance) {
   const auto shift = [](BerryPlane& p, float by) {
     const float scale = p.from / (p.from + by);
@@ -174,7 +187,10 @@ void BerryContacts::move(std::size_t plane, float distance) {
   shift(planes[planes[plane].twin], -distance);
 }
 
+// Finds the contact planes of all berries that meet or nearly do. Each plane is stored twice, once for either berry, in
+// unit space of that berry.
 BerryContacts find_contacts(std::span<const BerryFrame> frames, const BerryMeridian& meridian, float reach) {
+  // Pairs whose spheres around the enlarged forms overlap may meet.
   std::vector<Sphere> spheres;
   spheres.reserve(frames.size());
   for (const BerryFrame& frame : frames) {

@@ -35,6 +35,7 @@ struct BerryContacts {
   std::vector<std::uint32_t> first;
   std::vector<BerryPlane> planes;
 
+  // The planes that press on a berry.
   std::span<const BerryPlane> of(std::size_t berry) const {
     return std::span(planes).subspan(first[berry], first[berry + 1] - first[berry]);
   }

@@ -16,7 +16,7 @@ namespace panicle::bunch {
 // these, so that every vertex stays on its own side of every plane.
 class BerryPress {
  public:
-  static constexpr float most_bulge = 1.25f;  // how much further than its free form a berry may bulge
+  static constexpr float max_bulge = 1.25f;  // how much further than its free form a berry may bulge
 
   explicit BerryPress(const BerryPattern& pattern);
 

@@ -15,6 +15,7 @@ namespace {
 constexpr float hardly_shrivelled = 0.02f;
 constexpr float tolerated = 0.01f;  // of a berry's volume, before its neighbours have to make room
 
+// The frames of all berries, each turned about its own axis at random.
 std::vector<BerryFrame> frames_of(std::span<const BerryBody> bodies) {
   std::vector<BerryFrame> frames;
   frames.reserve(bodies.size());
@@ -34,11 +35,13 @@ class Pressing {
         free_(free_gauge(pattern_, {meridian_, form.curve}, skin_)),
         dried_(furrowed_ ? pattern_.padded() : 0),
         frames_(frames_of(bodies)),
-        contacts_(find_contacts(frames_, meridian_, BerryPress::most_bulge * skin_.highest() * bow_reach(form.curve))),
+        contacts_(find_contacts(frames_, meridian_, BerryPress::max_bulge * skin_.highest() * bow_reach(form.curve))),
         press_(pattern_) {
     if (furrowed_) furrows_.emplace(pattern_);
   }
 
+  // Presses each berry against its neighbours, then lets those without enough room push their planes outward, in a few
+  // rounds.
   BerrySurfaces press() {
     const std::size_t berries = bodies_.size(), each = pattern_.vertices;
     surfaces_ = {pattern_.uvs, pattern_.indices, std::vector<float>(3 * each * berries),
@@ -46,15 +49,17 @@ class Pressing {
     lacking_.assign(berries, 0);
     for (std::size_t i = 0; i < berries; ++i) press_one(i);
     bool short_of_room = true;
-    for (int round = 0; round < most_rounds && short_of_room; ++round) short_of_room = share_room();
+    for (int round = 0; round < max_rounds && short_of_room; ++round) short_of_room = share_room();
     return std::move(surfaces_);
   }
 
  private:
-  static constexpr int most_rounds = 3;
+  static constexpr int max_rounds = 3;
 
+  // Whether a berry has dried enough for its folds to show.
   static bool shrivelled(const BerryBody& body) { return body.shrivel > hardly_shrivelled; }
 
+  // Computes the surface of berry `i` between its planes, and how much of its volume finds no room.
   void press_one(std::size_t i) {
     const BerryBody& body = bodies_[i];
     const float shrivel = shrivelled(body) ? std::min(body.shrivel, 1.0f) * skin_.folds() : 0;
@@ -103,6 +108,7 @@ class Pressing {
 
 }  // namespace
 
+// The surfaces of all berries, pressed flat where they touch.
 BerrySurfaces press_berries(std::span<const BerryBody> bodies, const BerryForm& form, const BerryOptions& options) {
   return Pressing(bodies, form, std::clamp(options.segments, 6u, 128u)).press();
 }

@@ -8,6 +8,7 @@
 
 namespace panicle::bunch {
 
+// The view from a direction of any length: unit vectors right, up and towards the viewer.
 View view_from(glm::vec3 towards) {
   View view;
   view.towards = towards / std::sqrt(glm::dot(towards, towards));
@@ -20,6 +21,7 @@ View view_from(glm::vec3 towards) {
   return view;
 }
 
+// Projects a berry, an ellipsoid of revolution, onto the plane of a view: the ellipse of its outline and its depth.
 ProjectedBerry project(const BerryBody& body, const View& view) {
   constexpr float least = 1e-8f;  // a berry of no size has an outline still
   const float half_width = std::max(body.half_width, least), half_length = std::max(body.half_length, least);
@@ -44,9 +46,11 @@ ProjectedBerry project(const BerryBody& body, const View& view) {
   return seen;
 }
 
+// The area of the projected ellipse.
 float ProjectedBerry::area() const { return pi / std::sqrt(uu * vv - uv * uv); }
 
-// With the outline's block L Lᵀ (Cholesky), L maps the disc onto it.
+// Maps a point of the unit disc to the ellipse, relative to its centre: with the ellipse's matrix L Lᵀ (Cholesky
+// decomposition), by L.
 glm::vec2 ProjectedBerry::on_disc(glm::vec2 unit) const {
   const float determinant = uu * vv - uv * uv;
   const float below = -uv / (determinant * half.x);

@@ -10,7 +10,9 @@ namespace {
 constexpr std::int32_t word_bits = 64;
 constexpr std::uint64_t all = ~std::uint64_t{0};
 
+// A word whose bits from `bit` on are 1.
 std::uint64_t from_bit(std::int32_t bit) { return all << bit; }
+// A word whose bits below `bit` are 1.
 std::uint64_t up_to_bit(std::int32_t bit) { return bit == word_bits ? all : ~(all << bit); }
 
 // Spreads a row's bits by one pixel to both sides.
@@ -26,6 +28,7 @@ void widen(std::vector<std::uint64_t>& row) {
 
 }  // namespace
 
+// Makes the image of that size, all pixels clear.
 void BitImage::reset(std::int32_t columns, std::int32_t rows) {
   columns_ = std::max(columns, 0);
   rows_ = std::max(rows, 0);
@@ -33,11 +36,14 @@ void BitImage::reset(std::int32_t columns, std::int32_t rows) {
   bits_.assign(words_ * static_cast<std::size_t>(rows_), 0);
 }
 
+// Whether a pixel is set; false outside the image.
 bool BitImage::at(std::int32_t column, std::int32_t row) const {
   if (column < 0 || column >= columns_ || row < 0 || row >= rows_) return false;
   return row_words(row)[column / word_bits] >> (column % word_bits) & 1;
 }
 
+// Sets the pixels from column `from` up to, not including, `to` of a row. Returns how many were clear before; `wanted`
+// becomes the number of those pixels inside the image.
 std::int32_t BitImage::fill(std::int32_t row, std::int32_t from, std::int32_t to, std::int32_t* wanted) {
   from = std::max(from, 0);
   to = std::min(to, columns_);
@@ -57,32 +63,37 @@ std::int32_t BitImage::fill(std::int32_t row, std::int32_t from, std::int32_t to
   return clear;
 }
 
+// The number of set pixels.
 std::int64_t BitImage::count() const {
   std::int64_t sum = 0;
   for (const std::uint64_t word : bits_) sum += std::popcount(word);
   return sum;
 }
 
+// The number of set pixels in a row.
 std::int32_t BitImage::count_row(std::int32_t row) const {
   std::int32_t sum = 0;
   for (std::size_t i = 0; i < words_; ++i) sum += std::popcount(row_words(row)[i]);
   return sum;
 }
 
+// The number of pixels set in both images, which have the same size.
 std::int64_t BitImage::count_common(const BitImage& other) const {
   std::int64_t sum = 0;
   for (std::size_t i = 0; i < bits_.size(); ++i) sum += std::popcount(bits_[i] & other.bits_[i]);
   return sum;
 }
 
-// Bits beyond the last column are clear.
+// Clears the bits beyond the last column, as all functions expect.
 void BitImage::clear_margin() {
   const std::int32_t rest = columns_ % word_bits;
   if (rest == 0) return;
   for (std::int32_t row = 0; row < rows_; ++row) row_words(row)[words_ - 1] &= up_to_bit(rest);
 }
 
-// Widens rows from the disc's uppermost, the narrowest, to its widest: each is the one before, widened a little more.
+// The image in which all pixels within `radius` of a set one are set.
+// Widens each row from the disc's uppermost chord, the narrowest, to its widest: each is the one before, widened a
+// little more.
 BitImage BitImage::dilated(float radius) const {
   BitImage result(columns_, rows_);
   const auto reach = static_cast<std::int32_t>(std::max(radius, 0.0f));
@@ -107,8 +118,11 @@ BitImage BitImage::dilated(float radius) const {
   return result;
 }
 
+// The image without holes and gaps narrower than a disc of that radius: dilated, then eroded (the dilation of the
+// complement).
 BitImage BitImage::closed(float radius) const { return dilated(radius).complement().dilated(radius).complement(); }
 
+// The image with all pixels inverted.
 BitImage BitImage::complement() const {
   BitImage result = *this;
   for (std::uint64_t& word : result.bits_) word = ~word;

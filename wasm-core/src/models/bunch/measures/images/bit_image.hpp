@@ -37,6 +37,7 @@ class BitImage {
   BitImage closed(float radius) const;
 
  private:
+  // The words of a row's bits.
   std::uint64_t* row_words(std::int32_t row) { return bits_.data() + static_cast<std::size_t>(row) * words_; }
   const std::uint64_t* row_words(std::int32_t row) const {
     return bits_.data() + static_cast<std::size_t>(row) * words_;

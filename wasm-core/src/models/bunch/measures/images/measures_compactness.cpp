@@ -7,15 +7,18 @@
 #include "spatial/point_grid.hpp"
 
 namespace panicle::bunch {
+
+// A pedicel is the stalk of one flower or berry.
+
 namespace {
 
 constexpr std::size_t nearest_few = 3;
 constexpr float about = 6;         // number of nearest berries over which pressure is averaged
 constexpr float touching = 0.03f;  // gap over mean diameter up to which berries count as touching
 
-// Half of a berry's extent along `u`: the mean of the furthest point (support) and the skin on the line through its
-// centre, which for a ball are the same.
-float reach(const BerryBody& berry, const glm::vec3& u) {
+// Half of a berry's extent along the unit vector `u`: the mean of the furthest point (support) and of the skin on the
+// line through its centre, which for a ball are the same.
+float half_extent(const BerryBody& berry, const glm::vec3& u) {
   const float along = berry.direction.x * u.x + berry.direction.y * u.y + berry.direction.z * u.z;
   const float w = berry.half_width * berry.half_width, l = berry.half_length * berry.half_length;
   const float support = std::sqrt(w + (l - w) * along * along);
@@ -31,13 +34,16 @@ float gap_between(const BerryBody& a, const BerryBody& b, float most) {
   if (square >= far * far) return most;
   const float distance = std::sqrt(square);
   const glm::vec3 u = distance > 0 ? away / distance : glm::vec3(0, 1, 0);
-  return distance - reach(a, u) - reach(b, u);
+  return distance - half_extent(a, u) - half_extent(b, u);
 }
 
+// A value over a whole, limited to 0 … 1.
 float share(float value, float whole) { return std::clamp(value / whole, 0.0f, 1.0f); }
 
 }  // namespace
 
+// How close together berries are: mean gap to the nearest three (at most a mean diameter each), mean number of
+// contacts, and mean overlap over six neighbours and the diameter.
 Compactness measure_compactness(const Subject& subject) {
   const float diameter = 2 * subject.mean_radius;
   float furthest = 0;
@@ -66,6 +72,8 @@ Compactness measure_compactness(const Subject& subject) {
   return {sums.gap / count, sums.contacts / count, sums.pressed / count};
 }
 
+// The density note, 1 (very loose) … 9 (very dense), of OIV descriptor 204: a sum of how close, hidden, held and
+// deformed the berries are. `pedicels_seen`: share of their length, 0 … 1.
 float density_note(const Subject& subject, const Compactness& compactness, float pedicels_seen) {
   constexpr float apart = 0.5f;  // gap over diameter at which berries are wholly apart
   constexpr float bared = 0.7f;  // share of pedicels visible at which all count as visible

@@ -8,10 +8,13 @@
 #include "models/bunch/measures/images/silhouette.hpp"
 
 namespace panicle::bunch {
+
+// A pedicel is the stalk of one flower or berry.
+
 namespace {
 
 constexpr float pixels_to_radius = 6;
-constexpr float most_pixels = 1200;
+constexpr float max_pixels = 1200;
 constexpr float least_seen = 0.05f;  // of a berry's outline
 constexpr std::size_t points = 5;    // on a pedicel
 
@@ -28,11 +31,13 @@ struct Entry {
   }
 };
 
-float length_of(const Stem& stem) {
+// The length of a stem.
+float length_of(const Segment& stem) {
   const glm::vec3 along = stem.end - stem.start;
   return std::sqrt(along.x * along.x + along.y * along.y + along.z * along.z);
 }
 
+// The scalar product.
 float dot(const glm::vec3& a, const glm::vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 // Paints berries front to back and counts pixels: a clear pixel that is painted is visible. For balls that do not
@@ -40,8 +45,9 @@ float dot(const glm::vec3& a, const glm::vec3& b) { return a.x * b.x + a.y * b.y
 // at right angles to the line of centres; for other forms nearly so. Reuses its buffers from view to view.
 class VisibilityRenderer {
  public:
+  // Sums the length of all pedicels.
   explicit VisibilityRenderer(const Subject& subject) : subject_(subject) {
-    for (const Stem& pedicel : subject.pedicels) pedicel_length_ += length_of(pedicel);
+    for (const Segment& pedicel : subject.pedicels) pedicel_length_ += length_of(pedicel);
   }
 
   // Renders the view from the direction `towards`.
@@ -63,6 +69,7 @@ class VisibilityRenderer {
     pedicels_ = pedicel_length_ > 0 ? length / pedicel_length_ : 0;
   }
 
+  // The share of the berries, and of the pedicels' length, visible in the last view; 0 … 1.
   float berries() const { return berries_; }
   float pedicels() const { return pedicels_; }
 
@@ -80,7 +87,7 @@ class VisibilityRenderer {
       entries_.push_back({one.depth, one.centre, static_cast<std::uint32_t>(projected_.size() - 1), true});
     }
     for (std::uint32_t i = 0; with_pedicels && i < subject_.pedicels.size(); ++i) {
-      const Stem& stem = subject_.pedicels[i];
+      const Segment& stem = subject_.pedicels[i];
       for (std::size_t k = 0; k < points; ++k) {
         const glm::vec3 p = stem.start + (static_cast<float>(k) + 0.5f) / points * (stem.end - stem.start);
         entries_.push_back({dot(p, view.towards), {dot(p, view.right), dot(p, view.up)}, i, false});
@@ -88,7 +95,7 @@ class VisibilityRenderer {
     }
     sort_entries();
     const float size = std::max(high.x - low.x, high.y - low.y);
-    grid_ = PixelGrid::over(low, high, std::max(subject_.mean_radius / pixels_to_radius, size / most_pixels), 1);
+    grid_ = PixelGrid::over(low, high, std::max(subject_.mean_radius / pixels_to_radius, size / max_pixels), 1);
     image_.reset(grid_.columns, grid_.rows);
   }
 
@@ -116,6 +123,8 @@ class VisibilityRenderer {
 
 }  // namespace
 
+// How many berries are visible: the mean over 26 directions, from the front and from the side; and the mean share of
+// pedicels from four sides.
 Visibility visibility(const Subject& subject) {
   Visibility result;
   VisibilityRenderer onlooker(subject);

@@ -12,6 +12,7 @@ struct Stretch {
   float least = 0, most = 0;
   bool empty = true;
 
+  // Extends the stretch by the interval from `low` to `high`.
   void add(float low, float high) {
     least = empty ? low : std::min(least, low);
     most = empty ? high : std::max(most, high);
@@ -19,6 +20,7 @@ struct Stretch {
   }
 };
 
+// Extends a stretch by the chord of a disc at height y, if they meet.
 void add_disc(Stretch& stretch, glm::vec2 centre, float radius, float y) {
   const float up = y - centre.y, square = radius * radius - up * up;
   if (square < 0) return;
@@ -26,6 +28,7 @@ void add_disc(Stretch& stretch, glm::vec2 centre, float radius, float y) {
   stretch.add(centre.x - half, centre.x + half);
 }
 
+// Extends a stretch by the point where the line from a to b crosses height y, if it does.
 void add_edge(Stretch& stretch, glm::vec2 a, glm::vec2 b, float y) {
   if ((a.y < y) == (b.y < y)) return;
   const float x = a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y);
@@ -34,6 +37,7 @@ void add_edge(Stretch& stretch, glm::vec2 a, glm::vec2 b, float y) {
 
 }  // namespace
 
+// A grid of pixels, `pitch` wide, that covers the box from `low` to `high`, with so many pixels of margin on each side.
 PixelGrid PixelGrid::over(glm::vec2 low, glm::vec2 high, float pitch, std::int32_t margin) {
   const auto m = static_cast<float>(margin);
   const float left = std::floor(low.x / pitch) - m, right = std::ceil(high.x / pitch) + m;
@@ -42,8 +46,8 @@ PixelGrid PixelGrid::over(glm::vec2 low, glm::vec2 high, float pitch, std::int32
           static_cast<std::int32_t>(top - bottom)};
 }
 
-// In pixels from here on: a row at `up` pixels from the centre meets the ellipse at middle ± half, where
-// half² = (uu − up² (uu vv − uv²)) / uu².
+// Fills the ellipse of a projected berry, row by row, and counts its pixels. In pixels, a row at `up` from the centre
+// meets the ellipse at middle ± half, where half² = (uu − up² (uu vv − uv²)) / uu².
 DrawnPixels draw(BitImage& image, const PixelGrid& grid, const ProjectedBerry& berry) {
   const float square = grid.pitch * grid.pitch;
   const float uu = berry.uu * square, uv = berry.uv * square, vv = berry.vv * square;
@@ -64,6 +68,7 @@ DrawnPixels draw(BitImage& image, const PixelGrid& grid, const ProjectedBerry& b
   return inked;
 }
 
+// Fills the silhouette of a stem: a trapezium with a disc at each end. All lengths in the grid's unit.
 void draw_stem(BitImage& image, const PixelGrid& grid, glm::vec2 start, float radius, glm::vec2 end, float radius_end) {
   const glm::vec2 along = end - start;
   const float length = std::sqrt(along.x * along.x + along.y * along.y);

@@ -17,10 +17,13 @@ struct PixelGrid {
   // A grid over a box, with a margin of `margin` pixels. Centres lie at odd multiples of half a pitch, for every box.
   static PixelGrid over(glm::vec2 low, glm::vec2 high, float pitch, std::int32_t margin);
 
+  // The height of a row's middle.
   float row_height(std::int32_t row) const { return top - (static_cast<float>(row) + 0.5f) * pitch; }
   // The rows and columns whose centres lie in a stretch go from the first up to but not the end; far outside the
   // picture they are held just outside it.
   std::int32_t first_row(float highest) const { return whole_above((top - highest) / pitch - 0.5f, rows); }
+  // The row after the last, and the first and last columns, whose middles are within a range; then the row and column
+  // that contain a point.
   std::int32_t end_row(float lowest) const { return whole_above((top - lowest) / pitch - 0.5f, rows); }
   std::int32_t first_column(float least) const { return whole_above((least - left) / pitch - 0.5f, columns); }
   std::int32_t end_column(float most) const { return whole_above((most - left) / pitch - 0.5f, columns); }

@@ -13,6 +13,7 @@ constexpr float seat_widening = 1.35f;
 constexpr float young_girth = 0.55f;  // of the ripe bunch's stems, while it flowers
 constexpr float stout_at = 0.64f;     // berries' size from which stems thicken no more
 
+// The thickness of stems, over that of the ripe bunch, while berries are `size` times as wide as ripe ones.
 float girth_at(float size) { return young_girth + (1 - young_girth) * std::min(1.0f, size / stout_at); }
 
 // Applies to `v` the least rotation from `from` to `onto`, and the same stretch.
@@ -26,12 +27,14 @@ glm::vec3 turned_onto(const glm::vec3& v, const glm::vec3& from, const glm::vec3
   return turned * (far / length);
 }
 
+// Bends a skeleton to the places of its swollen berries.
 class Bending {
  public:
   Bending(std::span<const Internode> internodes, std::span<const Flower> flowers, const Hanging& hanging,
           std::span<const FlowerOutcome> outcomes, std::span<const glm::vec3> ends, float size)
       : internodes_(internodes), flowers_(flowers), hanging_(hanging), outcomes_(outcomes), ends_(ends), size_(size) {}
 
+  // Returns the internodes that are left, bent by the berries' weight, in metres; places in `place_of`.
   BentSkeleton run() {
     find_what_stays();
     place_stalks();
@@ -62,9 +65,12 @@ class Bending {
   }
 
  private:
+  // Whether the internode belongs to a branch, whose end the swelling has moved.
   bool is_branch(std::size_t i) const { return hanging_.branch_of[i] >= 0; }
-  bool rides(std::size_t i) const { return hanging_.branch_of[i] < 0 && hanging_.stalk_from[i] < 0; }
+  // Whether the internode is a part on a stalk, such as a thorn: neither branch nor stalk.
+  bool grows_on_stalk(std::size_t i) const { return hanging_.branch_of[i] < 0 && hanging_.stalk_from[i] < 0; }
 
+  // Finds the internodes that stay: the rachis, those that lead to a berry, and branches that never had a flower.
   void find_what_stays() {
     std::vector<std::uint8_t> had_flower(internodes_.size(), 0);
     stays_.assign(internodes_.size(), 0);
@@ -81,7 +87,7 @@ class Bending {
       if (stays_[i]) stays_[parent] = 1;
     }
     for (std::size_t i = 0; i < internodes_.size(); ++i)
-      if (rides(i)) stays_[i] = stays_[static_cast<std::size_t>(internodes_[i].parent)];
+      if (grows_on_stalk(i)) stays_[i] = stays_[static_cast<std::size_t>(internodes_[i].parent)];
   }
 
   // Places the ends of stalk internodes: by the positions of their flowers, in the middle of several.
@@ -98,12 +104,13 @@ class Bending {
       const glm::vec3 grown = internodes_[parent].end - foot;
       if (outcomes_[f].state == FlowerState::berry) seats_[parent] = 1;
       for (std::size_t i = parent;; i = static_cast<std::size_t>(internodes_[i].parent)) {
-        add(i, outcomes_[f].state, moved_point(outcomes_[f], moved, internodes_[i].end - foot, grown, i == parent));
+        add_end(i, outcomes_[f].state, moved_point(outcomes_[f], moved, internodes_[i].end - foot, grown, i == parent));
         if (i == first) break;
       }
     }
   }
 
+  // Where the stalk whose first internode is `first` begins now: at the moved end of its branch, or where it grew.
   glm::vec3 moved_foot(std::size_t first) const {
     const Internode& internode = internodes_[first];
     const std::int32_t stem =
@@ -121,7 +128,9 @@ class Bending {
     return tip ? outcome.seat : foot + turned_onto(along, grown, outcome.seat - foot);
   }
 
-  void add(std::size_t i, FlowerState state, const glm::vec3& end) {
+  // Adds the end of stalk internode `i` for one of its flowers. Only the flowers of the greatest state count; their
+  // ends are averaged.
+  void add_end(std::size_t i, FlowerState state, const glm::vec3& end) {
     if (state < states_[i]) return;
     if (state > states_[i]) {
       states_[i] = state;
@@ -131,9 +140,11 @@ class Bending {
     counts_[i] += 1;
   }
 
+  // The new end of internode `i`, which now begins at `start`: the swollen branch's, the mean of its flowers', or as it
+  // grew.
   glm::vec3 end_of(std::size_t i, const glm::vec3& start) const {
     if (is_branch(i)) return ends_[static_cast<std::size_t>(hanging_.branch_of[i])];
-    if (rides(i)) return start + (internodes_[i].end - internodes_[i].start);
+    if (grows_on_stalk(i)) return start + (internodes_[i].end - internodes_[i].start);
     return sums_[i] / counts_[i];
   }
 
@@ -153,6 +164,8 @@ class Bending {
 
 }  // namespace
 
+// Moves the stems to where the swollen berries hang, and drops stems that have lost all their flowers. `ends`: of the
+// branches after swelling, millimetres; `size`: berries' width over the ripe one.
 BentSkeleton bend_skeleton(std::span<const Internode> internodes, std::span<const Flower> flowers,
                            const Hanging& hanging, std::span<const FlowerOutcome> outcomes,
                            std::span<const glm::vec3> ends, float size) {

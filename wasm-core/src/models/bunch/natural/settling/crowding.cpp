@@ -22,14 +22,16 @@ constexpr float pushed_in = 2;     // factor by which a width outside the outlin
 constexpr float longer_by = 0.6f;  // power of the elongation: long berries lie side by side
 // The search uses Newton's method on logarithms: there crowding rises with the fill almost evenly.
 constexpr int tries = 3;
-constexpr float most_step = 0.7f;
-constexpr float usual_steepness = 1.4f, least_steepness = 0.7f, most_steepness = 3;
+constexpr float max_step = 0.7f;
+constexpr float usual_steepness = 1.4f, least_steepness = 0.7f, max_steepness = 3;
 
+// A tried fill (the limit of the ranks that set) and the crowding that results, both as logarithms.
 struct FillSample {
   float fill = 0;
   float crowding = 0;
 };
 
+// A berry that sets. Its `crowd` is the volume of its neighbours, weighted by a kernel of their distances.
 struct Berry {
   float volume;
   std::uint32_t bunch;
@@ -39,6 +41,9 @@ struct Berry {
 
 }  // namespace
 
+// The share of space that other berries fill about a berry, as a harmonic mean over all berries by volume. Lengths are
+// divided by the elongation first, so that berries are round.
+// The kernel of two berries at distance r is (1 − r²/h²)², for the reach h; each pair is added to both berries.
 float crowding(std::span<const Bud> buds, std::span<const float> volumes, const BerrySize& berry) {
   std::vector<Berry> berries;
   std::vector<glm::vec3> places;
@@ -48,7 +53,7 @@ float crowding(std::span<const Bud> buds, std::span<const float> volumes, const 
     places.emplace_back(place.x, place.y / berry.elongation, place.z);
     berries.push_back({volumes[i], buds[i].bunch, 1 + pushed_in * buds[i].misplaced, 0});
   }
-  const float reach = near * berry.size, square = reach * reach;
+  const float reach = near * berry.size, reach_squared = reach * reach;
   const PointGrid grid(places, reach / 2);
   const std::span<const std::uint32_t> ids = grid.ids();
   for (std::uint32_t i = 0; i < places.size(); ++i) {
@@ -58,10 +63,11 @@ float crowding(std::span<const Bud> buds, std::span<const float> volumes, const 
         const std::uint32_t j = ids[slot];
         if (j <= i || berries[j].bunch != berries[i].bunch) continue;
         const glm::vec3 between = places[j] - place;
-        const float within = 1 - (between.x * between.x + between.y * between.y + between.z * between.z) / square;
-        if (!(within > 0)) continue;
-        berries[i].crowd += within * within * berries[j].volume;
-        berries[j].crowd += within * within * berries[i].volume;
+        const float weight_root =
+            1 - (between.x * between.x + between.y * between.y + between.z * between.z) / reach_squared;
+        if (!(weight_root > 0)) continue;
+        berries[i].crowd += weight_root * weight_root * berries[j].volume;
+        berries[j].crowd += weight_root * weight_root * berries[i].volume;
       }
     });
   }
@@ -73,6 +79,7 @@ float crowding(std::span<const Bud> buds, std::span<const float> volumes, const 
   return open > 0 ? middling * (all / open - 1) : 0;
 }
 
+// The crowding of bunches of a density, 1 … 9: between the values of a table, more for long berries.
 float crowding_at(float density, float elongation) {
   const float place = std::clamp(density - 1, 0.0f, 7.999f);
   const auto below = static_cast<std::size_t>(place);
@@ -81,6 +88,8 @@ float crowding_at(float density, float elongation) {
   return round * power(elongation, longer_by);
 }
 
+// Finds the fill with which flowers of these ranks are as crowded as the density requires: a few steps of the secant
+// method on logarithms, whose slope is limited, so that the result is smooth.
 float fill_for(std::span<const Bud> buds, std::span<const float> ranks, float density, const BerrySize& berry) {
   const auto attempt = [&](float fill) {
     const std::vector<float> volumes = choose_set({ranks.begin(), ranks.end()}, exponential(fill));
@@ -90,15 +99,15 @@ float fill_for(std::span<const Bud> buds, std::span<const float> ranks, float de
   FillSample last = attempt(logarithm(fill_of(density)));
   float steepness = usual_steepness;
   for (int k = 0; k < tries; ++k) {
-    const float step = std::clamp((wanted - last.crowding) / steepness, -most_step, most_step);
+    const float step = std::clamp((wanted - last.crowding) / steepness, -max_step, max_step);
     const FillSample next = attempt(last.fill + step);
     // Weight of the chord: near 1 where the two points are far enough apart for a slope.
     const float reliability = step * step / (step * step + 1e-4f);
     const float chord = std::abs(step) > 0 ? (next.crowding - last.crowding) / step : 0;
-    steepness = std::clamp(usual_steepness + reliability * (chord - usual_steepness), least_steepness, most_steepness);
+    steepness = std::clamp(usual_steepness + reliability * (chord - usual_steepness), least_steepness, max_steepness);
     last = next;
   }
-  return exponential(last.fill + std::clamp((wanted - last.crowding) / steepness, -most_step, most_step));
+  return exponential(last.fill + std::clamp((wanted - last.crowding) / steepness, -max_step, max_step));
 }
 
 }  // namespace panicle::bunch

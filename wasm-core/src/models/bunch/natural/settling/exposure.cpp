@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "foundation/golden_spiral.hpp"
 #include "foundation/lanes.hpp"
 #include "foundation/mathematics.hpp"
 #include "models/bunch/berry/pressing/projection.hpp"
@@ -17,22 +18,21 @@ constexpr std::size_t samples = 37;  // of each disc
 constexpr float penumbra = 0.25f;    // width of a shadow's edge, in radii of the berry that casts it
 // the depth, in its outer radii, by which a berry must be before another to shade it in full
 constexpr float behind_at = 0.5f;
-constexpr float golden_angle = 137.50776f;  // degrees
 
 // The samples of a disc side by side, and a few more to make whole groups of four.
 constexpr std::size_t padded = (samples + 3) / 4 * 4;
+// The sample points of a disc, in the plane perpendicular to the sun's direction.
 struct Disc {
   std::array<float, padded> x{}, y{};
 };
 
-// Places evenly over the unit disc: the sunflower's spiral (Vogel 1979).
+// Points spread evenly over the unit disc.
 Disc even_disc() {
   Disc disc;
   for (std::size_t k = 0; k < samples; ++k) {
-    const float radius = std::sqrt((static_cast<float>(k) + 0.5f) / samples);
-    const SinCos turn = sincos_degrees(golden_angle * static_cast<float>(k));
-    disc.x[k] = radius * turn.cosine;
-    disc.y[k] = radius * turn.sine;
+    const glm::vec2 place = golden_disc_point(k, samples);
+    disc.x[k] = place.x;
+    disc.y[k] = place.y;
   }
   return disc;
 }
@@ -49,7 +49,7 @@ Disc disc_of(const ProjectedBerry& berry, const Disc& unit) {
 }
 
 // Which berries may lie over a place of the picture: cells as wide as the widest berry with its penumbra.
-PointGrid cells_of(std::span<const ProjectedBerry> berries) {
+PointGrid grid_of(std::span<const ProjectedBerry> berries) {
   std::vector<glm::vec3> places;
   float widest = 0;
   for (const ProjectedBerry& berry : berries) {
@@ -59,7 +59,9 @@ PointGrid cells_of(std::span<const ProjectedBerry> berries) {
   return {places, 2 * (1 + penumbra / 2) * widest};
 }
 
-// Darkens the samples of `lit` by the shadow of `shading`.
+// Darkens `light`, the light at the samples of the berry `lit`, by the shadow of the berry `shading`: fully inside its
+// elliptic outline, fading over a penumbra, and less if `shading` is hardly before it.
+// The quadratic form (uu, uv, vv) is 1 on the outline.
 void shade(const ProjectedBerry& lit, const ProjectedBerry& shading, const Disc& disc,
            std::array<float, padded>& light) {
   const float before = std::min(1.0f, (shading.depth - lit.depth) / (behind_at * lit.outer));
@@ -76,13 +78,14 @@ void shade(const ProjectedBerry& lit, const ProjectedBerry& shading, const Disc&
 
 }  // namespace
 
+// The share of each berry's disc, as seen from the sun, that no other berry shades; 0 … 1.
 std::vector<float> sun_exposure(std::span<const BerryBody> berries, glm::vec3 towards_sun) {
   std::vector<float> exposure(berries.size(), 1.0f);
   if (berries.size() < 2) return exposure;
   const View view = view_from(towards_sun);
   std::vector<ProjectedBerry> seen(berries.size());
   for (std::size_t i = 0; i < berries.size(); ++i) seen[i] = project(berries[i], view);
-  const PointGrid cells = cells_of(seen);
+  const PointGrid cells = grid_of(seen);
   const Disc unit = even_disc();
   std::array<float, padded> light;
   for (std::size_t i = 0; i < berries.size(); ++i) {

@@ -22,6 +22,7 @@ constexpr float fill_of_crowd = (1.0f / 6) / (32.0f / 105 * near * near * near);
 // Buds in the order of a grid's slots, each property in an array of its own, so that four are processed at once.
 class BudsBySlot {
  public:
+  // Sorts the buds into a grid with cells as wide as `reach`.
   BudsBySlot(std::span<const Bud> buds, std::span<const glm::vec3> places, float reach) : grid_(places, reach) {
     constexpr std::size_t padding = 3;  // four can be read from any slot
     const std::span<const std::uint32_t> ids = grid_.ids();
@@ -64,6 +65,8 @@ class BudsBySlot {
   std::vector<std::uint32_t> bunch_;
 };
 
+// The volume of each bud's berry over a full one: 1 for ranks well below `limit`, 0 above it, and smaller on a ramp
+// just below it.
 std::vector<float> shares_below(std::vector<float> ranks, float limit) {
   for (float& rank : ranks) {
     const float share = limit > 0 ? std::clamp((limit - rank) / (ramp * limit), 0.0f, 1.0f) : rank <= limit;
@@ -74,6 +77,8 @@ std::vector<float> shares_below(std::vector<float> ranks, float limit) {
 
 }  // namespace
 
+// The rank of each bud, the lowest setting first: its random chance times the share of space that the buds about it
+// would fill with berries `size` wide; more for buds outside the outline, less for strong ones.
 std::vector<float> ranks_of(std::span<const Bud> buds, float size) {
   std::vector<glm::vec3> places;
   for (const Bud& bud : buds) places.push_back(bud.place);
@@ -87,8 +92,10 @@ std::vector<float> ranks_of(std::span<const Bud> buds, float size) {
   return ranks;
 }
 
+// The volume of each bud's berry over a full one, if the buds of ranks below `fill` set.
 std::vector<float> choose_set(std::vector<float> ranks, float fill) { return shares_below(std::move(ranks), fill); }
 
+// The same if about `berries` buds set, those of the lowest ranks; a fraction is rounded.
 std::vector<float> choose_count(std::vector<float> ranks, float berries) {
   const auto whole = static_cast<std::size_t>(berries + 0.5f);
   if (whole >= ranks.size()) return std::vector<float>(ranks.size(), 1);
@@ -97,6 +104,7 @@ std::vector<float> choose_count(std::vector<float> ranks, float berries) {
   return shares_below(std::move(ranks), sorted[whole]);
 }
 
+// The buds' indices by ascending rank.
 std::vector<std::uint32_t> setting_order(std::span<const float> ranks) { return order_of(ranks); }
 
 }  // namespace panicle::bunch

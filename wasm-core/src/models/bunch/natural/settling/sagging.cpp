@@ -11,7 +11,7 @@ namespace {
 
 constexpr float grams_per_volume = 1.06e-3f;  // mass of a cubic millimetre of berry
 constexpr float softness = 1e-4f;      // radians a gram, mm of lever and of length, at a radius of 1 mm, of the total
-constexpr float most_bent = 0.5f;      // radians; upper bound that no branch reaches
+constexpr float max_bent = 0.5f;       // radians; upper bound that no branch reaches
 constexpr float turned_round = -0.9f;  // cosine: an axis that would have to turn further up stays as it is
 constexpr float limp = 0.75f;          // how far down a level pedicel is drawn, over its own length
 constexpr float limper = 0.25f;        // more where it points up, less where it hangs already
@@ -19,17 +19,20 @@ constexpr float hung_at = 0.5f;        // size of a berry, over ripe, at which i
 
 const glm::quat straight(1, 0, 0, 0);
 
-float drawn_down(float size) { return std::min(1.0f, size / hung_at); }
+// How far stems have been drawn down, 0 … 1, while berries are `size` times as wide as ripe ones.
+float share_of_droop(float size) { return std::min(1.0f, size / hung_at); }
 
-float grams(const Swelling& berry) {
+// The mass of a ripe berry, grams.
+float mass_of(const Swelling& berry) {
   return grams_per_volume * (4.0f / 3) * pi * berry.half_width * berry.half_width * berry.half_length;
 }
 
-glm::vec3 hangs_at(const Branch& branch, const Swelling& berry) {
+// The centre of a ripe berry where the text draws it.
+glm::vec3 centre_of(const Branch& branch, const Swelling& berry) {
   return branch.end + berry.heading * (berry.stalk + berry.half_length);
 }
 
-// A rotation by a small angle about a unit vector.
+// A rotation (quaternion) by a small angle about a unit vector; the sine is the first two terms of its series.
 glm::quat slight_turn(const glm::vec3& axis, float radians) {
   const float half = radians / 2, sine = half - half * half * half / 6;
   return {std::sqrt(1 - sine * sine), axis * sine};
@@ -37,14 +40,16 @@ glm::quat slight_turn(const glm::vec3& axis, float radians) {
 
 // The least rotation from one direction to another; none where they are about opposite, or 0.
 glm::quat least_turn(const glm::vec3& from, const glm::vec3& to) {
-  const float far = glm::length(from) * glm::length(to);
-  if (!(far > 1e-6f)) return straight;
-  const float cosine = glm::dot(from, to) / far;
-  return cosine < turned_round ? straight : glm::normalize(glm::quat(1 + cosine, glm::cross(from, to) / far));
+  const float length_product = glm::length(from) * glm::length(to);
+  if (!(length_product > 1e-6f)) return straight;
+  const float cosine = glm::dot(from, to) / length_product;
+  return cosine < turned_round ? straight
+                               : glm::normalize(glm::quat(1 + cosine, glm::cross(from, to) / length_product));
 }
 
 }  // namespace
 
+// Computes the bends of all branches under ripe berries, and the turns that compensate for them.
 Sagging::Sagging(std::span<const Branch> branches, std::span<const Swelling> berries)
     : branches_(branches),
       bends_(branches.size(), 0),
@@ -55,13 +60,15 @@ Sagging::Sagging(std::span<const Branch> branches, std::span<const Swelling> ber
   brace(berries);
 }
 
+// Computes how far and about which level axis each branch bends under the berries beyond its start: moment × length /
+// radius⁴, with an upper bound that is approached smoothly.
 void Sagging::load(std::span<const Swelling> berries) {
   std::vector<float> masses(branches_.size(), 0);
   std::vector<glm::vec3> moments(branches_.size(), glm::vec3(0));
   for (const Swelling& berry : berries) {
     if (berry.late) continue;
-    masses[berry.branch] += grams(berry);
-    moments[berry.branch] += grams(berry) * hangs_at(branches_[berry.branch], berry);
+    masses[berry.branch] += mass_of(berry);
+    moments[berry.branch] += mass_of(berry) * centre_of(branches_[berry.branch], berry);
   }
   for (std::size_t k = branches_.size(); k-- > 0;) {
     const Branch& branch = branches_[k];
@@ -70,14 +77,16 @@ void Sagging::load(std::span<const Swelling> berries) {
       moments[static_cast<std::size_t>(branch.parent)] += moments[k];
     }
     const glm::vec3 lever = moments[k] - masses[k] * branch.start, axis(lever.z, 0, -lever.x);
-    const float much = glm::length(axis), square = branch.radius * branch.radius;
-    if (!branch.sags || !(much > 1e-6f) || !(square > 0)) continue;
-    const float bend = branch.give * softness * much * glm::length(branch.end - branch.start) / (square * square);
-    bends_[k] = bend / (1 + bend / most_bent);
-    axes_[k] = axis / much;
+    const float moment = glm::length(axis), radius_squared = branch.radius * branch.radius;
+    if (!branch.sags || !(moment > 1e-6f) || !(radius_squared > 0)) continue;
+    const float bend =
+        branch.give * softness * moment * glm::length(branch.end - branch.start) / (radius_squared * radius_squared);
+    bends_[k] = bend / (1 + bend / max_bent);
+    axes_[k] = axis / moment;
   }
 }
 
+// Turns each axis back so that its berries hang, on average, in the direction in which the text draws them.
 void Sagging::brace(std::span<const Swelling> berries) {
   const std::span<const glm::quat> bent = turned(1);
   std::vector<float> heads(branches_.size(), 0);
@@ -104,8 +113,10 @@ void Sagging::brace(std::span<const Swelling> berries) {
   turned_by_ = -1;
 }
 
+// The rotation of each branch while berries are `size` times as wide as ripe ones: its own bend, its bracing and its
+// parent's rotation. The bend grows with the berries' mass, the cube of their size.
 std::span<const glm::quat> Sagging::turned(float size) {
-  const float much = drawn_down(size), weight = much * much * much;
+  const float share = share_of_droop(size), weight = share * share * share;
   if (weight == turned_by_) return turned_;
   turned_by_ = weight;
   for (std::size_t k = 0; k < branches_.size(); ++k) {
@@ -116,11 +127,13 @@ std::span<const glm::quat> Sagging::turned(float size) {
   return turned_;
 }
 
+// The direction in which a pedicel that grew along `heading`, a unit vector, hangs while its berry is `size` times as
+// wide as ripe.
 glm::vec3 drooping(const glm::vec3& heading, float size) {
-  const float much = drawn_down(size);
-  const glm::vec3 way = heading - glm::vec3(0, (limp + limper * heading.y) * much * much, 0);
-  const float far = glm::length(way);
-  return far > 1e-3f ? way / far : glm::vec3(0, -1, 0);
+  const float share = share_of_droop(size);
+  const glm::vec3 direction = heading - glm::vec3(0, (limp + limper * heading.y) * share * share, 0);
+  const float length = glm::length(direction);
+  return length > 1e-3f ? direction / length : glm::vec3(0, -1, 0);
 }
 
 }  // namespace panicle::bunch

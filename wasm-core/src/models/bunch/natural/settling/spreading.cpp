@@ -9,6 +9,9 @@
 #include "spatial/sphere_overlaps.hpp"
 
 namespace panicle::bunch {
+
+// A pedicel is the stalk of one flower or berry.
+
 namespace {
 
 // Found by trial: the smallest movement of berries by a pixel of the profile (docs/natural.md).
@@ -18,6 +21,8 @@ constexpr float on_two_axes = 0.05f;   // the same for two axes, whose distance 
 constexpr float weight = 0.05f;        // of a radius: how much lower all come to hang, a round
 constexpr float least_length = 1e-4f;  // millimetres, of a pedicel with its berry
 
+// A ripe berry as it hangs: the foot of its pedicel, the pedicel's direction (unit), its centre and size, its mass (up
+// to a factor), and the first branch of its axis.
 struct Hung {
   glm::vec3 foot, heading, centre;
   SwollenSize size;
@@ -37,6 +42,7 @@ std::vector<std::size_t> first_branches(std::span<const Branch> branches) {
   return axes;
 }
 
+// Places each berry as it hangs from its bent branch without neighbours.
 std::vector<Hung> hung_alone(std::span<const Branch> branches, std::span<const Swelling> berries,
                              std::span<const glm::quat> turned) {
   std::vector<glm::vec3> ends(branches.size());
@@ -57,13 +63,14 @@ std::vector<Hung> hung_alone(std::span<const Branch> branches, std::span<const S
   return all;
 }
 
+// The pairs of berries that overlap or nearly do; late ones have none.
 std::vector<SpherePair> neighbours(std::span<const Hung> all, std::span<const Swelling> berries) {
   std::vector<Sphere> spheres;
   spheres.reserve(all.size());
   for (std::size_t i = 0; i < all.size(); ++i)
     spheres.push_back({all[i].centre, berries[i].late ? -1 : all[i].size.ball + all[i].size.core});
   std::vector<SpherePair> pairs;
-  SphereOverlapQuery(spheres).pairs(pairs, most_pairs * all.size());
+  SphereOverlapQuery(spheres).pairs(pairs, max_pairs * all.size());
   return pairs;
 }
 
@@ -88,22 +95,24 @@ void lean(Hung& berry, const glm::vec3& sideways) {
 
 }  // namespace
 
+// Leans pedicels away from overlapping neighbours in a few soft rounds, before anything swells. Returns by how much to
+// change each berry's direction; 0 for late ones.
 std::vector<glm::vec3> spread(std::span<const Branch> branches, std::span<const Swelling> berries,
                               std::span<const glm::quat> turned) {
   const std::vector<Hung> alone = hung_alone(branches, berries, turned);
   const std::vector<SpherePair> pairs = neighbours(alone, berries);
   std::vector<Hung> all = alone;
-  std::vector<glm::vec3> asides(all.size());
+  std::vector<glm::vec3> sideways(all.size());
   for (int round = 0; round < rounds; ++round) {
-    std::fill(asides.begin(), asides.end(), glm::vec3(0));
+    std::fill(sideways.begin(), sideways.end(), glm::vec3(0));
     for (const auto [i, j] : pairs) {
       const glm::vec3 push = push_between(all[i], all[j]);
       if (push == glm::vec3(0)) continue;
       const float heavier = 2 * all[i].mass / (all[i].mass + all[j].mass);  // a shot berry displaces no other
-      asides[i] -= push * (2 - heavier);
-      asides[j] += push * heavier;
+      sideways[i] -= push * (2 - heavier);
+      sideways[j] += push * heavier;
     }
-    for (std::size_t i = 0; i < all.size(); ++i) lean(all[i], asides[i]);
+    for (std::size_t i = 0; i < all.size(); ++i) lean(all[i], sideways[i]);
   }
   std::vector<glm::vec3> leans(all.size(), glm::vec3(0));
   for (std::size_t i = 0; i < all.size(); ++i)

@@ -13,6 +13,9 @@
 #include "spatial/sphere_overlaps.hpp"
 
 namespace panicle::bunch {
+
+// A pedicel is the stalk of one flower or berry.
+
 namespace {
 
 // Tuned on the fifteen presets of the paper and 50 random profiles (docs/natural.md has the effect of each).
@@ -28,11 +31,11 @@ constexpr float furthest_out = 1.0f;  // limit beyond that inset, in half-widths
 constexpr float straighten = 0.5f;    // share of the way back to where its pedicel hangs, a step: pedicels are springs
 constexpr float gravity = 0.012f;     // berry widths that an unsupported berry sinks in a step
 constexpr float shortest = 0.6f;      // of a pedicel, from its foot to the seat: it bends
-constexpr float most_bent = -0.35f;   // cosine of a pedicel's turn at its foot
-constexpr int most_rounds = 64;       // of thinning, if far too many have set
+constexpr float max_bent = -0.35f;    // cosine of a pedicel's turn at its foot
+constexpr int max_rounds = 64;        // of thinning, if far too many have set
 constexpr float thinning_from = 0.72f;  // size from which berries crowd each other out
 constexpr int joining = 8;              // steps in which those that join late catch up
-constexpr int most_joinings = 5;        // number of batches of late berries
+constexpr int max_joinings = 5;         // number of batches of late berries
 // number that joins over the number that is missing, for some of them will be lost too
 constexpr float over_missing = 2.0f;
 constexpr float near_enough = 0.98f;  // of the requested number
@@ -46,24 +49,28 @@ struct BerryStemPair {
 
 // The sum of a unit vector and the lean; unit.
 glm::vec3 leaning(const glm::vec3& heading, const glm::vec3& lean) {
-  const glm::vec3 way = heading + lean;
-  const float far = glm::length(way);
-  return far > 1e-3f ? way / far : heading;
+  const glm::vec3 sum = heading + lean;
+  const float length = glm::length(sum);
+  return length > 1e-3f ? sum / length : heading;
 }
 
 // The place of a stem: its middle, and the vector from its start to its end.
 struct StemPlace {
-  glm::vec3 middle, along;
+  glm::vec3 middle, axis_vector;
   float length;
 };
 
+// The middle, axis and length of a stem between two points.
 StemPlace place_of_stem(const glm::vec3& start, const glm::vec3& end) {
-  const glm::vec3 along = end - start;
-  return {start + along * 0.5f, along, glm::length(along)};
+  const glm::vec3 axis_vector = end - start;
+  return {start + axis_vector * 0.5f, axis_vector, glm::length(axis_vector)};
 }
 
+// Moves berries and the ends of branches until all constraints agree, step by step as berries grow. Indices i and j are
+// of berries, k of branches; lengths in millimetres.
 class Solver {
  public:
+  // Begins with very small berries near the feet of their pedicels.
   Solver(std::span<const Branch> branches, std::span<const Swelling> berries, std::span<const BunchEnvelope> bounds)
       : branches_(branches), berries_(berries), bounds_(bounds), sagging_(branches, berries) {
     for (const Branch& branch : branches) ends_.push_back(branch.end);
@@ -78,6 +85,8 @@ class Solver {
     leans_ = spread(branches, berries, sagging_.turned(1));
   }
 
+  // A step of swelling: sets the sizes for `scale`, then corrects the places several times until pedicels, neighbours,
+  // stems and outline agree. `index` counts the steps: every `refresh`th one searches for neighbours.
   void step(float scale, int index) {
     ++work_.steps;
     for (std::size_t i = 0; i < sizes_.size(); ++i) sizes_[i] = swollen_size(berries_[i], scale);
@@ -87,7 +96,7 @@ class Solver {
     std::fill(pushes_.begin(), pushes_.end(), 0.0f);
     std::fill(bound_pushes_.begin(), bound_pushes_.end(), 0.0f);
     turned_ = sagging_.turned(scale);
-    sink();
+    move_towards_rest();
     for (int k = 0; k < projections; ++k) {
       hold_branches();
       hold_pedicels();
@@ -99,32 +108,35 @@ class Solver {
   }
 
   // Removes berries until none is pressed harder than berries can be.
-  void thin_out() { thin(most_rounds); }
+  void thin_out() { thin(max_rounds); }
 
-  // Adds late berries in their order while fewer than `wanted` have found room.
-  void join(std::size_t wanted, float scale, int& index) {
+  // Adds late berries in their order while fewer than `wanted` have found room. `index`: of the next step; returns that
+  // of the step after the last one here.
+  int join(std::size_t wanted, float scale, int index) {
     std::uint32_t next = 0;
-    for (int lot = 0; lot < most_joinings; ++lot) {
-      const std::size_t remaining = there();
-      if (static_cast<float>(remaining) >= near_enough * static_cast<float>(wanted)) return;
+    for (int batch = 0; batch < max_joinings; ++batch) {
+      const std::size_t remaining = present_count();
+      if (static_cast<float>(remaining) >= near_enough * static_cast<float>(wanted)) return index;
       auto places = static_cast<std::size_t>(over_missing * static_cast<float>(wanted - remaining)) + 1;
       for (; next < berries_.size() && places > 0; ++next) {
         if (lost_[next] != RemovalReason::not_set) continue;
-        begin(next);
+        start_late_berry(next);
         --places;
       }
-      if (young_.empty()) return;
+      if (young_.empty()) return index;
       for (int k = 1; k <= joining; ++k) {
         young_share_ = static_cast<float>(k) / joining;
-        if (k == 1) index += (refresh - index % refresh) % refresh;  // they need their neighbours at once
+        // Young berries need their neighbours at once: skip to an index at which `step` finds neighbours.
+        if (k == 1) index += (refresh - index % refresh) % refresh;
         step(scale, index++);
       }
       thin_out();
-      for (; !young_.empty() && there() > wanted; young_.pop_back())
-        if (!gone(young_.back())) lost_[young_.back()] = RemovalReason::not_set;
-      drop_pairs();
+      for (; !young_.empty() && present_count() > wanted; young_.pop_back())
+        if (!is_lost(young_.back())) lost_[young_.back()] = RemovalReason::not_set;
+      remove_lost_pairs();
       young_.clear();
     }
+    return index;
   }
 
   // Removes the berries listed in the request. No other berry is lost after this, so that the others do not depend on
@@ -132,17 +144,19 @@ class Solver {
   void take_by_hand() {
     settled_ = true;
     for (std::size_t i = 0; i < berries_.size(); ++i)
-      if (berries_[i].taken && !gone(i)) lost_[i] = RemovalReason::by_hand;
-    drop_pairs();
+      if (berries_[i].taken && !is_lost(i)) lost_[i] = RemovalReason::by_hand;
+    remove_lost_pairs();
   }
 
+  // Moves the result out; the solver is of no use afterwards.
   Swollen take() {
-    aim();
+    update_headings();
     return {std::move(ends_), std::move(centres_), std::move(headings_), std::move(lost_), work_};
   }
 
  private:
-  void begin(std::uint32_t i) {
+  // Lets a late berry join, very small, near the foot of its pedicel.
+  void start_late_berry(std::uint32_t i) {
     const Swelling& berry = berries_[i];
     lost_[i] = RemovalReason{};
     headings_[i] = berry.heading;
@@ -150,18 +164,20 @@ class Solver {
     young_.push_back(i);
   }
 
-  std::size_t there() const {
+  // The number of berries that are not lost.
+  std::size_t present_count() const {
     return static_cast<std::size_t>(std::count(lost_.begin(), lost_.end(), RemovalReason{}));
   }
 
-  bool gone(std::size_t i) const { return lost_[i] != RemovalReason{}; }
+  // Whether a berry is lost, or late and has not joined yet.
+  bool is_lost(std::size_t i) const { return lost_[i] != RemovalReason{}; }
 
   // Turns berries away from the feet of their pedicels.
-  void aim() {
+  void update_headings() {
     for (std::size_t i = 0; i < berries_.size(); ++i) {
-      const glm::vec3 way = centres_[i] - ends_[berries_[i].branch];
-      const float far = glm::length(way);
-      headings_[i] = far > 1e-4f ? way / far : berries_[i].heading;
+      const glm::vec3 from_foot = centres_[i] - ends_[berries_[i].branch];
+      const float distance = glm::length(from_foot);
+      headings_[i] = distance > 1e-4f ? from_foot / distance : berries_[i].heading;
     }
   }
 
@@ -173,19 +189,19 @@ class Solver {
   // Finds the pairs that may meet before the next search: half a margin round every berry and stem. A stem is searched
   // for along all of its length, which beside young berries is many of theirs.
   void find_neighbours() {
-    aim();
+    update_headings();
     float widest = 0;
     for (const SwollenSize& size : sizes_) widest = std::max(widest, size.ball + size.core);
     const float half_margin = 0.5f * margin * widest;
     std::vector<Sphere> spheres;
-    std::size_t there = 0;
+    std::size_t present = 0;
     for (std::size_t i = 0; i < berries_.size(); ++i) {
-      spheres.push_back({centres_[i], gone(i) ? -1 : sizes_[i].ball + sizes_[i].core + half_margin});
-      there += !gone(i);
+      spheres.push_back({centres_[i], is_lost(i) ? -1 : sizes_[i].ball + sizes_[i].core + half_margin});
+      present += !is_lost(i);
     }
     nearby_.build(spheres);
     pairs_.clear();
-    nearby_.pairs(pairs_, most_pairs * there);
+    nearby_.pairs(pairs_, max_pairs * present);
     pushes_.resize(pairs_.size());
     bound_pushes_.resize(berries_.size());
 
@@ -196,12 +212,15 @@ class Solver {
     }
   }
 
+  // Where branch k starts now: at the moved end of its parent.
   glm::vec3 start_of(std::size_t k) const {
     const std::int32_t parent = branches_[k].parent;
     return parent < 0 ? branches_[k].start : ends_[static_cast<std::size_t>(parent)];
   }
 
-  void sink() {
+  // Moves each berry part of the way to where it would hang at rest, at its drooping and leaning pedicel, and lets it
+  // sink a little by its weight.
+  void move_towards_rest() {
     for (std::size_t i = 0; i < berries_.size(); ++i) {
       const Swelling& berry = berries_[i];
       const SwollenSize& size = sizes_[i];
@@ -222,34 +241,38 @@ class Solver {
     }
   }
 
+  // Moves berries and the ends of their branches so that pedicels keep their length and do not bend back.
   void hold_pedicels() {
     for (std::size_t i = 0; i < berries_.size(); ++i) {
-      if (gone(i)) continue;
+      if (is_lost(i)) continue;
       const Swelling& berry = berries_[i];
       glm::vec3& foot = ends_[berry.branch];
-      const glm::vec3 way = centres_[i] - foot;
-      const float far = glm::length(way);
-      if (!(far > 1e-4f)) continue;
-      const glm::vec3 heading = way / far;
+      const glm::vec3 from_foot = centres_[i] - foot;
+      const float distance = glm::length(from_foot);
+      if (!(distance > 1e-4f)) continue;
+      const glm::vec3 heading = from_foot / distance;
       headings_[i] = heading;
       const SwollenSize& size = sizes_[i];
       const float most = size.stalk + size.half_length, least = shortest * size.stalk + size.half_length;
-      const float off = far > most ? far - most : far < least ? far - least : 0;
+      const float excess = distance > most ? distance - most : distance < least ? distance - least : 0;
       const float give = 0.3f * branches_[berry.branch].give;
-      centres_[i] -= heading * (off * (1 - give));
-      foot += heading * (off * give);
+      centres_[i] -= heading * (excess * (1 - give));
+      foot += heading * (excess * give);
       const float turned = glm::dot(heading, rests_[i]);
-      if (turned < most_bent) centres_[i] += rests_[i] * (0.5f * far * (most_bent - turned));
+      if (turned < max_bent) centres_[i] += rests_[i] * (0.5f * distance * (max_bent - turned));
     }
   }
 
   // Whether two berries are certainly farther from each other than `reach`, for any direction of their cores.
-  bool apart(std::uint32_t i, std::uint32_t j, float reach) const {
+  bool certainly_apart(std::uint32_t i, std::uint32_t j, float reach) const {
     const glm::vec3 between = centres_[j] - centres_[i];
     const float most = reach + sizes_[i].core + sizes_[j].core;
     return glm::dot(between, between) > rounding * most * most;
   }
 
+  // Pushes overlapping berries apart, each by half of the same distance; pairs in reverse order if `backwards`, so that
+  // no berry is preferred.
+  // The push of each pair is summed in `pushes_`: a compliant constraint (XPBD), which never pulls.
   void part_berries(bool backwards) {
     const std::size_t count = pairs_.size();
     work_.looks += count;
@@ -257,18 +280,18 @@ class Solver {
       const std::size_t at = backwards ? count - 1 - k : k;
       const auto [i, j] = pairs_[at];
       const float reach = sizes_[i].ball + sizes_[j].ball;
-      if (pushes_[at] == 0 && apart(i, j, reach)) continue;
+      if (pushes_[at] == 0 && certainly_apart(i, j, reach)) continue;
       const glm::vec3 between = between_cores(i, j);
       const float square = glm::dot(between, between);
       if (square >= reach * reach && pushes_[at] == 0) continue;
       ++work_.contacts;
-      const float far = std::sqrt(square);
-      const float gap = far - reach;
+      const float distance = std::sqrt(square);
+      const float gap = distance - reach;
       const float push = std::max((-gap - contact_give * pushes_[at]) / (2 + contact_give), -pushes_[at]);
       pushes_[at] += push;
-      const glm::vec3 way = far > 1e-4f ? between / far : glm::vec3(0, i < j ? 1 : -1, 0);
-      centres_[i] -= way * push;
-      centres_[j] += way * push;
+      const glm::vec3 direction = distance > 1e-4f ? between / distance : glm::vec3(0, i < j ? 1 : -1, 0);
+      centres_[i] -= direction * push;
+      centres_[j] += direction * push;
     }
   }
 
@@ -290,24 +313,25 @@ class Solver {
     const SwollenSize& size = sizes_[i];
     const float reach = size.ball + branches_[k].radius, most = reach + size.core + stem.length / 2;
     const glm::vec3 between = stem.middle - centres_[i];
-    if (glm::dot(between, between) > rounding * most * most || gone(i) || !(stem.length > 1e-4f)) return false;
-    const auto [s, t] =
-        closest_points(between, {headings_[i], size.core}, {stem.along / stem.length, stem.length / 2}, parallel_cores);
-    const glm::vec3 way = between + stem.along * (t / stem.length) - headings_[i] * s;
-    const float square = glm::dot(way, way);
+    if (glm::dot(between, between) > rounding * most * most || is_lost(i) || !(stem.length > 1e-4f)) return false;
+    const auto [s, t] = closest_points(between, {headings_[i], size.core},
+                                       {stem.axis_vector / stem.length, stem.length / 2}, parallel_cores);
+    const glm::vec3 to_stem = between + stem.axis_vector * (t / stem.length) - headings_[i] * s;
+    const float square = glm::dot(to_stem, to_stem);
     if (square >= reach * reach || !(square > 1e-8f)) return false;
     ++work_.contacts;
-    const float far = std::sqrt(square);
+    const float distance = std::sqrt(square);
     const float give = 0.5f * branches_[k].give;
-    const glm::vec3 push = way * ((reach - far) / far);
+    const glm::vec3 push = to_stem * ((reach - distance) / distance);
     centres_[i] -= push * (1 - give);
     ends_[k] += push * give;
     return true;
   }
 
+  // Pushes berries back into the outline of their bunch, with some give; the distance is added to `bound_pushes_`.
   void keep_within() {
     for (std::size_t i = 0; i < berries_.size(); ++i) {
-      if (gone(i)) continue;
+      if (is_lost(i)) continue;
       const BunchEnvelope& bound = bounds_[berries_[i].bunch];
       const UprightTransform& turn = turns_[berries_[i].bunch];
       glm::vec3 c = turn.place(centres_[i]);
@@ -327,45 +351,46 @@ class Solver {
         c.x *= back;
         c.z *= back;
       }
-      glm::vec3 way = c - before;
-      const float off = glm::length(way);
-      if (!(off > 1e-5f)) continue;
-      const float push = std::max(
-          {0.0f, (off - bound_give * bound_pushes_[i]) / (1 + bound_give), off - furthest_out * size.half_width});
+      glm::vec3 correction = c - before;
+      const float distance = glm::length(correction);
+      if (!(distance > 1e-5f)) continue;
+      const float push = std::max({0.0f, (distance - bound_give * bound_pushes_[i]) / (1 + bound_give),
+                                   distance - furthest_out * size.half_width});
       bound_pushes_[i] += push;
-      way *= push / off;
-      centres_[i] += turn.way_back(way);
+      correction *= push / distance;
+      centres_[i] += turn.way_back(correction);
     }
   }
 
   // The pairs of berries that press on each other, with their depths: valid until a berry moves.
-  std::vector<PressedPair> presses() {
-    std::vector<PressedPair> presses;
-    presses.reserve(pairs_.size());
+  std::vector<PressedPair> pressed_pairs() {
+    std::vector<PressedPair> pressed_pairs;
+    pressed_pairs.reserve(pairs_.size());
     work_.thinning_looks += pairs_.size();
     for (const auto [i, j] : pairs_) {
-      if (gone(i) || gone(j)) continue;
+      if (is_lost(i) || is_lost(j)) continue;
       const float deep = (sizes_[i].ball + sizes_[j].ball - glm::length(between_cores(i, j))) / 2;
-      presses.push_back({i, j, deep});
+      pressed_pairs.push_back({i, j, deep});
     }
-    return presses;
+    return pressed_pairs;
   }
 
   // Removes the most pressed berries, up to so many rounds.
   void thin(int rounds) {
-    std::vector<PressedPair> pressing = presses();
+    std::vector<PressedPair> pressing = pressed_pairs();
     for (int round = 0; round < rounds; ++round) {
       const std::vector<std::uint32_t> lost = crowded_out(pressing, sizes_);
       if (lost.empty()) break;
       for (const std::uint32_t i : lost) lost_[i] = RemovalReason::no_room;
-      std::erase_if(pressing, [&](const PressedPair& press) { return gone(press.a) || gone(press.b); });
+      std::erase_if(pressing, [&](const PressedPair& press) { return is_lost(press.a) || is_lost(press.b); });
     }
-    drop_pairs();
+    remove_lost_pairs();
   }
 
-  void drop_pairs() {
+  // Removes pairs of which one berry is lost.
+  void remove_lost_pairs() {
     pairs_.erase(
-        std::remove_if(pairs_.begin(), pairs_.end(), [&](const SpherePair& p) { return gone(p.a) || gone(p.b); }),
+        std::remove_if(pairs_.begin(), pairs_.end(), [&](const SpherePair& p) { return is_lost(p.a) || is_lost(p.b); }),
         pairs_.end());
     pushes_.resize(pairs_.size());
   }
@@ -391,19 +416,24 @@ class Solver {
 
 }  // namespace
 
+// A pedicel's length over its ripe one, while berries are `size` times as wide as ripe ones.
 float stalk_at(float size) { return 0.55f + 0.45f * std::min(1.0f, size / 0.6f); }
 
+// Swells the berries through all sizes in `scales` (over the ripe one). At the largest, crowded berries are removed,
+// late ones join until `wanted` have room, and those removed by hand go; the last steps only settle.
 Swollen swell(std::span<const Branch> branches, std::span<const Swelling> berries,
               std::span<const BunchEnvelope> bounds, std::span<const float> scales, std::size_t wanted) {
   Solver solver(branches, berries, bounds);
-  const auto full = std::max_element(scales.begin(), scales.end());
+  // Berries that dry afterwards are largest before the last step.
+  const auto largest = std::max_element(scales.begin(), scales.end());
   int index = 0;
   for (auto scale = scales.begin(); scale != scales.end(); ++scale) {
     solver.step(*scale, index++);
-    if (scale != full) continue;
+    if (scale != largest) continue;
+    // After these steps no berry is lost or added any more.
     const bool crowded = *scale >= thinning_from;
     if (crowded) solver.thin_out();
-    if (crowded && wanted > 0) solver.join(wanted, *scale, index);
+    if (crowded && wanted > 0) index = solver.join(wanted, *scale, index);
     for (int k = 0; k < settling; ++k) solver.step(*scale, index++);
     if (crowded) solver.thin_out();
     solver.take_by_hand();

@@ -5,28 +5,31 @@
 namespace panicle::bunch {
 namespace {
 
-constexpr float most_pressed = 0.3f;  // share of a berry's volume, by caps beyond its contacts
+constexpr float max_pressed = 0.3f;  // share of a berry's volume, by caps beyond its contacts
 
-// The volume of a cap of a berry, as a share of the berry's; the ball's cap is the measure.
-float cap_share(const SwollenSize& size, float deep) {
+// The share of a berry's volume in the cap that a neighbour cuts off at an overlap of `deep` millimetres: a ball's cap,
+// π h² (3 r − h) / 3, over the volume of ball and cylindrical core.
+float pressed_share_of(const SwollenSize& size, float deep) {
   const float r = size.ball, h = std::min(deep, r);
   return h * h * (3 * r - h) / (4 * r * r * r + 6 * r * r * size.core);
 }
 
 }  // namespace
 
+// The indices of the berries that are pressed too much: those above the limit, of whose pairs each other berry is
+// pressed less.
 std::vector<std::uint32_t> crowded_out(std::span<const PressedPair> presses, std::span<const SwollenSize> sizes) {
   std::vector<float> pressed(sizes.size(), 0);
   for (const auto& [a, b, deep] : presses) {
     if (deep <= 0) continue;
-    pressed[a] += cap_share(sizes[a], deep);
-    pressed[b] += cap_share(sizes[b], deep);
+    pressed[a] += pressed_share_of(sizes[a], deep);
+    pressed[b] += pressed_share_of(sizes[b], deep);
   }
   std::vector<std::uint8_t> keeps(sizes.size(), 0);
   for (const auto& [a, b, deep] : presses) (pressed[a] > pressed[b] ? keeps[b] : keeps[a]) = 1;
   std::vector<std::uint32_t> lost;
   for (std::uint32_t i = 0; i < sizes.size(); ++i)
-    if (pressed[i] > most_pressed && !keeps[i]) lost.push_back(i);
+    if (pressed[i] > max_pressed && !keeps[i]) lost.push_back(i);
   return lost;
 }
 

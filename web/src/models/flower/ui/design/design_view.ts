@@ -2,6 +2,7 @@
  * `<panicle-flower-design>`: one flat view of a designed flower with its handles. It draws a scene and reports changes
  * as events.
  */
+
 import { html, svg } from "lit";
 import { classMap } from "lit/directives/class-map.js";
 import { DragSession } from "../../../../ui/handles/drag_session";
@@ -9,6 +10,7 @@ import { HandleView } from "../../../../ui/handles/handle_view";
 import type { Point } from "../../../../ui/handles/point";
 import { drawValue, valueStyle } from "../../../../ui/handles/value_label";
 import type { Description } from "../../design/description";
+import { text } from "../../messages.generated";
 import { designStyle } from "./design_style";
 import type { Scene, SceneHandle } from "./scene";
 
@@ -27,8 +29,6 @@ declare global {
 }
 
 const MARGIN = 12;
-const HELP =
-	"Drag, or use the arrow keys; Shift goes farther. Page Up and Page Down go to the next handle. Enter says its value. Escape calls off a drag.";
 
 export class DesignView extends HandleView<string> {
 	static override styles = [...HandleView.styles, valueStyle, designStyle];
@@ -43,7 +43,7 @@ export class DesignView extends HandleView<string> {
 	/** Returns the scene of given descriptions. */
 	declare of: ((descriptions: readonly Description[]) => Scene) | undefined;
 
-	protected readonly help = HELP;
+	protected readonly help = text("handle_help");
 	#scene: Scene | undefined;
 	#scale = 1;
 	#middle: Point = { x: 0, y: 0 };
@@ -53,7 +53,7 @@ export class DesignView extends HandleView<string> {
 		place: (id) => this.#handle(id)?.at ?? { x: 0, y: 0 },
 		pull: (descriptions, id, to) => {
 			const handle = this.of?.(descriptions).handles.find((each) => each.id === id);
-			return handle ? withOne(descriptions, handle.pull(to)) : descriptions;
+			return handle ? withDescription(descriptions, handle.pull(to)) : descriptions;
 		},
 		same: (one, other) => one === other,
 		input: (descriptions) => this.#input(descriptions),
@@ -65,6 +65,7 @@ export class DesignView extends HandleView<string> {
 		this.heading = "";
 	}
 
+	/** Fits the scene into the view, and chooses the handle that is a stop of the Tab key. */
 	protected override willUpdate(): void {
 		if (!this.descriptions || !this.of) return;
 		this.#scene = this.of(this.descriptions);
@@ -81,6 +82,7 @@ export class DesignView extends HandleView<string> {
 		if (this.#chosen === undefined || !ids.includes(this.#chosen)) [this.#chosen] = ids;
 	}
 
+	/** Renders the scene's lines, its handles, and the value of the shown handle. */
 	protected inside(): unknown {
 		const scene = this.#scene;
 		if (!scene) return undefined;
@@ -95,7 +97,7 @@ export class DesignView extends HandleView<string> {
 			</g></svg>
 			${scene.handles.map((handle) =>
 				this.drawHandle(handle.id, this.#inView(handle.at), {
-					label: `${handle.label}: ${handle.value}`,
+					label: text("handle", { name: handle.label, value: handle.value }),
 					tab: handle.id === this.#chosen,
 				}),
 			)}
@@ -103,7 +105,7 @@ export class DesignView extends HandleView<string> {
 				.filter(({ id }) => id === this.shown || this.drags.holds(id))
 				.map((handle) =>
 					drawValue(
-						`${handle.label}: ${handle.value}`,
+						text("handle", { name: handle.label, value: handle.value }),
 						this.#inView(handle.at),
 						this.size,
 						places.filter(([id]) => id !== handle.id).map(([, at]) => at),
@@ -111,27 +113,34 @@ export class DesignView extends HandleView<string> {
 				)}`;
 	}
 
+	/** Returns the handles' positions in the view. */
 	protected places(): [string, Point][] {
 		return (this.#scene?.handles ?? []).map(({ id, at }) => [id, this.#inView(at)]);
 	}
 
+	/** Converts a position in the view to the scene's units. */
 	protected units({ x, y }: Point): Point {
 		const { width, height } = this.size;
 		return { x: (x - width / 2) / this.#scale + this.#middle.x, y: (y - height / 2) / this.#scale + this.#middle.y };
 	}
 
-	protected words(id: string): string {
+	/** Returns a handle's name and value. */
+	protected describe(id: string): string {
 		const handle = this.#handle(id);
-		return handle ? `${handle.label}: ${handle.value}` : "";
+		return handle ? text("handle", { name: handle.label, value: handle.value }) : "";
 	}
 
+	/**
+	 * Handles a key on a handle: Page Up and Page Down go to another one, arrows move it. Returns whether the key had an
+	 * effect.
+	 */
 	protected key(id: string, { key, shiftKey }: KeyboardEvent): boolean {
 		const handle = this.#handle(id);
 		if (!handle || !this.descriptions) return false;
-		if (key === "PageDown" || key === "PageUp") return this.#go(key === "PageDown" ? 1 : -1);
+		if (key === "PageDown" || key === "PageUp") return this.#focusOther(key === "PageDown" ? 1 : -1);
 		const [right, up] = STEPS[key] ?? [0, 0];
 		if (right === 0 && up === 0) return false;
-		const descriptions = withOne(this.descriptions, handle.nudge(right, up, shiftKey));
+		const descriptions = withDescription(this.descriptions, handle.nudge(right, up, shiftKey));
 		this.#input(descriptions);
 		this.emit("design-change");
 		const after = this.of?.(descriptions).handles.find((each) => each.id === id);
@@ -139,30 +148,36 @@ export class DesignView extends HandleView<string> {
 		return true;
 	}
 
+	/** Does nothing: double clicks have no effect here. */
 	protected doubled(): void {}
 
+	/** Makes the focused handle the stop of the Tab key, and reports it. */
 	protected override focused(id: string): void {
 		this.#chosen = id;
 		this.emit("design-focus", id);
 		this.requestUpdate();
 	}
 
-	#go(by: number): boolean {
+	/** Moves the focus by that many handles, around the end; returns whether there is one to focus. */
+	#focusOther(step: number): boolean {
 		const ids = this.#scene?.handles.map(({ id }) => id) ?? [];
-		const next = ids[(ids.indexOf(this.#chosen ?? "") + by + ids.length) % ids.length];
+		const next = ids[(ids.indexOf(this.#chosen ?? "") + step + ids.length) % ids.length];
 		this.element(next)?.focus({ preventScroll: true });
 		return next !== undefined;
 	}
 
+	/** Returns the handle of an id in the present scene; undefined if there is none. */
 	#handle(id: string): SceneHandle | undefined {
 		return this.#scene?.handles.find((each) => each.id === id);
 	}
 
+	/** Converts a point of the scene to the view, in CSS pixels. */
 	#inView({ x, y }: Point): Point {
 		const { width, height } = this.size;
 		return { x: (x - this.#middle.x) * this.#scale + width / 2, y: (y - this.#middle.y) * this.#scale + height / 2 };
 	}
 
+	/** Shows descriptions during a drag, and reports them. */
 	#input(descriptions: readonly Description[]): void {
 		this.descriptions = descriptions;
 		this.emit("design-input", { descriptions });
@@ -177,7 +192,7 @@ const STEPS: Readonly<Record<string, readonly [right: number, up: number]>> = {
 };
 
 /** Returns the descriptions with one organ's replaced. */
-const withOne = (descriptions: readonly Description[], one: Description): readonly Description[] =>
+const withDescription = (descriptions: readonly Description[], one: Description): readonly Description[] =>
 	descriptions.map((each) => (each.organ === one.organ ? one : each));
 
 customElements.define("panicle-flower-design", DesignView);

@@ -7,6 +7,7 @@ import { choose } from "../../design/choose";
 import { type Description, lineOf } from "../../design/description";
 import { type Design, designOf, textOf } from "../../design/design";
 import type { FlowerPlant } from "../../flower_plant";
+import { text as message } from "../../messages.generated";
 import type { FlowerSpecimen } from "../../specimen";
 import { fetchedText } from "../../texts";
 import { source } from "../text";
@@ -15,7 +16,7 @@ export type FlowerContext = EditorContext<FlowerSpecimen, FlowerPlant>;
 
 const GESTURE = "design";
 
-let last: { readonly text: string; readonly design: Design | undefined } | undefined;
+let cachedDesign: { readonly text: string; readonly design: Design | undefined } | undefined;
 
 const grammar = source as unknown as GrammarSource;
 
@@ -24,8 +25,8 @@ export const valuedText = (specimen: FlowerSpecimen): string | undefined =>
 	fetchedText(specimen) === undefined ? undefined : grownText(grammar, specimen, () => {});
 
 /**
- * Returns the change that sets a flower's text. It also drops slider values, which would override the values that a choice
- * writes.
+ * Returns the change that sets a flower's text. It also drops slider values, which would override the values that a
+ * choice writes.
  */
 export const textChange = (specimen: FlowerSpecimen, text: string) => withText(grammar, specimen, text);
 
@@ -33,32 +34,33 @@ export const textChange = (specimen: FlowerSpecimen, text: string) => withText(g
 export function designIn(specimen: FlowerSpecimen): Design | undefined {
 	const text = valuedText(specimen);
 	if (text === undefined) return undefined;
-	if (last?.text !== text) last = { text, design: designOf(text) };
-	return last.design;
+	if (cachedDesign?.text !== text) cachedDesign = { text, design: designOf(text) };
+	return cachedDesign.design;
 }
 
 /** Returns the descriptions of a design's organs. */
 export const descriptionsIn = ({ sections }: Design): readonly Description[] =>
 	sections.map(({ description }) => description);
 
-interface Written {
+/** Result of writing descriptions into a text. */
+interface MergedText {
 	readonly text: string;
 	readonly retained: string;
 	readonly lost: readonly string[];
 }
 
 /** Writes changed descriptions into a design; its text stays the same where no description differs. */
-function written(design: Design, descriptions: readonly Description[]): Written {
-	let [mine, retained]: readonly [Design, Design] = [design, design];
+function mergeDescriptions(design: Design, descriptions: readonly Description[]): MergedText {
+	let [merged, retained]: readonly [Design, Design] = [design, design];
 	let lost: readonly string[] = [];
 	for (const [i, description] of descriptions.entries()) {
 		if (lineOf(description) === lineOf(design.sections[i].description)) continue;
-		const chosen = choose(mine, description);
+		const chosen = choose(merged, description);
 		lost = [...lost, ...chosen.lost];
-		mine = designOf(chosen.text) ?? mine;
+		merged = designOf(chosen.text) ?? merged;
 		retained = designOf(choose(retained, description).retained) ?? retained;
 	}
-	return { text: textOf(mine), retained: textOf(retained), lost };
+	return { text: textOf(merged), retained: textOf(retained), lost };
 }
 
 /**
@@ -67,51 +69,52 @@ function written(design: Design, descriptions: readonly Description[]): Written 
  */
 export class Drafts {
 	#before: Design | undefined;
-	#last: Written | undefined;
+	#last: MergedText | undefined;
 
-	/** Applies a draft while the gesture goes on. */
+	/** Applies a draft while the gesture goes on. Drafts of the same `run`, the key that is held down, are one undo step. */
 	edit(context: FlowerContext, descriptions: readonly Description[], run?: string): void {
 		// The text may have changed otherwise: by undo, the editor, or another plant.
 		const { specimen } = context.state;
 		if (!this.#last || valuedText(specimen) !== this.#last.text) this.#before = designIn(specimen);
 		if (!this.#before) return;
-		this.#last = written(this.#before, descriptions);
+		this.#last = mergeDescriptions(this.#before, descriptions);
 		context.edit({ ...textChange(specimen, this.#last.text), run }, GESTURE);
 	}
 
 	/** Ends the gesture as one undo step and reports lost lines. */
 	settle(context: FlowerContext): void {
 		context.settle(GESTURE);
-		const done = this.#last;
+		const lastDraft = this.#last;
 		this.#before = undefined;
 		this.#last = undefined;
-		if (done && done.lost.length > 0 && valuedText(context.state.specimen) === done.text)
-			reportLostLines(context, done);
+		if (lastDraft && lastDraft.lost.length > 0 && valuedText(context.state.specimen) === lastDraft.text)
+			reportLostLines(context, lastDraft);
 	}
 
 	/** Applies a single choice. */
 	set(context: FlowerContext, description: Description): void {
 		const design = designIn(context.state.specimen);
 		if (!design) return;
-		const all = descriptionsIn(design).map((each) => (each.organ === description.organ ? description : each));
-		this.edit(context, all);
+		const descriptions = descriptionsIn(design).map((each) => (each.organ === description.organ ? description : each));
+		this.edit(context, descriptions);
 		this.settle(context);
 	}
 }
 
 const MAX_LISTED = 4;
 
-function reportLostLines(context: FlowerContext, { text, lost, retained }: Written): void {
-	const isStill = sameDocument(context);
-	const keep = () => {
-		if (isStill() && valuedText(context.state.specimen) === text)
+/** Notifies of lines that a choice has replaced, with a button that restores them unless the text has changed since. */
+function reportLostLines(context: FlowerContext, { text, lost, retained }: MergedText): void {
+	const isSameDocument = sameDocument(context);
+	const restore = () => {
+		if (isSameDocument() && valuedText(context.state.specimen) === text)
 			context.set(textChange(context.state.specimen, retained));
-		else context.notify("The edited lines were not kept", ["The text has changed meanwhile."], { topic: GESTURE });
+		else context.notify(message("lines_not_restored"), [message("text_changed")], { topic: GESTURE });
 	};
-	const more = lost.length > MAX_LISTED ? [`and ${lost.length - MAX_LISTED} more.`] : [];
+	const more = lost.length > MAX_LISTED ? [message("more_lines", { count: lost.length - MAX_LISTED })] : [];
 	context.notify(
-		"Lines edited by hand gave way to this choice",
-		[...lost.slice(0, MAX_LISTED).map((line) => line.trim()), ...more, "Undo takes the choice back."],
-		{ topic: GESTURE, act: { words: "Keep the edited lines", run: keep } },
+		message("lines_replaced"),
+		[...lost.slice(0, MAX_LISTED).map((line) => line.trim()), ...more, message("undo_reverts")],
+		{ topic: GESTURE, act: { label: message("restore_lines"), run: restore } },
 	);
 }

@@ -1,26 +1,33 @@
 /**
  * The side elevation of a flower: the middle line of each organ to the right of the axis, in millimetres, up being up.
  */
+
 import type { Point } from "../../../../ui/handles/point";
 import { type Description, described } from "../../design/description";
 import type { Organ } from "../../design/organs";
+import { text } from "../../messages.generated";
 import { pathOf, roundPath, type Scene, type SceneHandle, type SceneLine } from "./scene";
 
 const PIECES = 24;
 /** Share of the flower's height drawn of the stem, whose length has a slider. */
 const STALK = 0.35;
+/** Returns a number of a description; 0 where the organ has no such field. */
 const value = ({ values }: Description, key: string): number => Number(values[key] ?? 0);
+/** Converts radians to degrees. */
 const degrees = (radians: number): number => (radians * 180) / Math.PI;
+/** Converts degrees to radians. */
 const radians = (of: number): number => (of * Math.PI) / 180;
 
 /**
- * Returns the middle line of an organ that starts at an angle `rise` and bends outwards by `bent`, both in degrees.
+ * Returns the middle line of an organ as PIECES + 1 points.
+ * @param rise angle above the horizontal at its start, degrees
+ * @param bendAt how much the organ bends outwards at a share of its length, degrees over the whole length
  */
-export function lineFrom(from: Point, length: number, rise: number, bent: (along: number) => number): Point[] {
+export function lineFrom(from: Point, length: number, rise: number, bendAt: (along: number) => number): Point[] {
 	const points = [from];
 	let [{ x, y }, angle] = [from, rise];
 	for (let i = 0; i < PIECES; i++) {
-		angle -= bent((i + 0.5) / PIECES) / PIECES;
+		angle -= bendAt((i + 0.5) / PIECES) / PIECES;
 		x += (length / PIECES) * Math.cos(radians(angle));
 		y -= (length / PIECES) * Math.sin(radians(angle));
 		points.push({ x, y });
@@ -43,24 +50,18 @@ function bladeLine(description: Description, from: Point): Point[] {
 	);
 }
 
-const LABELS: Readonly<Record<"sepal" | "petal" | "stamen", string>> = {
-	sepal: "Sepal",
-	petal: "Petal",
-	stamen: "Stamen",
-};
-
 /**
  * Returns the scene of the elevation.
  * @param chosen organ whose lines are highlighted
  */
 export function elevation(descriptions: readonly Description[], chosen?: Organ): Scene {
-	const of = (organ: Organ) => descriptions.find((each) => each.organ === organ) as Description;
+	const descriptionOf = (organ: Organ) => descriptions.find((each) => each.organ === organ) as Description;
 	const lines: SceneLine[] = [];
 	const handles: SceneHandle[] = [];
 	const points: Point[] = [{ x: 0, y: 0 }];
 	const heights = { sepal: 0, petal: -1.5, stamen: -4 } as const;
 	for (const organ of ["sepal", "petal", "stamen"] as const) {
-		const description = of(organ);
+		const description = descriptionOf(organ);
 		if (value(description, "count") === 0) continue;
 		const from = { x: value(description, "radius"), y: heights[organ] };
 		const line =
@@ -78,18 +79,23 @@ export function elevation(descriptions: readonly Description[], chosen?: Organ):
 				kind: "organ",
 				fill: String(description.values.tip),
 			});
-		const own = lineHandles(organ, description, line);
-		handles.push(...(organ === chosen ? own : own.slice(0, 1)));
+		const ownHandles = lineHandles(organ, description, line);
+		handles.push(...(organ === chosen ? ownHandles : ownHandles.slice(0, 1)));
 	}
-	pistilScene(of("pistil"), chosen, lines, handles, points);
-	const across = Math.max(...points.map(({ x }) => Math.abs(x)), 5) * 1.12;
+	pistilScene(descriptionOf("pistil"), chosen, lines, handles, points);
+	// The box that the view fits: all organs with some space around, and a piece of the stalk below.
+	const halfWidth = Math.max(...points.map(({ x }) => Math.abs(x)), 5) * 1.12;
 	const top = Math.min(...points.map(({ y }) => y), -5) * 1.12;
-	const low = Math.max(...points.map(({ y }) => y), 0);
-	const bottom = low + STALK * (low - top);
-	const thick = value(of("stem"), "thickness") / 2;
-	lines.unshift({ d: `M${-thick} 0V${bottom}M${thick} 0V${bottom}`, kind: "organ", chosen: chosen === "stem" });
+	const lowest = Math.max(...points.map(({ y }) => y), 0);
+	const bottom = lowest + STALK * (lowest - top);
+	const stemRadius = value(descriptionOf("stem"), "thickness") / 2;
+	lines.unshift({
+		d: `M${-stemRadius} 0V${bottom}M${stemRadius} 0V${bottom}`,
+		kind: "organ",
+		chosen: chosen === "stem",
+	});
 	lines.push({ d: `M0 ${top}V${bottom}`, kind: "axis" });
-	return { box: { left: -across, right: across, top, bottom }, lines, handles };
+	return { box: { left: -halfWidth, right: halfWidth, top, bottom }, lines, handles };
 }
 
 /** Returns the handles of an organ: its tip sets length and rise, its middle the bend, its foot the whorl's radius. */
@@ -98,55 +104,60 @@ function lineHandles(
 	description: Description,
 	line: readonly Point[],
 ): SceneHandle[] {
-	const name = LABELS[organ];
-	const set = (values: Record<string, number>) => described(description, values);
+	const withValues = (values: Record<string, number>) => described(description, values);
 	const [from, middle, tip] = [line[0], line[PIECES / 2], line[PIECES]];
 	const [length, angle, bend] = ["length", "angle", "bend"].map((key) => value(description, key));
 	const chord = { x: tip.x - from.x, y: tip.y - from.y };
-	const reach = Math.hypot(chord.x, chord.y);
+	const chordLength = Math.hypot(chord.x, chord.y);
+	// The rise of a point above the foot, degrees; y runs down, as in SVG.
 	const slope = (to: Point) => degrees(Math.atan2(from.y - to.y, to.x - from.x));
 	const radius = value(description, "radius");
 	return [
 		{
 			id: `${organ}-tip`,
-			label: `${name}, length and rise`,
-			value: `${length} mm, ${angle}°`,
+			label: text("handle_length_rise", { organ }),
+			value: text("length_and_angle", { length, angle }),
 			at: tip,
 			pull: (to) => {
-				const far = Math.hypot(to.x - from.x, to.y - from.y);
-				const turned = ((slope(to) - slope(tip) + 540) % 360) - 180;
-				return set({ length: reach > 0.1 ? (length * far) / reach : far, angle: angle + turned });
+				// The organ turns by as much as the direction to its tip, and lengthens in proportion.
+				const distance = Math.hypot(to.x - from.x, to.y - from.y);
+				const turn = ((slope(to) - slope(tip) + 540) % 360) - 180;
+				return withValues({
+					length: chordLength > 0.1 ? (length * distance) / chordLength : distance,
+					angle: angle + turn,
+				});
 			},
 			nudge: (right, up, large) =>
 				right === 0
-					? set({ angle: angle + up * (large ? 10 : 1) })
-					: set({ length: length + right * (large ? 10 : 1) * 0.5 }),
+					? withValues({ angle: angle + up * (large ? 10 : 1) })
+					: withValues({ length: length + right * (large ? 10 : 1) * 0.5 }),
 		},
 		{
 			id: `${organ}-bend`,
-			label: `${name}, bend`,
-			value: `${bend}°`,
+			label: text("handle_bend", { organ }),
+			value: text("degrees", { value: bend }),
 			at: middle,
 			// The sagitta of an arc is about an eighth of its length times its angle; inward bends lie below the chord.
 			pull: (to) => {
-				const off = (point: Point) =>
-					((point.x - from.x) * chord.y - (point.y - from.y) * chord.x) / Math.max(reach, 0.1);
-				const more = off(to) - off(middle);
-				return set({ bend: bend + degrees((8 * more) / Math.max(length, 1)) });
+				const offset = (point: Point) =>
+					((point.x - from.x) * chord.y - (point.y - from.y) * chord.x) / Math.max(chordLength, 0.1);
+				const change = offset(to) - offset(middle);
+				return withValues({ bend: bend + degrees((8 * change) / Math.max(length, 1)) });
 			},
-			nudge: (right, up, large) => set({ bend: bend + (right || up) * (large ? 10 : 1) }),
+			nudge: (right, up, large) => withValues({ bend: bend + (right || up) * (large ? 10 : 1) }),
 		},
 		{
 			id: `${organ}-foot`,
-			label: `${name}, radius of the whorl`,
-			value: `${radius} mm`,
+			label: text("handle_radius", { organ }),
+			value: text("millimetres", { value: radius }),
 			at: from,
-			pull: ({ x }) => set({ radius: x }),
-			nudge: (right, up, large) => set({ radius: radius + (right || up) * (large ? 1 : 0.1) }),
+			pull: ({ x }) => withValues({ radius: x }),
+			nudge: (right, up, large) => withValues({ radius: radius + (right || up) * (large ? 1 : 0.1) }),
 		},
 	];
 }
 
+/** Adds the pistils in side view to a scene: ovary, style and stigma, with their handles. */
 function pistilScene(
 	description: Description,
 	chosen: Organ | undefined,
@@ -158,6 +169,7 @@ function pistilScene(
 	const [length, width, style, stigma] = ["length", "width", "style", "stigma"].map((key) => value(description, key));
 	const foot = -6;
 	const [shoulder, tip] = [foot - length, foot - length - style];
+	// The right side from the foot up: belly of the ovary, shoulder, style, stigma.
 	const side = [
 		{ x: 0.35 * width, y: foot },
 		{ x: 0.5 * width, y: foot - 0.4 * length },
@@ -173,23 +185,24 @@ function pistilScene(
 		fill: String(description.values.base),
 	});
 	points.push(...side);
-	const set = (key: string, to: number) => described(description, { [key]: to });
-	const upright = (id: string, label: string, key: string, y: number, below: number): SceneHandle => ({
+	const withValue = (key: string, newValue: number) => described(description, { [key]: newValue });
+	// A handle for a length that is measured upwards from `below`.
+	const heightHandle = (id: string, label: string, key: string, y: number, below: number): SceneHandle => ({
 		id,
 		label,
-		value: `${value(description, key)} mm`,
+		value: text("millimetres", { value: value(description, key) }),
 		at: { x: 0, y },
-		pull: (to) => set(key, below - to.y),
-		nudge: (right, up, large) => set(key, value(description, key) + (up || right) * (large ? 5 : 0.5)),
+		pull: (newValue) => withValue(key, below - newValue.y),
+		nudge: (right, up, large) => withValue(key, value(description, key) + (up || right) * (large ? 5 : 0.5)),
 	});
-	handles.push(upright("pistil-style", "Style, length", "style", tip, shoulder));
+	handles.push(heightHandle("pistil-style", text("style_length"), "style", tip, shoulder));
 	if (chosen !== "pistil") return;
-	handles.push(upright("pistil-length", "Ovary, length", "length", shoulder, foot), {
+	handles.push(heightHandle("pistil-length", text("ovary_length"), "length", shoulder, foot), {
 		id: "pistil-width",
-		label: "Ovary, width",
-		value: `${width} mm`,
+		label: text("ovary_width"),
+		value: text("millimetres", { value: width }),
 		at: { x: width / 2, y: foot - 0.4 * length },
-		pull: ({ x }) => set("width", 2 * x),
-		nudge: (right, up, large) => set("width", width + (right || up) * (large ? 2 : 0.1)),
+		pull: ({ x }) => withValue("width", 2 * x),
+		nudge: (right, up, large) => withValue("width", width + (right || up) * (large ? 2 : 0.1)),
 	});
 }

@@ -51,10 +51,10 @@ export function pictureOf({ box, lines }: Scene, title: string): string {
 /** Rounds to hundredths. */
 export const short = (value: number): number => Math.round(value * 100) / 100 + 0;
 
-/** Returns the path through points. */
+/** Returns the path through points, for SVG. */
 export const pathOf = (points: readonly Point[], closed = false): string =>
 	`M${points.map(({ x, y }) => `${short(x)} ${short(y)}`).join("L")}${closed ? "Z" : ""}`;
 
-/** Returns the path of a circle. */
+/** Returns the path of a circle with radius `r`, for SVG. */
 export const roundPath = ({ x, y }: Point, r: number): string =>
 	`M${short(x - r)} ${short(y)}a${short(r)} ${short(r)} 0 1 0 ${short(2 * r)} 0a${short(r)} ${short(r)} 0 1 0 ${short(-2 * r)} 0Z`;

@@ -1,15 +1,13 @@
 /** Fields with closed meshes for the outer and the inner boundary. Files carry the meshes; links are too short. */
+
 import { readClosedMesh, sameMesh } from "../../../../specimen/closed_mesh";
 import type { Field } from "../../../../specimen/model_schema";
 import type { Table } from "../../../../specimen/table";
+import { text } from "../../messages.generated";
 import type { BoundedSpecimen } from "../bounded";
 
-const keep = (instead: string) =>
-	`It is too short for the mesh, in whose place it brings ${instead}: download JSON or GLB to keep the mesh, and drop the file to bring it back.`;
-const MISSING = "links are too short for one, so an ellipsoid stands in its place until a file with it is dropped";
-
 /**
- * The mesh of the outer boundary.
+ * Creates the field with the mesh of the outer boundary.
  * @param table has the parameter `shape`
  */
 export function volumeOf<S extends BoundedSpecimen>(table: Table): Field<S> {
@@ -24,19 +22,17 @@ export function volumeOf<S extends BoundedSpecimen>(table: Table): Field<S> {
 		unlinked: {
 			keep: (specimen, preset) =>
 				shows(specimen) && specimen.volume && !sameMesh(specimen.volume, preset.volume)
-					? keep(preset.volume ? "the preset's" : "an ellipsoid")
+					? text("link_without_mesh", { instead: preset.volume ? "preset" : "ellipsoid" })
 					: undefined,
 			missing: (specimen, notes) => {
-				if (shows(specimen) && !specimen.volume) notes.add("mesh", "none came along", MISSING);
+				if (shows(specimen) && !specimen.volume)
+					notes.add("mesh", text.message("mesh_missing"), text("ellipsoid_used"));
 			},
 		},
 	};
 }
 
-const keepHollow = (instead: string) =>
-	`It is too short for the inner boundary's mesh, in whose place it brings ${instead}: download JSON or GLB to keep the mesh.`;
-
-/** The mesh of the inner boundary. */
+/** Creates the field with the mesh of the inner boundary. */
 export function hollowOf<S extends BoundedSpecimen>(): Field<S> {
 	return {
 		keys: ["hollow"],
@@ -47,7 +43,7 @@ export function hollowOf<S extends BoundedSpecimen>(): Field<S> {
 		unlinked: {
 			keep: (specimen, preset) =>
 				specimen.hollow && !sameMesh(specimen.hollow, preset.hollow)
-					? keepHollow(preset.hollow ? "the preset's" : "the outer one made smaller")
+					? text("link_without_inner_mesh", { instead: preset.hollow ? "preset" : "outer" })
 					: undefined,
 			missing: () => {},
 		},

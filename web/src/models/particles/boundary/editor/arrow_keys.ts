@@ -13,7 +13,7 @@ const LEAST_STEP = 0.01;
 
 export type GripWithoutKeys = Omit<Grip, "nudge">;
 
-/** Adds arrow keys to grips. */
+/** Adds to grips the changes that arrow keys cause: a move by a share of the boundary's size. */
 export function withArrowKeys<S extends BoundedSpecimen>(
 	layout: BoundaryLayout<S>,
 	specimen: S,
@@ -27,7 +27,7 @@ export function withArrowKeys<S extends BoundedSpecimen>(
 	}));
 }
 
-/** The present values of all fields that grips can change. */
+/** Returns the present values of all fields that grips can change. */
 export function editableState({ parameters, profile, obstacles, rounds, targets }: BoundedSpecimen): Change {
 	return { parameters, details: { profile, obstacles, rounds, targets } };
 }

@@ -43,15 +43,15 @@ export interface BoundaryLayout<S extends BoundedSpecimen = BoundedSpecimen> {
 	fit(specimen: S, box: Box): Parameters;
 	/** Parameters that move the last axis; undefined where there is only one axis. */
 	move?(specimen: S, axis: number): Parameters | undefined;
-	/** Label of a target: "Trunk", "Collar". */
-	readonly target: string;
+	/** Kind of the targets, a case of their messages. */
+	readonly target: "trunk" | "collar";
 	/** Labels of the box's upper and lower end. */
 	readonly ends: { readonly high: string; readonly low: string };
 	/** The fixed height of the inner boundary's scaling. */
 	bareAbout(box: Box): number;
 }
 
-/** Inputs that a boundary's geometry depends on: all of the specimen except its age. */
+/** Returns the inputs that a boundary's geometry depends on: all of the specimen except its age. */
 export function layoutInputs<S extends BoundedSpecimen>({
 	state,
 	preset,
@@ -59,33 +59,33 @@ export function layoutInputs<S extends BoundedSpecimen>({
 	return [preset, ...allBut(state.specimen, ["age"])];
 }
 
-/** The larger of the half width and the height of a box, metres. */
+/** Returns the larger of the half width and the height of a box, metres. */
 export function sizeOf({ halfWidth, low, high }: Box): number {
 	return Math.max(halfWidth, high - low);
 }
 
-/** The x coordinate of the axis that has the grips: the last axis. */
+/** Returns the x coordinate of the axis that has the grips: the last axis. */
 export function axisOf<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: S): number {
 	return layout.axes(specimen).at(-1) ?? 0;
 }
 
-/** Parameters of a width; where the depth was equal to the width, the depth too. */
+/** Returns the parameters of a new width; where the depth was equal to the width, it stays so. */
 export function roundly({ parameters }: BoundedSpecimen, halfWidth: number): Parameters {
 	const width = 2 * halfWidth;
 	return parameters.depth === parameters.width ? { width, depth: width } : { width };
 }
 
-/** Evenly spaced positions across a width, centred on 0. */
+/** Returns evenly spaced positions across a width, centred on 0. */
 export function evenlySpaced(count: number, width: number): number[] {
 	return Array.from({ length: count }, (_, i) => width * ((i + 0.5) / count - 0.5));
 }
 
-/** The outline of a specimen's boundary, in shares of its box. */
+/** Returns the right half of a boundary's outline from below, in shares of its box. */
 export function outlineIn<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: S): readonly Knot[] {
 	return outlineOf(layout.form(specimen), specimen.profile ?? layout.profile, specimen.volume);
 }
 
-/** The boundary from the front as closed loops in shares of its box: x in −1 … 1, y in 0 … 1 from below. */
+/** Returns the boundary from the front as closed loops in shares of its box: x in −1 … 1, y in 0 … 1 from below. */
 export function loopsIn<S extends BoundedSpecimen>(
 	layout: BoundaryLayout<S>,
 	specimen: S,
@@ -95,7 +95,7 @@ export function loopsIn<S extends BoundedSpecimen>(
 	return [[...right, ...right.map(({ x, y }) => ({ x: -x, y })).reverse()]];
 }
 
-/** The boundary from above as closed loops: x and y (to the back) in −1 … 1. */
+/** Returns the boundary from above as closed loops: x and y (to the back) in −1 … 1. */
 export function footprintIn<S extends BoundedSpecimen>(
 	layout: BoundaryLayout<S>,
 	specimen: S,

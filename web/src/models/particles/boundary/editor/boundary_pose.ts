@@ -2,6 +2,7 @@
 
 import { lengthInWords } from "../../../../plant/in_words";
 import type { Point } from "../../../../ui/handles/point";
+import { text } from "../../messages.generated";
 import type { BoundedSpecimen } from "../bounded";
 import { editableState, type GripWithoutKeys, withArrowKeys } from "./arrow_keys";
 import { axisOf, type BoundaryLayout, LEAST, outlineIn, sizeOf } from "./boundary_layout";
@@ -16,6 +17,7 @@ import { wallGrips } from "./walls";
 /** Share of the boundary's size below which a dragged target snaps to the ground. */
 const GROUND = 0.05;
 
+/** Returns all handles of a boundary: its shape, inner boundary, distance, walls and targets. */
 export function boundaryPose<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: S, preset: S): Pose {
 	const shape = layout.form(specimen) === "spline" ? knotGrips : sizeGrips;
 	const own = [
@@ -37,7 +39,7 @@ export function boundaryPose<S extends BoundedSpecimen>(layout: BoundaryLayout<S
 	};
 }
 
-/** The grip at the left of the inner boundary, at half the height of the outer one. */
+/** Returns the grip at the left of the inner boundary, at half the height of the outer one. */
 function innerGrip<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: S, preset: S): GripWithoutKeys {
 	const box = layout.box(specimen);
 	const axis = axisOf(layout, specimen);
@@ -48,8 +50,8 @@ function innerGrip<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specime
 	return {
 		id: "inner",
 		at: { x: axis - inner * waist, y: about + inner * ((box.low + box.high) / 2 - about) },
-		label: "Bare inside",
-		value: inner > 0 ? `bare to ${Math.round(100 * inner)} %` : "nothing bare",
+		label: text("inner"),
+		value: inner > 0 ? text("inner_share", { percent: Math.round(100 * inner) }) : text("inner_none"),
 		pull: ({ x }) => {
 			const out = Math.abs(x - axis);
 			return { parameters: { inner: out > LEAST ? out / waist : 0 } };
@@ -58,6 +60,7 @@ function innerGrip<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specime
 	};
 }
 
+/** Returns the grip that moves the axes apart; none for a single axis. */
 function distanceGrip<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: S, preset: S): GripWithoutKeys[] {
 	const x = axisOf(layout, specimen);
 	if (!layout.move?.(specimen, x)) return [];
@@ -66,8 +69,8 @@ function distanceGrip<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, spec
 		{
 			id: "axis",
 			at: { x, y: low + 0.75 * (high - low) },
-			label: "Distance",
-			value: `${lengthInWords(specimen.parameters.distance)} apart`,
+			label: text("distance"),
+			value: text("distance_apart", { length: lengthInWords(specimen.parameters.distance) }),
 			pull: (to) => ({ parameters: layout.move?.(specimen, to.x) ?? {} }),
 			reset: () => ({ parameters: { distance: preset.parameters.distance } }),
 		},

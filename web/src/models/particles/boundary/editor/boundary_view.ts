@@ -1,6 +1,8 @@
 /** `<panicle-boundary>`: the outer and the inner boundary from the front, with grips, over the plant's branches. */
+
 import { svg, type TemplateResult } from "lit";
 import type { Point } from "../../../../ui/handles/point";
+import { text } from "../../messages.generated";
 import type { TrailPlant } from "../../trails";
 import type { Box } from "./boundary_layout";
 import { BranchDrawing } from "./branches";
@@ -24,15 +26,16 @@ export class BoundaryView extends GripView {
 	declare scene: BoundaryScene | undefined;
 	declare grown: TrailPlant | undefined;
 
-	protected readonly heading = "Boundary, from in front";
-	protected readonly help =
-		"Drag, or use the arrow keys; Shift moves ten times as far. Enter says where it stands. Escape calls off a drag.";
+	protected readonly heading = text("boundary_view");
+	protected readonly help = text("handle_help");
 	readonly #branches = new BranchDrawing();
 
+	/** Returns the frame that shows all of the scene. */
 	protected fit(): BoundaryFrame {
 		return frameAbout(extentOf(this.scene), this.size.width, this.size.height);
 	}
 
+	/** Draws both boundaries at each axis, obstacles, the ground and a scale. */
 	protected drawing(frame: BoundaryFrame): TemplateResult {
 		const { scene } = this;
 		if (!scene) return svg``;
@@ -40,8 +43,8 @@ export class BoundaryView extends GripView {
 		const ground = toScreen(frame, { x: 0, y: 0 }).y;
 		return svg`${axes.map(
 			(axis) => svg`
-				<path class="outer" d=${loopPath(frame, loops, placedIn(box, axis, 1, 0))}></path>
-				${inner > 0 ? svg`<path class="inner" d=${loopPath(frame, innerLoops, placedIn(box, axis, inner, bareAbout))}></path>` : ""}
+				<path class="outer" d=${loopPath(frame, loops, toMetresIn(box, axis, 1, 0))}></path>
+				${inner > 0 ? svg`<path class="inner" d=${loopPath(frame, innerLoops, toMetresIn(box, axis, inner, bareAbout))}></path>` : ""}
 				${axisLine(frame, box, axis)}`,
 		)}
 			${walls.map(([ax, ay, , bx, by]) => rectangle(frame, { x: ax, y: ay }, { x: bx, y: by }))}
@@ -50,15 +53,17 @@ export class BoundaryView extends GripView {
 			${scale(frame)}`;
 	}
 
+	/** Draws the plant's branches behind the grips. */
 	protected override ink(canvas: HTMLCanvasElement): void {
 		this.#branches.show(canvas, this.grown, this.frame);
 	}
 }
 
+/** Returns the range that the view must show, in metres, with some room around boundary, obstacles and targets. */
 function extentOf(scene: BoundaryScene | undefined): BoundaryExtent {
 	if (!scene) return { halfWidth: 1, low: 0, high: 1 };
 	const { box, axes, loops, walls, rounds, targets } = scene;
-	const reach = box.halfWidth * Math.max(1, ...loops.flat().map(({ x }) => Math.abs(x)));
+	const outlineHalfWidth = box.halfWidth * Math.max(1, ...loops.flat().map(({ x }) => Math.abs(x)));
 	const xs = [...[...walls, ...rounds].flatMap(([ax, , , bx]) => [ax, bx]), ...targets.map(([x]) => x)];
 	const ys = [
 		box.low,
@@ -66,17 +71,26 @@ function extentOf(scene: BoundaryScene | undefined): BoundaryExtent {
 		...[...walls, ...rounds].flatMap(([, ay, , , by]) => [ay, by]),
 		...targets.map(([, y]) => y),
 	];
-	const sides = [Math.max(...axes.map(Math.abs)) + reach, ...xs.map(Math.abs)];
+	const sides = [Math.max(...axes.map(Math.abs)) + outlineHalfWidth, ...xs.map(Math.abs)];
 	const [low, high] = [Math.min(0, ...ys), Math.max(0, ...ys)];
-	const room = ROOM * (high - low);
-	return { halfWidth: (1 + ROOM) * Math.max(...sides), low: low - room, high: high + room };
+	const margin = ROOM * (high - low);
+	return { halfWidth: (1 + ROOM) * Math.max(...sides), low: low - margin, high: high + margin };
 }
 
-/** Maps shares of the box to metres: about an axis, scaled by `size` about a height. */
-function placedIn({ halfWidth, low, high }: Box, axis: number, size: number, about: number): (share: Point) => Point {
-	return ({ x, y }) => ({ x: axis + size * x * halfWidth, y: about + size * (low + y * (high - low) - about) });
+/** Returns a function that maps shares of the box to metres: about an axis, scaled by `size` about a height. */
+function toMetresIn(
+	{ halfWidth, low, high }: Box,
+	axis: number,
+	size: number,
+	fixedHeight: number,
+): (share: Point) => Point {
+	return ({ x, y }) => ({
+		x: axis + size * x * halfWidth,
+		y: fixedHeight + size * (low + y * (high - low) - fixedHeight),
+	});
 }
 
+/** Draws the axis of a boundary, from the ground to its ends. */
 function axisLine(frame: BoundaryFrame, { low, high }: Box, axis: number): TemplateResult {
 	const [from, to] = [Math.min(0, low), Math.max(0, high)].map((y) => toScreen(frame, { x: axis, y }));
 	return svg`<line class="axis" x1=${from.x} y1=${from.y} x2=${to.x} y2=${to.y}></line>`;

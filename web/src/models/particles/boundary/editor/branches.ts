@@ -4,12 +4,12 @@ import { type Facing, FROM_FRONT } from "./facing";
 import type { BoundaryFrame } from "./frame";
 
 /** Most lines that a canvas draws within a frame; the rest are twigs that would only blur the drawing. */
-const MOST = 2500;
+const MAX_SEGMENTS = 2500;
 /** Number of energy classes; each starts at √2 times the energy of the one before. */
 const CLASSES = 64;
 
 /** Inputs of a drawing; equal inputs need no new drawing. */
-interface Drawn {
+interface DrawingInputs {
 	readonly plant: TrailPlant | undefined;
 	readonly frame: BoundaryFrame;
 	readonly ratio: number;
@@ -18,7 +18,7 @@ interface Drawn {
 
 export class BranchDrawing {
 	readonly #facing: Facing;
-	#drawn: Drawn | undefined;
+	#lastInputs: DrawingInputs | undefined;
 
 	constructor(facing: Facing = FROM_FRONT) {
 		this.#facing = facing;
@@ -26,25 +26,26 @@ export class BranchDrawing {
 
 	/** Draws in the canvas's colour at the screen's pixel ratio, where an input has changed. */
 	show(canvas: HTMLCanvasElement, plant: TrailPlant | undefined, frame: BoundaryFrame): void {
-		const now = { plant, frame, ratio: devicePixelRatio, ink: getComputedStyle(canvas).color };
-		if (this.#drawn && same(this.#drawn, now)) return;
-		this.#drawn = now;
-		const [width, height] = [frame.width, frame.height].map((pixels) => Math.round(pixels * now.ratio));
+		const inputs = { plant, frame, ratio: devicePixelRatio, ink: getComputedStyle(canvas).color };
+		if (this.#lastInputs && sameInputs(this.#lastInputs, inputs)) return;
+		this.#lastInputs = inputs;
+		const [width, height] = [frame.width, frame.height].map((pixels) => Math.round(pixels * inputs.ratio));
 		const pen = canvas.getContext("2d");
 		// Setting the size also clears the canvas, but takes longer.
 		if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
 		pen?.setTransform(1, 0, 0, 1, 0, 0);
 		pen?.clearRect(0, 0, width, height);
-		if (pen && plant) inkBranches(pen, plant, now, this.#facing);
+		if (pen && plant) inkBranches(pen, plant, inputs, this.#facing);
 	}
 }
 
-function same(one: Drawn, other: Drawn): boolean {
-	const parts = ({ plant, frame: { width, height, scale, origin }, ratio, ink }: Drawn) => [
+/** Returns whether two drawings have equal inputs. */
+function sameInputs(one: DrawingInputs, other: DrawingInputs): boolean {
+	const valuesOf = ({ plant, frame: { width, height, scale, origin }, ratio, ink }: DrawingInputs) => [
 		...[plant, width, height, scale, origin.x, origin.y, ratio, ink],
 	];
-	const others = parts(other);
-	return parts(one).every((part, i) => part === others[i]);
+	const otherValues = valuesOf(other);
+	return valuesOf(one).every((part, i) => part === otherValues[i]);
 }
 
 type Pen = Pick<
@@ -55,10 +56,14 @@ type Pen = Pick<
 /** Least line width, CSS pixels. */
 const HAIR = 0.6;
 
+/**
+ * Draws the heaviest branches of a plant as lines on the boundary's canvas, as wide as the branches but never invisibly
+ * thin.
+ */
 export function inkBranches(
 	pen: Pen,
 	plant: TrailPlant,
-	{ frame, ratio, ink }: Pick<Drawn, "frame" | "ratio" | "ink">,
+	{ frame, ratio, ink }: Pick<DrawingInputs, "frame" | "ratio" | "ink">,
 	{ up, sign }: Facing = FROM_FRONT,
 ): void {
 	const { scale, origin } = frame;
@@ -69,7 +74,7 @@ export function inkBranches(
 	pen.lineCap = "round";
 	// One path per line width, in steps of a factor of 1.5.
 	const byWidth = new Map<number, number[]>();
-	for (const segment of heaviest(plant.energy, MOST)) {
+	for (const segment of heaviest(plant.energy, MAX_SEGMENTS)) {
 		const pixels = Math.max(HAIR, 2 * radii[2 * segment] * scale);
 		const step = Math.round(Math.log(pixels / HAIR) / Math.log(1.5));
 		const group = byWidth.get(step);
@@ -88,20 +93,23 @@ export function inkBranches(
 	}
 }
 
-/** About `most` segments with the most energy. It counts classes, because there may be 100,000 segments. */
+/**
+ * Returns the indices of about `most` segments with the most energy. It counts classes instead of sorting, because
+ * there may be 100,000 segments.
+ */
 export function heaviest(energy: Float32Array, most: number): number[] {
 	const classOf = (value: number) => Math.min(CLASSES - 1, Math.max(0, Math.floor(2 * Math.log2(Math.max(1, value)))));
 	const counts = new Uint32Array(CLASSES);
 	for (const value of energy) counts[classOf(value)]++;
-	let [least, sum] = [CLASSES, 0];
-	while (least > 0 && sum + counts[least - 1] <= most) sum += counts[--least];
+	let [leastClass, sum] = [CLASSES, 0];
+	while (leastClass > 0 && sum + counts[leastClass - 1] <= most) sum += counts[--leastClass];
 	// Takes evenly spaced segments of the class that exceeds the limit.
-	const every = least > 0 ? Math.ceil(counts[least - 1] / Math.max(1, most - sum)) : 1;
+	const interval = leastClass > 0 ? Math.ceil(counts[leastClass - 1] / Math.max(1, most - sum)) : 1;
 	const chosen: number[] = [];
-	let seen = 0;
+	let counted = 0;
 	for (let i = 0; i < energy.length; i++) {
-		const own = classOf(energy[i]);
-		if (own >= least || (own === least - 1 && seen++ % every === 0)) chosen.push(i);
+		const ownClass = classOf(energy[i]);
+		if (ownClass >= leastClass || (ownClass === leastClass - 1 && counted++ % interval === 0)) chosen.push(i);
 	}
 	return chosen;
 }

@@ -2,6 +2,7 @@
 
 import { lengthInWords } from "../../../../plant/in_words";
 import type { Point } from "../../../../ui/handles/point";
+import { text } from "../../messages.generated";
 
 export interface Facing {
 	/** The axis that points up in the view, and whether it points in the positive direction. */
@@ -23,11 +24,13 @@ export function moved(place: readonly number[], to: Point, { up, sign }: Facing)
 	return place.map((value, k) => (k === 0 ? to.x : k === up ? sign * to.y : value));
 }
 
-/** "2.1 m right, 30 cm up". */
+type Direction = "left" | "right" | "up" | "below_ground" | "behind" | "in_front";
+
+/** Describes a position as seen in a view, metres: "2.1 m right, 30 cm up". */
 export function placeInWords(place: readonly number[], { up }: Facing): string {
-	const part = (value: number, below: string, above: string) =>
-		Math.abs(value) < 0.005 ? "" : `${lengthInWords(Math.abs(value))} ${value < 0 ? below : above}`;
-	const across = part(place[0], "left", "right");
-	const other = up === 1 ? part(place[1], "below ground", "up") : part(place[2], "behind", "in front");
-	return [across, other].filter(Boolean).join(", ") || "in the middle";
+	const inWords = (value: number, below: Direction, above: Direction) =>
+		Math.abs(value) < 0.005 ? "" : text(value < 0 ? below : above, { length: lengthInWords(Math.abs(value)) });
+	const horizontal = inWords(place[0], "left", "right");
+	const vertical = up === 1 ? inWords(place[1], "below_ground", "up") : inWords(place[2], "behind", "in_front");
+	return [horizontal, vertical].filter(Boolean).join(", ") || text("in_the_middle");
 }

@@ -24,7 +24,10 @@ export interface FlatScene {
 /** Margin for branches and grips beyond the drawing, as a share of its size. */
 export const ROOM = 0.06;
 
-/** Path data of loops; `place` maps shares of the box to metres. */
+/**
+ * Returns the SVG path data of loops.
+ * @param place maps shares of the box to metres
+ */
 export function loopPath(frame: BoundaryFrame, loops: Loops, place: (share: Point) => Point): string {
 	const pairs = (loop: readonly Point[]) =>
 		loop.map((share) => {
@@ -34,20 +37,20 @@ export function loopPath(frame: BoundaryFrame, loops: Loops, place: (share: Poin
 	return loops.map((loop) => `M${pairs(loop).join("L")}Z`).join("");
 }
 
-/** A box obstacle between its lower left and its upper right corner. */
+/** Draws a box obstacle between its lower left and its upper right corner, metres. */
 export function rectangle(frame: BoundaryFrame, low: Point, high: Point): TemplateResult {
 	const [from, to] = [toScreen(frame, { x: low.x, y: high.y }), toScreen(frame, { x: high.x, y: low.y })];
 	return svg`<rect class="obstacle" x=${from.x} y=${from.y} width=${to.x - from.x} height=${to.y - from.y}></rect>`;
 }
 
-/** An ellipsoid between two corners of its bounding box. */
+/** Draws an ellipsoid between two corners of its bounding box, metres. */
 export function oval(frame: BoundaryFrame, low: Point, high: Point): TemplateResult {
 	const [from, to] = [toScreen(frame, { x: low.x, y: high.y }), toScreen(frame, { x: high.x, y: low.y })];
 	const [rx, ry] = [(to.x - from.x) / 2, (to.y - from.y) / 2];
 	return svg`<ellipse class="obstacle" cx=${from.x + rx} cy=${from.y + ry} rx=${rx} ry=${ry}></ellipse>`;
 }
 
-/** A scale bar at the lower left. */
+/** Draws a scale bar at the lower left. */
 export function scale(frame: BoundaryFrame): TemplateResult {
 	const { length, label } = scaleBar(frame);
 	return drawScaleBar(length * frame.scale, label, `translate(8 ${frame.height - 6})`);

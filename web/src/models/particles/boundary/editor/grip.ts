@@ -1,6 +1,8 @@
 /** Grips that a flat view draws and drags, and the events that it dispatches. */
+
 import type { Change } from "../../../../ui/editor_context";
 import { ARROWS, type Point } from "../../../../ui/handles/point";
+import { text } from "../../messages.generated";
 
 /** A draggable point, and the changes of the specimen that dragging and keys cause. */
 export interface Grip {
@@ -36,11 +38,13 @@ export interface Pose {
  */
 export type GripEvent = CustomEvent<Change>;
 
+/** Returns the grip of an id; undefined where there is none. */
 export const gripIn = (pose: Pose | undefined, id: string): Grip | undefined =>
 	pose?.grips.find((grip) => grip.id === id);
 
 /**
- * The change that a key causes on a grip, with a message for screen readers where the new position does not suffice.
+ * Returns the change that a key causes on a grip, with a message for screen readers where the new position does not
+ * suffice.
  */
 export function pressed(
 	grip: Grip,
@@ -50,8 +54,8 @@ export function pressed(
 	if (arrow) return { change: grip.nudge(arrow.x, arrow.y, shiftKey) };
 	const { label } = grip;
 	if (key === "Delete" || key === "Backspace")
-		return grip.remove && { change: grip.remove(), message: `${label} taken out` };
-	if (key === "Insert" || key === "+") return grip.add && { change: grip.add(), message: "Point added" };
+		return grip.remove && { change: grip.remove(), message: text("deleted", { name: label }) };
+	if (key === "Insert" || key === "+") return grip.add && { change: grip.add(), message: text("point_added") };
 	return undefined;
 }
 

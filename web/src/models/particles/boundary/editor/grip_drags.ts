@@ -7,6 +7,7 @@ export interface GripHost extends Pick<DragHost<string, Change, undefined>, "inp
 	pose(): Pose | undefined;
 }
 
+/** Returns the drag session of a boundary's handles. */
 export function gripDrags({ pose, input, change, schedule }: GripHost): DragSession<string, Change> {
 	/** The last change of the dragged grip; each change sets the same fields. */
 	let lastChange: Change = {};
@@ -15,7 +16,7 @@ export function gripDrags({ pose, input, change, schedule }: GripHost): DragSess
 		place: (id) => gripIn(pose(), id)?.at ?? { x: 0, y: 0 },
 		pull: (state, id, to) => gripIn(pose(), id)?.pull(to) ?? state,
 		same: (one, other) => one === other,
-		restored: (_, before) => only(before, lastChange),
+		restored: (_, before) => restrictedTo(before, lastChange),
 		// Grips change different fields, so drags cannot be combined.
 		alone: true,
 		input: (next) => {
@@ -27,11 +28,12 @@ export function gripDrags({ pose, input, change, schedule }: GripHost): DragSess
 	});
 }
 
-/** The entries of a change whose keys another change has too. */
-function only({ parameters, details }: Change, like: Change): Change {
-	return { parameters: picked(parameters, like.parameters), details: picked(details, like.details) };
+/** Returns the entries of a change whose keys another change has too. */
+function restrictedTo({ parameters, details }: Change, like: Change): Change {
+	return { parameters: valuesOfKeys(parameters, like.parameters), details: valuesOfKeys(details, like.details) };
 }
 
-function picked<T>(from: Readonly<Record<string, T>> = {}, like: object = {}): Record<string, T> {
+/** Returns the values in `from` of the keys that `like` has. */
+function valuesOfKeys<T>(from: Readonly<Record<string, T>> = {}, like: object = {}): Record<string, T> {
 	return Object.fromEntries(Object.keys(like).map((key) => [key, from[key]]));
 }

@@ -40,6 +40,6 @@ export const gripStyle = css`
 		stroke-dasharray: 3 2;
 	}
 	text {
-		opacity: 0.66;
+		opacity: 0.75;
 	}
 `;

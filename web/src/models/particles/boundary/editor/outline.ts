@@ -10,10 +10,12 @@ export type Form = "ellipsoid" | "box" | "cone" | "coneDown" | "bowl" | "spline"
 
 /** Pieces of a spline between two knots, as in the core. */
 const PIECES = 6;
+/** Segments of a circular arc. */
 const ARC = 48;
+/** Number of height steps of a mesh's silhouette. */
 const LEVELS = 40;
 
-/** The right half of an outline, from below; of an asymmetric mesh the wider half. */
+/** Returns the right half of an outline, from below; of an asymmetric mesh the wider half. */
 export function outlineOf(form: Form, profile: readonly Knot[], mesh?: ClosedMesh): readonly Knot[] {
 	switch (form) {
 		case "box":
@@ -33,16 +35,19 @@ export function outlineOf(form: Form, profile: readonly Knot[], mesh?: ClosedMes
 	}
 }
 
-/** Points of a circular arc: cosine and sine, in `ARC` steps. */
+/**
+ * Returns points of a circular arc, as cosine and sine, in `ARC` steps between two angles in radians. An arc from 0 is
+ * the quarter below instead: from −π/2 to 0.
+ */
 function arc(from: number, to: number): Knot[] {
-	const down = from === 0 ? [-Math.PI / 2, 0] : [from, to];
+	const range = from === 0 ? [-Math.PI / 2, 0] : [from, to];
 	return Array.from({ length: ARC + 1 }, (_, i) => {
-		const angle = down[0] + ((down[1] - down[0]) * i) / ARC;
+		const angle = range[0] + ((range[1] - range[0]) * i) / ARC;
 		return [Math.cos(angle), Math.sin(angle)];
 	});
 }
 
-/** Catmull–Rom spline through points; radii are not negative. */
+/** Returns points of the Catmull–Rom spline through points; radii are not negative. */
 export function splineThrough(points: readonly Knot[]): Knot[] {
 	const line: Knot[] = [];
 	const last = points.length - 1;
@@ -62,7 +67,7 @@ export function splineThrough(points: readonly Knot[]): Knot[] {
 	return [...line, points[last]];
 }
 
-/** The largest half width of a mesh at `LEVELS` heights, from the intersections of its edges. */
+/** Returns the largest half width of a mesh at `LEVELS` heights, from the intersections of its edges. */
 const silhouette = once((mesh: ClosedMesh): readonly Knot[] => {
 	const { points, triangles } = inBox(mesh);
 	const widths = new Float32Array(LEVELS + 1);
@@ -80,7 +85,7 @@ const silhouette = once((mesh: ClosedMesh): readonly Knot[] => {
 	return [[0, 0], ...Array.from(widths, (width, level): Knot => [width, level / LEVELS]), [0, 1]];
 });
 
-/** The largest radius of an outline at a height. */
+/** Returns the largest radius of an outline at a height. */
 export function radiusAt(outline: readonly Knot[], height: number): number {
 	let widest = 0;
 	for (let i = 0; i + 1 < outline.length; i++) {

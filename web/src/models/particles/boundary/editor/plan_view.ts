@@ -1,8 +1,10 @@
 /**
  * `<panicle-plan>`: boundary, obstacles and targets from above, over the plant's branches; the front is at the bottom.
  */
+
 import { svg, type TemplateResult } from "lit";
 import type { Point } from "../../../../ui/handles/point";
+import { text } from "../../messages.generated";
 import { AboveView } from "./above_view";
 import { type FlatScene, loopPath, oval, ROOM, rectangle, scale } from "./flat_drawing";
 import { type BoundaryFrame, frameAbout, toScreen } from "./frame";
@@ -17,15 +19,16 @@ export class PlanView extends AboveView {
 	static override properties = { ...AboveView.properties, scene: { attribute: false } };
 	declare scene: PlanScene | undefined;
 
-	protected readonly heading = "Plan, from above";
-	protected readonly help =
-		"Drag, or use the arrow keys: up is to the back. Shift moves ten times as far. Enter says where it stands. Escape calls off a drag.";
+	protected readonly heading = text("plan_view");
+	protected readonly help = text("plan_help");
 
+	/** Returns the frame that shows all of the scene. */
 	protected fit(): BoundaryFrame {
 		const { halfWidth, deep } = reachOf(this.scene);
 		return frameAbout({ halfWidth, low: -deep, high: deep }, this.size.width, this.size.height);
 	}
 
+	/** Draws the boundary at each axis, obstacles and a scale. */
 	protected drawing(frame: BoundaryFrame): TemplateResult {
 		const { scene } = this;
 		if (!scene) return svg``;
@@ -36,15 +39,17 @@ export class PlanView extends AboveView {
 			<line class="axis" x1="0" y1=${edge.y} x2=${frame.width} y2=${edge.y}></line>
 			${walls.map(([ax, , az, bx, , bz]) => rectangle(frame, { x: ax, y: -bz }, { x: bx, y: -az }))}
 			${rounds.map(([ax, , az, bx, , bz]) => oval(frame, { x: ax, y: -bz }, { x: bx, y: -az }))}
-			<text x=${frame.width - 6} y=${frame.height - 8} text-anchor="end">front</text>
+			<text x=${frame.width - 6} y=${frame.height - 8} text-anchor="end">${text("front")}</text>
 			${scale(frame)}`;
 	}
 
+	/** Returns the frame of the branches: the view's own, because its unit is the metre. */
 	protected ground(): BoundaryFrame {
 		return this.frame;
 	}
 }
 
+/** Returns the range that the view must show to both sides of the middle, in metres, with some room. */
 function reachOf(scene: PlanScene | undefined): { halfWidth: number; deep: number } {
 	if (!scene) return { halfWidth: 1, deep: 1 };
 	const { halfWidth, halfDepth, axes, loops, walls, rounds, targets } = scene;

@@ -1,5 +1,7 @@
 /** The grips of a boundary as handles on the plant, in the plane of the front view. */
+
 import type { HandlesOf, HandleVector } from "../../../../ui/handles/plant_handle";
+import { text } from "../../messages.generated";
 import type { BoundedSpecimen } from "../bounded";
 import { type BoundaryLayout, loopsIn } from "./boundary_layout";
 import { boundaryPose } from "./boundary_pose";
@@ -9,6 +11,7 @@ const ALONG: readonly HandleVector[] = [
 	[0, 1, 0],
 ];
 
+/** Returns a function that makes the handles of a specimen, and the lines of its boundary at each axis. */
 export function boundaryHandles<S extends BoundedSpecimen>(layout: BoundaryLayout<S>): HandlesOf<S> {
 	return (specimen, preset) => {
 		const { halfWidth, low, high } = layout.box(specimen);
@@ -16,7 +19,7 @@ export function boundaryHandles<S extends BoundedSpecimen>(layout: BoundaryLayou
 		return {
 			handles: boundaryPose(layout, specimen, preset).grips.map(({ id, at, label, part, value, pull, nudge }) => ({
 				id,
-				label: part ? `${label}, ${part}` : label,
+				label: part ? text("part_of", { name: label, part }) : label,
 				value,
 				at: [at.x, at.y, 0],
 				along: ALONG,

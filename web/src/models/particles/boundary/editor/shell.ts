@@ -7,16 +7,19 @@ import { inBox } from "./mesh_outline";
 /** Segments around a surface of revolution. */
 const SIDES = 48;
 
-/** One surface per axis, and one for the inner boundary where that is a mesh. */
+/** Returns one surface per axis, and one for the inner boundary where that is a mesh. */
 export function shellsOf<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: S): ClosedMesh[] {
 	const { inner } = specimen.parameters;
-	const shell = layout.form(specimen) === "mesh" && specimen.volume ? inBox(specimen.volume) : turned(layout, specimen);
+	const shell =
+		layout.form(specimen) === "mesh" && specimen.volume
+			? inBox(specimen.volume)
+			: surfaceOfRevolution(layout, specimen);
 	const hollow = specimen.hollow && inner > 0 ? inBox(specimen.hollow) : undefined;
 	return layout
 		.axes(specimen)
 		.flatMap((axis) => [
-			placed(layout, specimen, shell, axis, 1),
-			...(hollow ? [placed(layout, specimen, hollow, axis, inner)] : []),
+			toMetres(layout, specimen, shell, axis, 1),
+			...(hollow ? [toMetres(layout, specimen, hollow, axis, inner)] : []),
 		]);
 }
 
@@ -24,7 +27,7 @@ export function shellsOf<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, s
  * Scales a surface from shares of the boundary's box to metres about an axis; `size` is 1, or the inner boundary's
  * scale.
  */
-function placed<S extends BoundedSpecimen>(
+function toMetres<S extends BoundedSpecimen>(
 	layout: BoundaryLayout<S>,
 	specimen: S,
 	{ points, triangles }: ClosedMesh,
@@ -32,21 +35,21 @@ function placed<S extends BoundedSpecimen>(
 	size: number,
 ): ClosedMesh {
 	const box = layout.box(specimen);
-	const about = layout.bareAbout(box);
-	const from = [axis, about + size * (box.low - about), 0];
+	const fixedHeight = layout.bareAbout(box);
+	const origin = [axis, fixedHeight + size * (box.low - fixedHeight), 0];
 	const scale = [box.halfWidth, box.high - box.low, layout.halfDepth(specimen)];
-	return { points: points.map((share, i) => from[i % 3] + size * share * scale[i % 3]), triangles };
+	return { points: points.map((share, i) => origin[i % 3] + size * share * scale[i % 3]), triangles };
 }
 
-/** The surface of revolution of the outline; a box has four sides. */
-function turned<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: S): ClosedMesh {
+/** Returns the surface of revolution of the outline; a box has four sides. */
+function surfaceOfRevolution<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: S): ClosedMesh {
 	const outline = outlineIn(layout, specimen);
-	const square = layout.form(specimen) === "box";
-	const sides = square ? 4 : SIDES;
+	const isBox = layout.form(specimen) === "box";
+	const sides = isBox ? 4 : SIDES;
 	const corner = (i: number): Knot => {
 		const angle = (2 * Math.PI * (i + 0.5)) / sides;
-		const reach = square ? Math.SQRT2 : 1;
-		return [reach * Math.cos(angle), reach * Math.sin(angle)];
+		const radiusFactor = isBox ? Math.SQRT2 : 1;
+		return [radiusFactor * Math.cos(angle), radiusFactor * Math.sin(angle)];
 	};
 	const points = outline.flatMap(([radius, height]) =>
 		Array.from({ length: sides }, (_, i) => corner(i)).flatMap(([x, z]) => [radius * x, height, radius * z]),

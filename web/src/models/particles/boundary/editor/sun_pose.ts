@@ -5,37 +5,39 @@
 
 import type { Specimen } from "../../../../specimen/specimen";
 import type { Point } from "../../../../ui/handles/point";
+import { text } from "../../messages.generated";
 import type { Pose } from "./grip";
 
 /** Step of an arrow key without and with Shift, degrees. */
 const STEP = 5;
-const LARGE = 15;
+const LARGE_STEP = 15;
 
-const QUARTERS = ["in front", "at the front right", "at the right", "at the back right", "behind", "at the back left", "at the left", "at the front left"]; // biome-ignore format: a rose
+const QUARTERS = ["front", "front_right", "right", "back_right", "back", "back_left", "left", "front_left"]; // biome-ignore format: a rose
 
-/** Position of the sun on a disc of radius 1. */
+/** Returns the position of the sun on a disc of radius 1, from azimuth and height above the horizon in degrees. */
 export function sunPlace(azimuth: number, height: number): Point {
-	const [out, angle] = [1 - height / 90, (azimuth * Math.PI) / 180];
-	return { x: out * Math.sin(angle), y: -out * Math.cos(angle) };
+	const [radius, angle] = [1 - height / 90, (azimuth * Math.PI) / 180];
+	return { x: radius * Math.sin(angle), y: -radius * Math.cos(angle) };
 }
 
-/** The sun's direction at a point of the disc, integer degrees. */
+/** Returns the sun's direction at a point of the disc, integer degrees: the inverse of `sunPlace`. */
 export function sunAt({ x, y }: Point): { sun: number; sun_height: number } {
-	const out = Math.min(1, Math.hypot(x, y));
-	const azimuth = out < 1e-6 ? 0 : (Math.atan2(x, -y) * 180) / Math.PI;
-	return { sun: (Math.round(azimuth) + 360) % 360, sun_height: Math.round(90 * (1 - out)) };
+	const radius = Math.min(1, Math.hypot(x, y));
+	const azimuth = radius < 1e-6 ? 0 : (Math.atan2(x, -y) * 180) / Math.PI;
+	return { sun: (Math.round(azimuth) + 360) % 360, sun_height: Math.round(90 * (1 - radius)) };
 }
 
+/** Returns the handle of the sun: its direction and height above the horizon. */
 export function sunPose({ parameters }: Specimen, preset: Specimen): Pose {
 	const { sun, sun_height } = parameters;
-	const step = (large: boolean) => (large ? LARGE : STEP);
+	const step = (large: boolean) => (large ? LARGE_STEP : STEP);
 	return {
 		grips: [
 			{
 				id: "sun",
 				at: sunPlace(sun, sun_height),
-				label: "Sun",
-				value: `${sun_height}° high, ${QUARTERS[Math.round(sun / 45) % 8]}`,
+				label: text("sun"),
+				value: text("sun_value", { height: sun_height, direction: QUARTERS[Math.round(sun / 45) % 8] }),
 				pull: (to) => ({ parameters: sunAt(to) }),
 				nudge: (right, up, large) => ({
 					parameters: {

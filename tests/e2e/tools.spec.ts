@@ -1,0 +1,70 @@
+import { expect, test } from "./fixtures";
+import { StudioPage } from "./studio_page";
+
+test("the name of a tool is shown by hover and focus, hidden by Escape, and shown on request for good", async ({
+	page,
+}) => {
+	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical");
+	const name = page.locator(".tool-name", { hasText: "Hide berries" });
+	await expect(name).toBeHidden();
+	await studio.button("Hide berries").hover();
+	await expect(name).toBeVisible();
+	await page.keyboard.press("Escape");
+	await expect(name).toBeHidden();
+	await studio.slider("Length").focus();
+	await studio.button("Reset view").focus();
+	for (let i = 0; i < 5; i++) await page.keyboard.press("ArrowDown");
+	await expect(studio.button("Hide berries")).toBeFocused();
+	await expect(name).toBeVisible();
+	await page.keyboard.press("Escape");
+	await expect(name).toBeHidden();
+	await studio.button("Show tool names").click();
+	await expect(name).toBeVisible();
+	await expect(page.locator(".tool-name:visible")).toHaveText([
+		"Reset view",
+		"Wind on/off",
+		"Show tool names",
+		"Measure",
+		"Present the plant",
+		"Hide berries",
+		"Show cane and leaves",
+		"Outline in 3D",
+		"Remove berries",
+		"Grammar",
+	]);
+	await page.reload();
+	await expect(name).toBeVisible();
+});
+
+test.describe("in a wide window", () => {
+	test.use({ viewport: { width: 1280, height: 800 } });
+
+	test("the button of the grammar always shows its name", async ({ page }) => {
+		await new StudioPage(page).open("?v=2&preset=cylindrical");
+		await expect(page.locator(".tool-name:visible")).toHaveText(["Grammar"]);
+	});
+});
+
+test("tools have the same order and places in every model", { tag: "@long" }, async ({ page }) => {
+	const places = async (query: string) => {
+		const studio = await new StudioPage(page).open(query);
+		const slots = page.getByRole("toolbar", { name: "3D view" }).getByRole("group");
+		await expect(slots.first()).toBeVisible();
+		const names = await slots.evaluateAll((groups) => groups.map(({ ariaLabel }) => ariaLabel));
+		const boxes = ["Reset view", "Wind on/off", "Grammar"].map((name) => studio.button(name).boundingBox());
+		return { names, boxes: await Promise.all(boxes) };
+	};
+	const [bunch, growth, grammar] = [
+		await places("?v=2&preset=cylindrical"),
+		await places("?model=growth&preset=figure-5"),
+		await places("?model=grammar&preset=shrub"),
+	];
+	expect(bunch.names).toEqual(["View", "Edit", "Source"]);
+	expect(growth.names).toEqual(["View", "Edit", "Gestures", "Source"]);
+	expect(grammar.names).toEqual(["View", "Gestures", "Source"]);
+	for (let i = 0; i < bunch.boxes.length; i++) {
+		expect(growth.boxes[i]).toMatchObject({ x: bunch.boxes[i]?.x });
+		expect(grammar.boxes[i]).toMatchObject({ x: bunch.boxes[i]?.x });
+	}
+	for (const { boxes } of [growth, grammar]) expect(boxes.slice(0, 2)).toEqual(bunch.boxes.slice(0, 2));
+});
