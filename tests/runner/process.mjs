@@ -8,21 +8,32 @@ import { buildFolder, repository } from "../../wasm-core/tools/repository.mjs";
 export class StageError extends Error {}
 
 /**
+ * This process's environment without NODE_ENV. Vite sets it in a process that uses Vite (the stage "docs" does), and a
+ * build that inherits it is one for development.
+ *
+ * @returns {NodeJS.ProcessEnv}
+ */
+export function inheritedEnvironment() {
+	const { NODE_ENV, ...environment } = process.env;
+	return environment;
+}
+
+/**
  * Runs a script of the repository or of node_modules, shows its output, and returns its status.
  *
  * @param {string} script from the repository's root
  * @param {string[]} args
- * @param {NodeJS.ProcessEnv} [env]
+ * @param {NodeJS.ProcessEnv} [env] what is added to the inherited environment
  * @returns {Promise<number>}
  */
-export async function node(script, args, env = process.env) {
-	const options = { cwd: repository, env, show: process.stdout };
+export async function node(script, args, env = {}) {
+	const options = { cwd: repository, env: { ...inheritedEnvironment(), ...env }, show: process.stdout };
 	return (await run(process.execPath, [join(repository, script), ...args], options)).status;
 }
 
 /** Runs a script as `node` does. Throws a StageError where it fails. */
 export async function mustSucceed(script, args = [], env = {}) {
-	if ((await node(script, args, { ...process.env, ...env })) !== 0) throw new StageError("see above");
+	if ((await node(script, args, env)) !== 0) throw new StageError("see above");
 }
 
 /** The path of a report that a stage writes. */

@@ -49,8 +49,7 @@ const BUILT = { PANICLE_CORE: "built" };
 /** Runs vitest; `report` names its report. */
 async function vitest(report, args) {
 	const outputs = ["--reporter=default", "--reporter=json", `--outputFile=${reportPath(report)}`];
-	const env = { ...process.env, ...BUILT };
-	const status = await node("node_modules/vitest/vitest.mjs", ["run", ...args, ...outputs], env);
+	const status = await node("node_modules/vitest/vitest.mjs", ["run", ...args, ...outputs], BUILT);
 	const { numPassedTests, numFailedTests, testResults } = readReport(report);
 	const tests = testResults
 		.flatMap(({ assertionResults }) => assertionResults)
@@ -74,7 +73,6 @@ function timedTests(suite, titles = []) {
 /** @param {Plan} plan */
 async function endToEnd({ endToEnd: files }) {
 	const env = {
-		...process.env,
 		...BUILT,
 		PANICLE_PORT: String(await freePort()),
 		PANICLE_E2E_REPORT: reportPath("e2e.json"),

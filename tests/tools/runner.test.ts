@@ -1,6 +1,7 @@
-import { describe, expect, it } from "vitest";
+import { describe, expect, it, vi } from "vitest";
 import { readArguments, rooms } from "../runner/arguments.mjs";
 import { coreFolders, roomsOf } from "../runner/changed.mjs";
+import { inheritedEnvironment } from "../runner/process.mjs";
 import { stages } from "../runner/stages.mjs";
 import { slowest, table } from "../runner/times.mjs";
 
@@ -172,5 +173,16 @@ describe("the times at the end of a run", () => {
 			"Slowest tests:",
 			"3.0 s native: b",
 		]);
+	});
+});
+
+describe("the programs of a stage", () => {
+	it("inherit the environment without NODE_ENV, or Vite would build the app for development", () => {
+		vi.stubEnv("NODE_ENV", "development");
+		vi.stubEnv("PANICLE_LONG", "1");
+		const environment = inheritedEnvironment();
+		vi.unstubAllEnvs();
+		expect(environment).not.toHaveProperty("NODE_ENV");
+		expect(environment).toMatchObject({ PANICLE_LONG: "1" });
 	});
 });

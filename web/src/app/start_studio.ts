@@ -13,6 +13,7 @@ import { namesPlant } from "./address_plant";
 import { AppUpdater } from "./app_updater";
 import { CoreGrower } from "./core_grower";
 import { takeFile } from "./files/drops";
+import { firstDrawing } from "./first_drawing";
 import { PageGrowth } from "./growing";
 import { hintsDue } from "./hints/hint_store";
 import type { Hints } from "./hints/hints";
@@ -238,21 +239,6 @@ function startHints(): void {
 		() => document.querySelector<Hints>(HINTS.tag)?.start(),
 		() => {},
 	);
-}
-
-/** Longest time that the gallery waits for the first draw; milliseconds. */
-const LONGEST_WAIT = 3000;
-
-/** Resolves when the view has drawn its first plant, or after LONGEST_WAIT. */
-function firstDrawing(): Promise<void> {
-	return new Promise((resolve) => {
-		new PerformanceObserver((list, observer) => {
-			if (list.getEntriesByName("first-bunch").length === 0) return;
-			observer.disconnect();
-			resolve();
-		}).observe({ type: "mark", buffered: true });
-		setTimeout(resolve, LONGEST_WAIT);
-	});
 }
 
 let followed = 0;

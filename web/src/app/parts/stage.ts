@@ -6,6 +6,7 @@ import { sameSpecimen } from "../../specimen/same";
 import { icon } from "../../ui/icons";
 import { rove, stopAt } from "../../ui/roving";
 import { TOOL_SLOTS, type ToolSlot } from "../../ui/tool";
+import { firstDrawing } from "../first_drawing";
 import { text } from "../messages.generated";
 import { applying } from "../panel_groups";
 import { SolidView } from "../solid_view";
@@ -110,9 +111,15 @@ export class StagePart extends StudioPart {
 		setTimeout(() => {
 			this.#due = false;
 			if (this.#visible) this.#solid?.update(this.context.state);
-			if (this.#solid && this.context.state.shown) this.#useAids(this.#solid);
+			if (this.#solid && this.context.state.shown) void this.#prepareAids();
 		});
 	};
+
+	/** Loads the view's aids after the first drawing, or at once for a visitor who already uses one. */
+	async #prepareAids(): Promise<void> {
+		if (!this.context.state.aid) await firstDrawing();
+		if (this.#solid) this.#useAids(this.#solid);
+	}
 
 	/** Ends the 3-D view and all that follows it. */
 	override disconnectedCallback(): void {
