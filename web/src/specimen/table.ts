@@ -125,9 +125,9 @@ export class Table {
 	}
 
 	/** Returns the chosen option of a specimen, as links write it; undefined where there is no such choice. */
-	option({ parameters }: Pick<Specimen, "parameters">, key: string): string | undefined {
+	option(specimen: Pick<Specimen, "look" | "parameters">, key: string): string | undefined {
 		const entry = this.entry(key);
-		return entry?.kind === "choice" ? entry.options[parameters[key]] : undefined;
+		return entry?.kind === "choice" ? entry.options[valueIn(specimen, entry) as number] : undefined;
 	}
 }
 
