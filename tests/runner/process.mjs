@@ -23,7 +23,7 @@ export function inheritedEnvironment() {
  *
  * @param {string} script from the repository's root
  * @param {string[]} args
- * @param {NodeJS.ProcessEnv} [env] what is added to the inherited environment
+ * @param {NodeJS.ProcessEnv} [env] variables added to the inherited environment
  * @returns {Promise<number>}
  */
 export async function node(script, args, env = {}) {

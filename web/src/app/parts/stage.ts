@@ -115,7 +115,7 @@ export class StagePart extends StudioPart {
 		});
 	};
 
-	/** Loads the view's aids after the first drawing, or at once for a visitor who already uses one. */
+	/** Loads the view's aids after the first drawing, or at once where one is in use. */
 	async #prepareAids(): Promise<void> {
 		if (!this.context.state.aid) await firstDrawing();
 		if (this.#solid) this.#useAids(this.#solid);
