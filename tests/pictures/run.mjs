@@ -47,6 +47,11 @@ export const PICTURES = {
 		about: "the SVG drawings of docs/models: floral diagrams, and veins of leaves with the measures in likeness.md",
 		run: inModule("./drawings.mjs"),
 	},
+	peers: {
+		about: "trees beside those of ez-tree and three.js' TreeGenerator, in a random order, in build/peers/",
+		words: "[SPECIES …]",
+		run: inModule("./peers.mjs"),
+	},
 	readers: {
 		about: "one bunch in the app, three.js, Blender and F3D, as docs/readers/*.webp (Python 3.11, F3D and xvfb-run)",
 		words: "[PRESET …]",
