@@ -13,6 +13,18 @@ export interface LifeStage {
 	readonly icon?: SVGTemplateResult;
 }
 
+/**
+ * Creates a stage.
+ * @param name returns its name in the language of the page
+ */
+export const stage = (at: number, name: () => string, options: Pick<LifeStage, "from" | "icon"> = {}): LifeStage => ({
+	...options,
+	at,
+	get name() {
+		return name();
+	},
+});
+
 export interface Life {
 	/** Name of the tool; defaults to the parameter's. */
 	readonly name?: string;

@@ -1,7 +1,7 @@
 import type { Plant } from "../../plant/plant";
 import type { Specimen } from "../../specimen/specimen";
 import type { Table } from "../../specimen/table";
-import type { Life } from "../../ui/life";
+import { type Life, stage } from "../../ui/life";
 import type { PlayState } from "../../ui/life_player";
 import { lifeTool } from "../../ui/life_tool";
 import type { Tool } from "../../ui/tool";
@@ -34,39 +34,11 @@ export const LIFE: Life = {
 		return text("age");
 	},
 	stages: [
-		{
-			at: 0,
-			get name() {
-				return text("stage_scattered");
-			},
-		},
-		{
-			at: 10,
-			from: 1,
-			get name() {
-				return text("stage_starting");
-			},
-		},
-		{
-			at: 40,
-			from: 25,
-			get name() {
-				return text("stage_merging");
-			},
-		},
-		{
-			at: 75,
-			from: 60,
-			get name() {
-				return text("stage_arriving");
-			},
-		},
-		{
-			at: 100,
-			get name() {
-				return text("stage_grown");
-			},
-		},
+		stage(0, () => text("stage_scattered")),
+		stage(10, () => text("stage_starting"), { from: 1 }),
+		stage(40, () => text("stage_merging"), { from: 25 }),
+		stage(75, () => text("stage_arriving"), { from: 60 }),
+		stage(100, () => text("stage_grown")),
 	],
 	end: 100,
 	milliseconds: 8000,
@@ -87,39 +59,11 @@ export const GROWTH: Life = {
 		return text("age");
 	},
 	stages: [
-		{
-			at: 0,
-			get name() {
-				return text("stage_seed");
-			},
-		},
-		{
-			at: 20,
-			from: 1,
-			get name() {
-				return text("stage_seedling");
-			},
-		},
-		{
-			at: 50,
-			from: 35,
-			get name() {
-				return text("stage_young");
-			},
-		},
-		{
-			at: 75,
-			from: 65,
-			get name() {
-				return text("stage_half_grown");
-			},
-		},
-		{
-			at: 100,
-			get name() {
-				return text("stage_grown");
-			},
-		},
+		stage(0, () => text("stage_seed")),
+		stage(20, () => text("stage_seedling"), { from: 1 }),
+		stage(50, () => text("stage_young"), { from: 35 }),
+		stage(75, () => text("stage_half_grown"), { from: 65 }),
+		stage(100, () => text("stage_grown")),
 	],
 	end: 100,
 	milliseconds: 8000,

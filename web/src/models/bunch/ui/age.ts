@@ -1,4 +1,4 @@
-import type { Life } from "../../../ui/life";
+import { type Life, stage } from "../../../ui/life";
 import { lifeTool } from "../../../ui/life_tool";
 import { text } from "../messages.generated";
 import { FRUIT_SET } from "../words";
@@ -12,44 +12,12 @@ export const LIFE: Life = {
 		return text("age");
 	},
 	stages: [
-		{
-			at: 0,
-			get name() {
-				return text("age_flowering");
-			},
-			icon: FLOWER,
-		},
-		{
-			at: FRUIT_SET,
-			get name() {
-				return text("age_fruit_set");
-			},
-		},
-		{
-			at: 30,
-			get name() {
-				return text("age_green");
-			},
-		},
-		{
-			at: 60,
-			get name() {
-				return text("age_colouring");
-			},
-		},
-		{
-			at: 100,
-			get name() {
-				return text("age_ripe");
-			},
-		},
-		{
-			at: 125,
-			from: 110,
-			get name() {
-				return text("age_shrivelled");
-			},
-		},
+		stage(0, () => text("age_flowering"), { icon: FLOWER }),
+		stage(FRUIT_SET, () => text("age_fruit_set")),
+		stage(30, () => text("age_green")),
+		stage(60, () => text("age_colouring")),
+		stage(100, () => text("age_ripe")),
+		stage(125, () => text("age_shrivelled"), { from: 110 }),
 	],
 	end: 100,
 	milliseconds: 9000,

@@ -1,4 +1,4 @@
-import type { Life } from "../../../ui/life";
+import { type Life, stage } from "../../../ui/life";
 import { lifeTool } from "../../../ui/life_tool";
 import type { FlowerPlant } from "../flower_plant";
 import { text } from "../messages.generated";
@@ -12,40 +12,11 @@ export const LIFE: Life = {
 		return text("age");
 	},
 	stages: [
-		{
-			at: 0,
-			get name() {
-				return text("age_bud");
-			},
-		},
-		{
-			at: 0.5,
-			from: 0.25,
-			get name() {
-				return text("age_opening");
-			},
-		},
-		{
-			at: 1,
-			from: 0.85,
-			get name() {
-				return text("age_open");
-			},
-		},
-		{
-			at: 1.5,
-			from: 1.25,
-			get name() {
-				return text("age_fading");
-			},
-		},
-		{
-			at: 2,
-			from: 1.8,
-			get name() {
-				return text("age_wilted");
-			},
-		},
+		stage(0, () => text("age_bud")),
+		stage(0.5, () => text("age_opening"), { from: 0.25 }),
+		stage(1, () => text("age_open"), { from: 0.85 }),
+		stage(1.5, () => text("age_fading"), { from: 1.25 }),
+		stage(2, () => text("age_wilted"), { from: 1.8 }),
 	],
 	end: 2,
 	bestAge: 1,

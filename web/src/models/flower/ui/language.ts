@@ -1,52 +1,19 @@
 /** The flower language for the editor (docs/models/flower/language.md). */
 
 import type { Dialect } from "../../../grammar_editor/dialect";
-import type { Token, TokenKind } from "../../../grammar_editor/scan";
+import { innerWord, isName, statementScanner, statementWord } from "../../../grammar_editor/statement_language";
 import { text as message } from "../messages.generated";
 
-const PIECE =
-	/\/\*[\s\S]*?(?:\*\/|$)|@[^@]*@?|\n|[ \t\r\f\v]+|-->|->|→|"[^"\n]*"?|#[ \t]*\p{L}+|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|\p{L}[\p{L}\p{N}_]*(?:\.\p{L}+)?|[<>=!]=|&&|\|\||[\s\S]/gu;
-
-/**
- * Classifies a piece of text for colouring.
- * @param rest the text behind the piece: an opening parenthesis makes a name a function
- */
-function kindOf(piece: string, rest: string): TokenKind {
-	if (piece.startsWith("/*") || piece.startsWith("@")) return "comment";
-	if (piece.startsWith("#")) return "statement";
-	if (/^(?:-->|->|→)$/.test(piece)) return "arrow";
-	if (/^[\d.]/.test(piece) && piece !== ".") return "number";
-	if (piece.startsWith('"')) return "symbol";
-	if (/^\p{L}/u.test(piece)) return /^[ \t]*\(/.test(rest) ? "function" : "name";
-	return /^(?:[<>=!]=|&&|\|\||[-+*/%^!<>=|])$/.test(piece) ? "operator" : "mark";
-}
-
-/** Splits a text into tokens, without blanks. */
-export function scan(text: string): Token[] {
-	const pieces: Token[] = [];
-	let line = 1;
-	for (const match of text.matchAll(PIECE)) {
-		const [piece] = match;
-		const to = match.index + piece.length;
-		if (!/^[ \t\r\f\v\n]/.test(piece))
-			pieces.push({ kind: kindOf(piece, text.slice(to, to + 8)), from: match.index, to, text: piece, line });
-		line += piece.split("\n").length - 1;
-	}
-	return pieces;
-}
-
-/**
- * Describes a statement of the language for completion and help.
- * @param written an example of it
- */
-const statementWord = (name: string, written: string, help: string) => ({
-	kind: "statement" as const,
-	name,
-	written,
-	help,
+/** Splits a text into tokens, without blanks. A comment may also stand between two at signs. */
+export const scan = statementScanner({
+	tokens: ["@[^@]*@?", String.raw`#[ \t]*\p{L}+`, String.raw`\p{L}[\p{L}\p{N}_]*(?:\.\p{L}+)?`],
+	kindOf(token, _, isCalled) {
+		if (token.startsWith("@")) return "comment";
+		if (token.startsWith("#")) return "statement";
+		if (!isName(token)) return undefined;
+		return isCalled ? "function" : "name";
+	},
 });
-/** Describes another word of the language for completion and help. */
-const otherWord = (name: string, help: string, written = name) => ({ kind: "function" as const, name, written, help });
 
 export const FLOWER_LANGUAGE: Dialect = {
 	scan,
@@ -58,13 +25,13 @@ export const FLOWER_LANGUAGE: Dialect = {
 			statementWord("#axiom", "#axiom: STEM", message("help_axiom")),
 			statementWord("#module", "#module PETAL", message("help_module")),
 			statementWord("#material", '#material 4 petal "c8102e" "f6d55c" veins "8a1030" 9 0.5', message("help_material")),
-			otherWord("step", message("help_step")),
-			otherWord("finalStep", message("help_final_step")),
-			otherWord("age", message("help_age")),
-			otherWord("face", message("help_face")),
-			otherWord("along", message("help_along")),
-			otherWord("beside", message("help_beside")),
-			otherWord("math.random", message("help_random"), "math.random(from, to)"),
+			innerWord("step", message("help_step")),
+			innerWord("finalStep", message("help_final_step")),
+			innerWord("age", message("help_age")),
+			innerWord("face", message("help_face")),
+			innerWord("along", message("help_along")),
+			innerWord("beside", message("help_beside")),
+			innerWord("math.random", message("help_random"), "math.random(from, to)"),
 		];
 	},
 };

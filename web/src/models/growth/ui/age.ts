@@ -1,4 +1,4 @@
-import type { Life } from "../../../ui/life";
+import { type Life, stage } from "../../../ui/life";
 import { lifeTool } from "../../../ui/life_tool";
 import type { GrowthPlant } from "../growth_plant";
 import { text } from "../messages.generated";
@@ -11,39 +11,11 @@ export const LIFE: Life = {
 		return text("age");
 	},
 	stages: [
-		{
-			at: 0,
-			get name() {
-				return text("stage_seed");
-			},
-		},
-		{
-			at: 15,
-			from: 1,
-			get name() {
-				return text("stage_seedling");
-			},
-		},
-		{
-			at: 45,
-			from: 30,
-			get name() {
-				return text("stage_young");
-			},
-		},
-		{
-			at: 75,
-			from: 60,
-			get name() {
-				return text("stage_half_grown");
-			},
-		},
-		{
-			at: 100,
-			get name() {
-				return text("stage_grown");
-			},
-		},
+		stage(0, () => text("stage_seed")),
+		stage(15, () => text("stage_seedling"), { from: 1 }),
+		stage(45, () => text("stage_young"), { from: 30 }),
+		stage(75, () => text("stage_half_grown"), { from: 60 }),
+		stage(100, () => text("stage_grown")),
 	],
 	end: 100,
 	milliseconds: 10_000,
