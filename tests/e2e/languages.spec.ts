@@ -1,3 +1,4 @@
+import { readFileSync } from "node:fs";
 import type { Page } from "@playwright/test";
 import { expect, test } from "./fixtures";
 import { StudioPage } from "./studio_page";
@@ -80,4 +81,28 @@ test("in English no catalogue of another language is fetched", async ({ page }) 
 	await new StudioPage(page).open();
 	expect(fetched.filter((path) => /\/fr[.-]|catalogue|pseudo/.test(path))).toEqual([]);
 	expect(fetched.length).toBeGreaterThan(5);
+});
+
+test("the font of titles has every letter of the French texts", async ({ page }) => {
+	const texts = readFileSync("web/src/locale/fr.json", "utf8");
+	const letters = [...new Set(texts.match(/[A-Za-zÀ-ÿŒœŸ]/g))].sort();
+	expect(letters).toEqual(expect.arrayContaining(["è", "ô", "œ", "É"]));
+	await new StudioPage(page).open("?v=2&preset=merlot");
+	const missing = await page.evaluate(async (all) => {
+		const context = new OffscreenCanvas(1, 1).getContext("2d") as OffscreenCanvasRenderingContext2D;
+		const styles = ["500 100px", "italic 400 100px"];
+		await Promise.all(styles.map((style) => document.fonts.load(`${style} "EB Garamond"`)));
+		// A letter that the font lacks has the width of the letter in the fallback, whichever that is.
+		const width = (style: string, fonts: string, letter: string) => {
+			context.font = `${style} ${fonts}`;
+			return context.measureText(letter).width;
+		};
+		return styles.flatMap((style) =>
+			all.filter(
+				(letter) =>
+					width(style, '"EB Garamond", monospace', letter) !== width(style, '"EB Garamond", sans-serif', letter),
+			),
+		);
+	}, letters);
+	expect(missing).toEqual([]);
 });
