@@ -2,6 +2,7 @@ import { Vector3 } from "three";
 import { beforeAll, expect, it } from "vitest";
 import { aboutPlant } from "../../../../web/src/formats/about_plant";
 import { exportGlb } from "../../../../web/src/formats/glb";
+import { betweenRows } from "../../../../web/src/models/stand/alley";
 import { heightAt } from "../../../../web/src/models/stand/ground_grid";
 import { model } from "../../../../web/src/models/stand/index";
 import { titlesOf } from "../../../../web/src/models/stand/members";
@@ -122,6 +123,51 @@ it("a walk starts clear of crowns, as close to the centre of the front as possib
 	const attached = planted(0);
 	attached.places.parent[0] = 0;
 	expect(atFront(attached).x).toBe(0);
+});
+
+it("a walk in a plantation starts between the two middle rows and looks along them, in any direction", () => {
+	/** Five rows of twelve plants, 2.2 m apart, in a direction from +x to +z. */
+	const rows = (degrees: number, gap = 2.2) => {
+		const [cosine, sine] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
+		const at = [-2, -1, 0, 1, 2].flatMap((row) =>
+			Array.from({ length: 12 }, (_, i) => [1.2 * (i - 5.5), gap * row] as const).flatMap(([along, across]) => [
+				along * cosine - across * sine,
+				0,
+				along * sine + across * cosine,
+			]),
+		);
+		const count = at.length / 3;
+		return {
+			...stand,
+			ground: { width: 20, depth: 20, relief: 0 },
+			places: {
+				...stand.places,
+				count,
+				at: Float32Array.from(at),
+				scale: new Float32Array(count).fill(1),
+				kind: new Uint32Array(count),
+				parent: new Int32Array(count).fill(-1),
+			},
+			kinds: stand.kinds.map((kind) => ({ ...kind, crown: { width: 1.2, height: 2 } })),
+		};
+	};
+	for (const degrees of [0, 30, 90, 135]) {
+		const planted = rows(degrees);
+		const pose = betweenRows(planted);
+		if (!pose) throw new Error("no rows");
+		// The view is parallel to the rows, both ways alike.
+		expect((((pose.yaw - 90 - degrees) % 180) + 180) % 180).toBeCloseTo(0, 5);
+		const angle = (degrees * Math.PI) / 180;
+		expect(Math.abs(pose.z * Math.cos(angle) - pose.x * Math.sin(angle))).toBeCloseTo(1.1, 3);
+		expect(Math.max(Math.abs(pose.x), Math.abs(pose.z))).toBeLessThan(10);
+		// The alley lies ahead: a long way, past the middle of the ground.
+		let ahead = pose;
+		for (let i = 0; i < 12; i++) ahead = stepped(ahead, "forward", planted);
+		expect(Math.hypot(ahead.x, ahead.z)).toBeLessThan(Math.hypot(pose.x, pose.z));
+	}
+	expect(betweenRows(rows(0, 1.2))).toBeUndefined();
+	expect(betweenRows(stand)).toBeUndefined();
+	expect(betweenRows({ ...rows(0), places: { ...rows(0).places, count: 0 } })).toBeUndefined();
 });
 
 it("the caption counts attached plants separately, and the map uses the kinds' titles", () => {

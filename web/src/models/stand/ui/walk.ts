@@ -5,6 +5,7 @@ import type { EditorContext } from "../../../ui/editor_context";
 import { EditorElement } from "../../../ui/editor_element";
 import { takeFocus } from "../../../ui/take_focus";
 import type { Tool, ToolInteraction, ToolView } from "../../../ui/tool";
+import { betweenRows } from "../alley";
 import { text } from "../messages.generated";
 import type { StandSpecimen } from "../specimen";
 import type { StandPlant } from "../stand_plant";
@@ -45,7 +46,7 @@ export const walk: Tool<StandSpecimen, StandPlant, Walking> = {
 	initial: undefined,
 	press: (context) => {
 		const { grown } = context.state;
-		context.setToolState(walk, context.toolState(walk) || !grown ? undefined : atFront(grown));
+		context.setToolState(walk, context.toolState(walk) || !grown ? undefined : (betweenRows(grown) ?? atFront(grown)));
 	},
 	button: {
 		slot: "view",
