@@ -5,19 +5,19 @@ import { StudioPage } from "./studio_page";
 
 test("the height of an oak is typed in metres among the basics, and undone", async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&model=growth&preset=oak&steps=6");
-	const height = page.getByRole("textbox", { name: "Height in metres", exact: true });
+	const height = page.getByRole("textbox", { name: "Space height in metres", exact: true });
 	await expect(height).toHaveValue("16");
 	const measured = studio.measure("height");
 	const tall = await measured.innerText();
 	await height.fill("8.5");
 	await studio.regrown(() => height.press("Enter"));
 	await expect(height).toHaveValue("8.5");
-	await expect(studio.slider("Height")).toHaveAttribute("aria-valuetext", "8.5 metres");
-	await expect(studio.slider("Width")).toHaveValue("20");
+	await expect(studio.slider("Space height")).toHaveAttribute("aria-valuetext", "8.5 metres");
+	await expect(studio.slider("Space width")).toHaveValue("20");
 	await expect(measured).not.toHaveText(tall);
 	await height.fill("500");
 	await height.press("Enter");
-	await expect(page.getByText("Height: 500 was changed to 100.")).toBeVisible();
+	await expect(page.getByText("Space height: 500 was changed to 100.")).toBeVisible();
 	for (const before of ["8.5", "16"]) {
 		await studio.regrown(() => studio.button("Undo").click());
 		await expect(height).toHaveValue(before);
@@ -27,11 +27,24 @@ test("the height of an oak is typed in metres among the basics, and undone", asy
 		await page.keyboard.press("Control+k");
 		await page.getByRole("combobox", { name: "Search plants, settings, actions and help" }).fill("height");
 		await page
-			.getByRole("option", { name: /^Height/ })
+			.getByRole("option", { name: /^Space height/ })
 			.first()
 			.click();
-		await expect(studio.slider("Height")).toBeFocused();
+		await expect(studio.slider("Space height")).toBeFocused();
 	});
+});
+
+test("the constants of a flower’s grammar are labelled basics with units, and its notes on lines are not in Numbers", async ({
+	page,
+}) => {
+	const studio = await new StudioPage(page).open("?v=2&model=flower&preset=tulip");
+	await expect(studio.slider("Stem bend")).toHaveAttribute("aria-valuetext", /°|degrees|^$/);
+	const length = page.getByRole("textbox", { name: "Length in millimetres", exact: true });
+	await expect(length).toHaveValue("325");
+	await expect(page.getByRole("textbox", { name: "Flower size", exact: false })).toHaveValue("1");
+	await studio.regrown(() => length.fill("250").then(() => length.press("Enter")));
+	await expect(page).toHaveURL(/length=250/);
+	await expect(page.locator("panicle-readout .notes")).toHaveCount(0);
 });
 
 test("groups other than the basics are under Advanced, which opens on request and stays open", async ({ page }) => {

@@ -1,6 +1,7 @@
 import { expect, it } from "vitest";
 import { insideComment } from "../../../web/src/grammar_editor/comments";
-import { findRange, trimSeparators } from "../../../web/src/grammar_editor/range_words";
+import { findRange, trimSeparators, unitIn } from "../../../web/src/grammar_editor/range_words";
+import { labelOf } from "../../../web/src/grammar_editor/source";
 
 it.each([
 	["0 … 90", "0", "90", undefined, ""],
@@ -32,4 +33,21 @@ it("trims separators around a range, and the delimiters of a comment", () => {
 		"",
 		"",
 	]);
+});
+
+it.each([
+	["mm, of the stem", "mm"],
+	["degrees a step, of the stem", "°"],
+	["metres", "m"],
+	["of the flower", ""],
+	["mmm", ""],
+	["constructor", ""],
+	["", ""],
+])("reads the unit at the beginning of %j", (description, unit) => expect(unitIn(description)).toBe(unit));
+
+it("labels a constant by its source, else by its name, with a capital if it is a word", () => {
+	const label = (name: string) => (name === "bow" ? { label: "Blade bend", unit: "°" } : undefined);
+	expect(labelOf({ label }, { name: "bow", unit: "" })).toEqual({ label: "Blade bend", unit: "°" });
+	expect(labelOf({ label }, { name: "shrink", unit: "mm" })).toEqual({ label: "Shrink", unit: "mm" });
+	for (const name of ["a", "r1", "LA", "lo"]) expect(labelOf({}, { name, unit: "" }).label).toBe(name);
 });

@@ -8,7 +8,16 @@ import { refusal, typedName } from "../ui/typed";
 import { type Constant, type Curve, decimals, type GrammarOutline, type NumberAt } from "./outline";
 import { readOutline } from "./read_outline";
 import { written } from "./scrub";
-import { basicConstants, type GrammarContext, type GrammarSource, isOwn, textOf, withText, withValues } from "./source";
+import {
+	basicConstants,
+	type GrammarContext,
+	type GrammarSource,
+	isOwn,
+	labelOf,
+	textOf,
+	withText,
+	withValues,
+} from "./source";
 import "./curve_editor";
 import { text } from "./messages.generated";
 
@@ -107,14 +116,18 @@ export class ConstantsPanel extends ControlElement<GrammarContext> {
 	/** Draws the slider of a constant; a constant that differs from the preset is marked. */
 	#slider(constant: Constant): unknown {
 		const { name, number, min, max, step, description } = constant;
+		// Under "Advanced" constants have the names that the text has.
+		const { label, unit } =
+			this.shown === "basics" ? labelOf(this.source, constant) : { label: name, unit: constant.unit };
 		const published = this.#builtIn(name);
 		const range = { least: String(min), most: String(max), line: String(constant.line) };
 		const changed = published !== undefined && Number(published) !== number.value;
 		return html`<div class="control ${changed ? "changed" : ""}">${sliderRow({
 			id: this.idOf(`slide-${name}`),
-			label: description ? html`<span title=${description}>${name}</span>` : name,
-			name,
-			typedName: typedName(name, ""),
+			label: description ? html`<span title=${description}>${label}</span>` : label,
+			name: label,
+			typedName: typedName(label, unit),
+			unit,
 			min,
 			max,
 			step,

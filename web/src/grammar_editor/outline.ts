@@ -1,6 +1,6 @@
 /** Outline of a grammar's text, for controls: its constants, curves and numbers. */
 import { insideComment } from "./comments";
-import { findRange, type RangeWords, trimSeparators } from "./range_words";
+import { findRange, type RangeWords, trimSeparators, unitIn } from "./range_words";
 import { scan, type Token } from "./scan";
 
 /** A number in a text, including its sign. */
@@ -28,6 +28,8 @@ export interface Constant extends NumberRange {
 	readonly isRanged: boolean;
 	/** Text of the comment behind the number, without the range; may be empty. */
 	readonly description: string;
+	/** The unit with which the description begins: "mm", "°"; empty if it begins with none. */
+	readonly unit: string;
 }
 
 /** Name and range of a `#define`'s value in the text. */
@@ -176,7 +178,8 @@ function constantIn(line: readonly Token[]): Constant[] {
 	const writtenRange = findRange(comment);
 	const range = writtenRange ? rangeIn(writtenRange, number) : guessRange(name.text, number);
 	const description = trimSeparators(writtenRange?.description ?? comment);
-	return [{ name: name.text, line: head.line, number, isRanged: writtenRange !== undefined, description, ...range }];
+	const isRanged = writtenRange !== undefined;
+	return [{ name: name.text, line: head.line, number, isRanged, description, unit: unitIn(description), ...range }];
 }
 
 /** Returns the number of a text whose sign may be a typographic minus. */

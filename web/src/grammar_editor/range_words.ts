@@ -38,6 +38,23 @@ export function findRange(text: string): RangeWords | undefined {
 	return undefined;
 }
 
+/** Units as comments write them, and as controls show them. */
+const UNITS: Readonly<Record<string, string>> = {
+	mm: "mm",
+	cm: "cm",
+	m: "m",
+	metres: "m",
+	degrees: "°",
+	"°": "°",
+	"%": "%",
+};
+
+/** Returns the unit with which a description begins: "mm, of the stem" → "mm"; empty if it begins with none. */
+export function unitIn(description: string): string {
+	const word = description.split(/[\s,;:]/, 1)[0];
+	return Object.hasOwn(UNITS, word) ? UNITS[word] : "";
+}
+
 /** Removes blanks, commas, semicolons and colons from both ends. */
 export function trimSeparators(text: string): string {
 	const isSeparator = (at: number) => /[\s,;:]/.test(text[at]);

@@ -1,9 +1,7 @@
 /** Problems of a grammar as the core reports them: the fault that prevents growth, and remarks on the last plant. */
 import type { Message } from "../locale/texts";
+import { isOnText } from "../plant/text_notes";
 import type { Fault } from "../ui/editor_context";
-
-/** The code of notes on a place in the text. */
-const AT_PLACE = "core.expression.at_line_and_column";
 
 /** Error or remark with a place in the text. */
 export interface Problem {
@@ -27,12 +25,10 @@ export function sameProblems(some: readonly Problem[], others: readonly Problem[
  */
 export function problemsOf(fault: Fault | undefined, notes: readonly Message[]): Problem[] {
 	if (fault) return fault.line > 0 ? [{ severity: "error", ...fault }] : [];
-	return notes
-		.filter(({ code }) => code === AT_PLACE)
-		.map(({ args: { line, column, problem } }) => ({
-			severity: "remark",
-			line: Number(line),
-			column: Number(column),
-			message: String(problem),
-		}));
+	return notes.filter(isOnText).map(({ args: { line, column = 1, problem } }) => ({
+		severity: "remark",
+		line: Number(line),
+		column: Number(column),
+		message: String(problem),
+	}));
 }

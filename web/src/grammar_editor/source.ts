@@ -38,6 +38,8 @@ export interface GrammarSource<S extends Specimen & WithGrammar = Specimen & Wit
 	readonly always?: boolean;
 	/** Returns how many constants the panel shows among the basics, at most; absent: none. */
 	basics?(specimen: S): number;
+	/** Returns the label and the unit of a constant among the basics, in the language in use; by default its name. */
+	label?(name: string): { readonly label: string; readonly unit?: string } | undefined;
 	/**
 	 * Name of the constant that bends a stem: above the middle of its range to the right of a plant seen from in
 	 * front.
@@ -74,6 +76,18 @@ export function basicConstants<S extends Specimen & WithGrammar>(
 ): readonly Constant[] {
 	const free = constants.filter(({ name, isRanged }) => isRanged && !governed?.has(name));
 	return free.slice(0, basics?.(specimen) ?? 0);
+}
+
+/**
+ * Returns the label and the unit of a constant among the basics: those of the source, else the name with a capital, unless
+ * it is a symbol of one or two letters.
+ */
+export function labelOf(
+	{ label }: Pick<GrammarSource, "label">,
+	{ name, unit }: Pick<Constant, "name" | "unit">,
+): { readonly label: string; readonly unit: string } {
+	const capitalised = /^[a-z]{3,}$/.test(name) ? name.charAt(0).toUpperCase() + name.slice(1) : name;
+	return { label: capitalised, unit, ...label?.(name) };
 }
 
 /** Returns whether a document has its own text. */

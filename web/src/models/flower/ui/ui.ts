@@ -17,7 +17,32 @@ import { volumeTool } from "./volume_tool";
 export const basicFlowerConstants: GrammarSource<FlowerSpecimen> = {
 	...source,
 	basics: (specimen) => (isDesigned(specimen) ? 0 : 4),
+	label: constantLabel,
 };
+
+/** Returns the label of a constant that flowers have among the basics. */
+function constantLabel(name: string): { label: string; unit?: string } | undefined {
+	switch (name) {
+		case "length":
+			return { label: text("constant_length") };
+		case "bend":
+			return { label: text("constant_bend") };
+		case "bow":
+			return { label: text("constant_bow") };
+		case "scale":
+			return { label: text("constant_scale"), unit: "×" };
+		case "across":
+			return { label: text("constant_across") };
+		case "flowers":
+			return { label: text("constant_flowers"), unit: "×" };
+		case "height":
+			return { label: text("constant_height"), unit: "×" };
+		case "wind":
+			return { label: text("constant_wind") };
+		default:
+			return undefined;
+	}
+}
 
 export const modelUi: ModelUi<FlowerSpecimen, FlowerPlant> = {
 	tools: [
