@@ -1,5 +1,6 @@
 import { expect, test } from "./fixtures";
 import { framesRequested, passFrames } from "./frames";
+import { agesUntilGrown } from "./played_ages";
 import { StudioPage } from "./studio_page";
 
 const NATURAL = "?v=2&preset=short-conical";
@@ -90,18 +91,7 @@ test("play runs from the flower on, by key or button, and a pause is one step", 
 test("where motion is unwelcome, play goes from stage to stage", { tag: "@long" }, async ({ page }) => {
 	await page.emulateMedia({ reducedMotion: "reduce" });
 	const studio = await new StudioPage(page).open(`${NATURAL}&age=30`);
-	const seen = page.evaluate(
-		() =>
-			new Promise<string[]>((resolve) => {
-				const values = new Set<string>();
-				const look = () => {
-					values.add(document.querySelector<HTMLInputElement>("panicle-life input[type=range]")?.value ?? "");
-					if (values.has("100")) resolve([...values]);
-					else requestAnimationFrame(look);
-				};
-				look();
-			}),
-	);
+	const seen = agesUntilGrown(page);
 	await studio.button("Play").click();
 	expect(await seen).toEqual(["30", "60", "100"]);
 });

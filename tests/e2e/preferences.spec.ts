@@ -4,6 +4,7 @@ import { violations } from "./axe";
 import { expect, test } from "./fixtures";
 import { framesRequested, passFrames } from "./frames";
 import { defineMeasures, movingParts, weakBorders } from "./measures";
+import { agesUntilGrown } from "./played_ages";
 import { StudioPage } from "./studio_page";
 
 const BUNCH = "?v=2&preset=redcurrant&count=12";
@@ -67,18 +68,7 @@ test("less motion: nothing moves that the visitor does not move, and nothing goe
 	await test.step("and its age only changes on request, from stage to stage", async () => {
 		expect(await age.inputValue()).toBe(before);
 		await age.fill("30");
-		const seen = page.evaluate(
-			() =>
-				new Promise<string[]>((resolve) => {
-					const values = new Set<string>();
-					const look = () => {
-						values.add(document.querySelector<HTMLInputElement>("panicle-life input[type=range]")?.value ?? "");
-						if (values.has("100")) resolve([...values]);
-						else requestAnimationFrame(look);
-					};
-					look();
-				}),
-		);
+		const seen = agesUntilGrown(page);
 		await studio.button("Play").click();
 		expect(await seen).toEqual(["30", "60", "100"]);
 	});
