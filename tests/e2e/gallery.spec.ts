@@ -139,3 +139,47 @@ test("pictures come when they are near to being seen", async ({ page }) => {
 	expect(requested.size).toBeGreaterThan(0);
 	expect(requested.size).toBeLessThan(await page.locator(".strip .preset").count());
 });
+
+test("titles in the strip keep apart", async ({ page }) => {
+	await page.setViewportSize({ width: 1280, height: 800 });
+	await new StudioPage(page).open("?v=2&model=flower&preset=dandelion");
+	await expect(page.locator(".strip .preset").nth(8)).toBeVisible();
+	const gaps = await page.locator(".strip ul").evaluateAll((lists) =>
+		lists.flatMap((list) => {
+			const boxes = [...list.querySelectorAll(".preset")].map((preset) => {
+				const range = document.createRange();
+				const words = [...preset.childNodes].filter(
+					({ nodeType, textContent }) => nodeType === 3 && textContent?.trim(),
+				);
+				range.selectNodeContents(words[0]);
+				return range.getBoundingClientRect();
+			});
+			return boxes.slice(1).map(({ left }, i) => left - boxes[i].right);
+		}),
+	);
+	expect(gaps.length).toBeGreaterThan(20);
+	expect(Math.min(...gaps)).toBeGreaterThanOrEqual(8);
+});
+
+test("while a plant of another model loads, the last one is dimmed without its caption, and progress names the next", async ({
+	page,
+}) => {
+	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical");
+	await page.route("**/*.wasm", async (route) => {
+		await new Promise((resolve) => setTimeout(resolve, 1500));
+		await route.continue();
+	});
+	const caption = page.locator("panicle-stage .caption h2");
+	await expect(caption).toHaveText("Cylindrical");
+	await page
+		.getByRole("navigation", { name: "Presets" })
+		.or(page.getByRole("group", { name: "Plant" }))
+		.getByLabel("Family")
+		.filter({ visible: true })
+		.selectOption("roots");
+	await expect(page.getByRole("status").filter({ hasText: "Growing: Tap root" })).toBeVisible();
+	await expect(studio.canvas).toHaveCSS("opacity", "0.25");
+	await expect(caption).toBeHidden();
+	await expect(caption).toHaveText("Tap root");
+	await expect(studio.canvas).toHaveCSS("opacity", "1");
+});

@@ -157,3 +157,25 @@ for (const [name, viewport, language] of [
 		});
 	});
 }
+
+test("the hint on turning keeps clear of the scale bar, which is loaded later", async ({ page }) => {
+	await page.setViewportSize({ width: 1600, height: 1000 });
+	await page.addInitScript(() => localStorage.setItem("panicle.hints", '["point"]'));
+	await new StudioPage(page).open("?v=2&model=growth&preset=figure-5");
+	await expect(tip(page)).toContainText(TURN);
+	await expect(page.locator(".scale-bar")).toBeVisible();
+	const clear = async () => {
+		const [hint, bar] = await Promise.all([tip(page), page.locator(".scale-bar")].map((each) => each.boundingBox()));
+		return hint && bar && (hint.y + hint.height <= bar.y || hint.x >= bar.x + bar.width);
+	};
+	await expect.poll(clear).toBe(true);
+});
+
+test.describe("on a phone", () => {
+	test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+
+	test("the hint on turning names fingers, not the wheel of a mouse", async ({ page }) => {
+		await new StudioPage(page).open("?v=2&model=flower&preset=tulip");
+		await expect(tip(page)).toContainText("Drag the plant to turn it. Move two fingers apart to zoom in.");
+	});
+});

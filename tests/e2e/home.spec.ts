@@ -122,3 +122,39 @@ for (const [words, width, height] of [
 		await expect(page.locator("html")).toHaveAttribute("data-theme", "light");
 	});
 }
+
+for (const language of ["en", "fr"]) {
+	test(`on a phone, in ${language}, the header is one row, and the search shows its whole example`, async ({
+		page,
+	}) => {
+		await page.addInitScript((tag) => localStorage.setItem("panicle.ui", JSON.stringify({ language: tag })), language);
+		await page.setViewportSize({ width: 390, height: 844 });
+		await page.goto("./");
+		await expect(page.locator(".family")).toHaveCount(8);
+		const middles = await page.locator(".home-bar :is(.wordmark, nav .button)").evaluateAll((links) =>
+			links.map((link) => {
+				const { top, bottom } = link.getBoundingClientRect();
+				return (top + bottom) / 2;
+			}),
+		);
+		expect(middles.length).toBe(5);
+		expect(Math.max(...middles) - Math.min(...middles)).toBeLessThan(4);
+		const [example, room] = await page.locator(".home-search input").evaluate((field: HTMLInputElement) => {
+			const context = new OffscreenCanvas(1, 1).getContext("2d") as OffscreenCanvasRenderingContext2D;
+			context.font = getComputedStyle(field).font;
+			return [context.measureText(field.placeholder).width, field.clientWidth];
+		});
+		expect(example).toBeGreaterThan(100);
+		expect(example).toBeLessThanOrEqual(room);
+	});
+}
+
+test("the search tells plants with equal titles apart by a second line", async ({ page }) => {
+	await page.goto("./");
+	await page.getByRole("searchbox", { name: "Search all plants" }).fill("oak");
+	await expect(page.locator(".found-plant").filter({ hasText: /^\s*Oak\s/ })).toHaveText([
+		/Trees · Species · Growth grammars/,
+		/Trees · Particle systems/,
+		/Leaves · Pinnate/,
+	]);
+});

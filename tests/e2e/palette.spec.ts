@@ -115,6 +115,12 @@ test("nothing found is announced, and the palette fits a phone and works by touc
 	await phone.addInitScript(withoutHints);
 	const page = await phone.newPage();
 	const studio = await opened(page);
+	// There is no keyboard: shortcuts are not shown, and a button closes the palette.
+	await expect(option(page, /^New variation/)).toBeVisible();
+	await expect(dialog(page).locator("kbd:visible")).toHaveCount(0);
+	await dialog(page).getByRole("button", { name: "Close" }).tap();
+	await expect(dialog(page)).toBeHidden();
+	await page.getByRole("button", { name: "Search everything" }).tap();
 	await field(page).fill("plum pudding");
 	await expect(status(page)).toHaveText("Nothing found");
 	await expect(dialog(page).getByText("Nothing matches “plum pudding”")).toBeVisible();
@@ -128,4 +134,19 @@ test("nothing found is announced, and the palette fits a phone and works by touc
 	await option(page, /^Riesling/).tap();
 	await expect(page).toHaveURL(/preset=riesling/);
 	await phone.close();
+});
+
+test("an empty field lists the plants that were open lately, as the home page does, and opens one", async ({
+	page,
+}) => {
+	const studio = await opened(page, "?v=2&preset=riesling&l=150");
+	await page.keyboard.press("Escape");
+	await page.goto("./");
+	await expect(page.locator(".recent-plant b")).toHaveText(["Riesling (edited)"]);
+	await opened(page, "?v=2&preset=lychee");
+	const recent = dialog(page).getByRole("group", { name: "Recent plants" }).getByRole("option");
+	await expect(recent).toHaveText([/Riesling \(edited\) (edited|opened) just now/]);
+	await recent.click();
+	await expect(page).toHaveURL(/preset=riesling.*l=150/);
+	await expect(studio.slider("Length")).toHaveValue("150");
 });

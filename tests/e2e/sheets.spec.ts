@@ -80,7 +80,7 @@ test("the share sheet shows a QR code that opens the plant, and saves it", async
 	const png = await save("PNG");
 	expect(png.name).toBe("redcurrant-altered-5-qr.png");
 	expect(png.bytes.readUInt32BE(16)).toBeGreaterThanOrEqual(1024);
-	await expect(sheet.getByRole("status")).toHaveText("Downloaded redcurrant-altered-5-qr.png");
+	await expect(sheet.locator(".result:not(:empty)")).toHaveText("Downloaded redcurrant-altered-5-qr.png");
 	await page.keyboard.press("Escape");
 	await expect(studio.button("Share")).toBeFocused();
 });
@@ -115,7 +115,7 @@ test("the system’s share dialog gets the title and the link; without one there
 	const studio = await new StudioPage(page).open("?v=2&preset=riesling&seed=3");
 	const sheet = await studio.openShare();
 	const button = sheet.getByRole("button", { name: "Share with an app…" });
-	const result = sheet.getByRole("status");
+	const result = sheet.locator(".result:not(:empty)");
 	await button.click();
 	await expect(result).toHaveText("Shared");
 	expect(await page.evaluate(() => (window as unknown as { shared: ShareData[] }).shared)).toEqual([
@@ -177,7 +177,29 @@ test.describe("to the eye", () => {
 		const alone = await save();
 		expect(alone.name).toBe("redcurrant-altered-5-cut-out.png");
 		expect(await alphas(alone.bytes)).toEqual({ corner: 0, most: 255 });
-		await expect(sheet.getByRole("status")).toHaveText("Downloaded redcurrant-altered-5-cut-out.png");
+		await expect(sheet.locator(".result:not(:empty)")).toHaveText("Downloaded redcurrant-altered-5-cut-out.png");
 		await expect.poll(() => sheet.locator("canvas.preview").getAttribute("width")).not.toBe("0");
 	});
+});
+
+test("the result of a button is shown at the button", async ({ page, context }) => {
+	await context.grantPermissions(["clipboard-read", "clipboard-write"]);
+	await page.setViewportSize({ width: 1280, height: 800 });
+	const studio = await new StudioPage(page).open(REDCURRANT);
+	await studio.button("Share").click();
+	const sheet = page.getByRole("dialog", { name: "Share this plant" });
+	/** Presses a button and returns the distance from it to its result, CSS pixels. */
+	const distance = async (name: string, result: string) => {
+		const button = sheet.getByRole("button", { name });
+		await button.click();
+		await expect(sheet.locator(".result:not(:empty)")).toHaveText(result);
+		const [pressed, shown] = await Promise.all(
+			[button, sheet.locator(".result:not(:empty)")].map((each) => each.boundingBox()),
+		);
+		return shown && pressed ? shown.y - pressed.y - pressed.height : Number.NaN;
+	};
+	expect(await distance("Copy link", "Link copied")).toBeLessThan(24);
+	const download = page.waitForEvent("download");
+	expect(await distance("QR code as SVG", "Downloaded redcurrant-altered-5-qr.svg")).toBeLessThan(24);
+	await download;
 });

@@ -46,6 +46,8 @@ test.describe("in a wide window", () => {
 });
 
 test("tools have the same order and places in every model", { tag: "@long" }, async ({ page }) => {
+	// High enough for all tools of each model in one column.
+	await page.setViewportSize({ width: 1280, height: 800 });
 	const places = async (query: string) => {
 		const studio = await new StudioPage(page).open(query);
 		const slots = page.getByRole("toolbar", { name: "3D view" }).getByRole("group");
@@ -67,4 +69,28 @@ test("tools have the same order and places in every model", { tag: "@long" }, as
 		expect(grammar.boxes[i]).toMatchObject({ x: bunch.boxes[i]?.x });
 	}
 	for (const { boxes } of [growth, grammar]) expect(boxes.slice(0, 2)).toEqual(bunch.boxes.slice(0, 2));
+});
+
+test.describe("on a phone", () => {
+	test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+
+	test("the names of all tools are whole, on their buttons", async ({ page }) => {
+		const studio = await new StudioPage(page).open("?v=2&model=growth&preset=figure-5");
+		await studio.button("Show tool names").tap();
+		const names = page.locator(".tool-name:visible");
+		await expect(names).toHaveCount(9);
+		const hidden = await names.evaluateAll((all) =>
+			all
+				.filter((name) => {
+					const { left, right, top, bottom } = name.getBoundingClientRect();
+					const corners = [
+						[left + 1, top + 1],
+						[right - 1, bottom - 1],
+					];
+					return corners.some(([x, y]) => !name.parentElement?.contains(document.elementFromPoint(x, y)));
+				})
+				.map(({ textContent }) => textContent),
+		);
+		expect(hidden).toEqual([]);
+	});
 });

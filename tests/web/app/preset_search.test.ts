@@ -1,5 +1,5 @@
 import { beforeAll, describe, expect, it } from "vitest";
-import { searchPresets } from "../../../web/src/app/preset_search";
+import { placeInWords, searchPresets } from "../../../web/src/app/preset_search";
 import { kindKey, type PresetSection, sectionsOf } from "../../../web/src/app/preset_sections";
 import synonyms from "../../../web/src/app/search/synonyms.json";
 import { modelNamed, modelNames } from "../../../web/src/models/index";
@@ -65,6 +65,13 @@ describe("a search of all models' presets", () => {
 		);
 		expect(misplaced).toEqual([]);
 		expect(all.flatMap(({ presets }) => presets).length).toBeGreaterThan(200);
+	});
+
+	it("tells presets with equal titles apart by the line below the title", () => {
+		const lines = all.flatMap((section) => section.presets.map(({ title }) => `${title}: ${placeInWords(section)}`));
+		expect(lines.filter((line, i) => lines.indexOf(line) !== i)).toEqual([]);
+		expect(lines).toContain("Oak: Trees · Species · Growth grammars");
+		expect(lines).toContain("Oak: Trees · Particle systems");
 	});
 
 	it.each([

@@ -11,8 +11,11 @@ import type { PresetSection } from "./preset_sections";
 export const pictureOf = (model: PageModel, { name }: Preset, dark: boolean) =>
 	`${import.meta.env.BASE_URL}gallery/${model.name}/${name}-${dark ? "dark" : "light"}.webp`;
 
-/** Renders the picture, the title and the figure number of a preset, inside a button. */
-export function cardContent(model: PageModel, preset: Preset, dark: boolean): TemplateResult {
+/**
+ * Renders the picture, the title and the figure number of a preset, inside a button.
+ * @param place where it belongs, in lists of several families
+ */
+export function cardContent(model: PageModel, preset: Preset, dark: boolean, place?: string): TemplateResult {
 	return html`${
 		model.pictures === false
 			? html`<span class="no-picture"></span>`
@@ -21,7 +24,7 @@ export function cardContent(model: PageModel, preset: Preset, dark: boolean): Te
 		preset.figure === undefined
 			? nothing
 			: html` <small aria-hidden="true">${text("gallery_figure", { figure: preset.figure })}</small>`
-	}`;
+	}${place === undefined ? nothing : html` <small>${place}</small>`}`;
 }
 
 /** Returns the description of a preset, with the number of its figure. */

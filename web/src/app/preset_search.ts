@@ -14,6 +14,15 @@ export interface PlacedPreset {
 }
 
 /**
+ * Returns where a preset belongs: "Trees · Species · Growth grammars", its family, its kind and its method, if several
+ * models grow plants of the family. Presets with equal titles differ in it.
+ */
+export function placeInWords({ model, kind }: Pick<PlacedPreset, "model" | "kind">): string {
+	const family = familyTitle(kind.family);
+	return [...new Set([family, kind.title, model.shelf ?? family])].join(" · ");
+}
+
+/**
  * Returns the presets that match a search, best first, with their scores; all for a query without words.
  * @param query words in any order (search/text_index.ts)
  * @param forgives whether words may have a typo if nothing matches otherwise

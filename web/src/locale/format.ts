@@ -8,6 +8,18 @@ export type Value = string | number;
 export const formatNumber = (value: number, options?: Intl.NumberFormatOptions): string =>
 	numberFormat(options).format(value);
 
+/** Formats a number with a fixed number of decimals: 1,234.50. */
+export function formatDecimals(value: number, decimals: number): string {
+	const tag = localeTag();
+	const key = `${tag} ${decimals}`;
+	let format = decimalFormats.get(key);
+	if (!format) {
+		format = new Intl.NumberFormat(tag, { minimumFractionDigits: decimals, maximumFractionDigits: decimals });
+		decimalFormats.set(key, format);
+	}
+	return format.format(value);
+}
+
 /** Formats a date, by default as day, month and year. */
 export const formatDate = (date: Date, options: Intl.DateTimeFormatOptions = { dateStyle: "medium" }): string =>
 	new Intl.DateTimeFormat(localeTag(), options).format(date);
@@ -31,6 +43,8 @@ export const choose = (value: Value, cases: Readonly<Record<string, string>>): s
 
 let numbers: [string, Intl.NumberFormat] | undefined;
 let rules: [string, Intl.PluralRules] | undefined;
+/** Formats by language and number of decimals: creating one takes longer than the numbers of a plant. */
+const decimalFormats = new Map<string, Intl.NumberFormat>();
 
 /**
  * Returns the format of numbers in the language. Formats without options are created once a language, because creating

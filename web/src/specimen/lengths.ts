@@ -1,6 +1,7 @@
 /**
  * Converts numbers for display: a model whose parameters are lengths in a unit of its own shows them in millimetres.
  */
+import { formatNumber } from "../locale/format";
 import { text } from "./messages.generated";
 import type { Specimen } from "./specimen";
 import type { NumberEntry, ParameterEntry } from "./table";
@@ -50,10 +51,11 @@ export function parseDisplayed({ zero }: { readonly zero?: string }, text: strin
 	return zero !== undefined && text.trim().toLowerCase() === zero ? 0 : typed;
 }
 
-/** Returns the range of an entry in words: "12.5 … 250 mm.", "Whole numbers, 0 (auto) … 400." */
+/** Returns the range of an entry in words: "12.5 … 1,250 mm.", "Whole numbers, 0 (auto) … 400." */
 export function rangeInWords({ min, max, kind, zero }: NumberEntry, scale: DisplayScale): string {
 	const { unit, per } = scale;
-	const least = `${displayedNumber(scale, min)}${min === 0 && zero !== undefined ? ` (${zero})` : ""}`;
-	const most = `${displayedNumber(scale, max)}${unit ? ` ${unit}` : ""}`;
+	const inWords = (value: number) => formatNumber(displayedNumber(scale, value), { maximumFractionDigits: 6 });
+	const least = `${inWords(min)}${min === 0 && zero !== undefined ? ` (${zero})` : ""}`;
+	const most = `${inWords(max)}${unit ? ` ${unit}` : ""}`;
 	return text(kind === "integer" && per === 1 ? "range_whole" : "range", { least, most });
 }

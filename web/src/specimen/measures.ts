@@ -1,4 +1,5 @@
 /** Measures in words: values with units, and classes of descriptors. */
+import { formatDecimals } from "../locale/format";
 
 /** A class of a descriptor: values nearest to `at`, or from `from` on. */
 export interface MeasureClass {
@@ -51,12 +52,12 @@ export function classOf({ classes }: Pick<MeasureInfo, "classes">, value: number
 	});
 }
 
-/** Returns the text of a value: `182 mm`, `94.1 %`, the words of a note, `–` where it does not apply. */
+/** Returns the text of a value in the language in use: `1,820 mm`, `94.1 %`, the words of a note, `–` where it does not apply. */
 export function measureText(info: MeasureInfo, value: number): string {
 	if (!Number.isFinite(value)) return "–";
 	if (info.kind === "note") return classOf(info, value)?.words ?? "–";
-	if (info.kind === "share") return `${(100 * value).toFixed(info.decimals)} %`;
-	const text = value.toFixed(info.decimals);
+	if (info.kind === "share") return `${formatDecimals(100 * value, info.decimals)} %`;
+	const text = formatDecimals(value, info.decimals);
 	return info.unit ? `${text} ${info.unit}` : text;
 }
 

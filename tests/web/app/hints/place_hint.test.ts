@@ -42,6 +42,17 @@ describe("a hint", () => {
 		expect(placeHint(HINT, covered)).toBeUndefined();
 	});
 
+	it("has to move when another element comes to its place, such as the scale bar, which is loaded later", () => {
+		const around = { target: box(0, 400, 0, 0), bounds: BOUNDS, controls: [], others: [] };
+		const place = placeHint(HINT, around);
+		if (!place) throw new Error("no place");
+		const scaleBar = box(20, 360, 140, 30);
+		expect(isFree(HINT, place, { ...around, others: [scaleBar] })).toBe(false);
+		const next = placeHint(HINT, { ...around, others: [scaleBar] });
+		if (!next) throw new Error("no place");
+		expect(meet({ ...next, ...HINT }, scaleBar)).toBe(false);
+	});
+
 	it("has to move when a control comes to its place, or the area becomes smaller", () => {
 		const around = { target: box(0, 0, 10, 10), bounds: BOUNDS, controls: [], others: [] };
 		const place = { left: 100, top: 100 };

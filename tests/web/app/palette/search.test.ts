@@ -1,9 +1,11 @@
 import { beforeAll, describe, expect, it, vi } from "vitest";
 import { actionEntries, settingEntries, toolEntries } from "../../../../web/src/app/palette/entries";
 import { MAX_RECENT, recentKeys, rememberKey } from "../../../../web/src/app/palette/recent";
+import { recentPlantEntries } from "../../../../web/src/app/palette/recent_plants";
 import { entriesToStart, findEntries, indexOf } from "../../../../web/src/app/palette/search";
 import type { Studio } from "../../../../web/src/app/studio";
 import { modelNamed, modelNames } from "../../../../web/src/models/index";
+import { encodeLink } from "../../../../web/src/specimen/link";
 import { specimenFromPreset } from "../../bunch";
 import { studioWith } from "../context";
 
@@ -83,6 +85,28 @@ describe("the command palette", () => {
 		expect(recent.entries.map(({ key }) => key)).toEqual(["plant:leaf/ivy", "action:saved"]);
 		expect(suggested.entries.map(({ key }) => key)).toContain("action:variation");
 		expect(suggested.entries.map(({ key }) => key)).not.toContain("action:saved");
+	});
+
+	it("begins with the plants that were open lately, newest first, without the one in view", async () => {
+		const { model, specimen } = studio.state;
+		const plant = (id: string, link: string, at: number) => ({ id, link, title: `Plant ${id}`, at, editedAt: at });
+		const now = Date.now();
+		const stored = [
+			plant("open", await encodeLink(model, specimen), now),
+			plant("new", "?v=2&model=root&preset=carrot", now - 3_600_000),
+			plant("old", "?v=2&model=leaf&preset=ivy&grow=6", now - 86_400_000),
+		];
+		const plants = await recentPlantEntries(studio, { all: async () => stored });
+		const groups = entriesToStart(studio, entries(), ["plant:leaf/ivy", "action:saved"], plants);
+		expect(groups.map(({ group }) => group)).toEqual(["recent_plants", "recent", "suggested"]);
+		expect(groups[0].entries.map(({ title, about }) => [title, about])).toEqual([
+			["Plant new", "edited 1 hour ago"],
+			["Plant old", "edited yesterday"],
+		]);
+		expect(groups[1].entries.map(({ key }) => key)).toEqual(["action:saved"]);
+		await groups[0].entries[0].run();
+		expect(studio.state.specimen).toMatchObject({ model: "root", preset: "carrot" });
+		studio.undo();
 	});
 });
 

@@ -68,6 +68,8 @@ describe("measureText", () => {
 		["bunch_length", 181.6, "182 mm"],
 		["coverage", 0.9413, "94.1 %"],
 		["berry_count", 120, "120"],
+		["berry_count", 116_880, "116,880"],
+		["bunch_weight", 12_345.6, "12,346 g"],
 		["bunch_shape", 2, "conical"],
 		["compactness", 1.239, "1.24 g/cm²"],
 		["bunch_weight", Number.NaN, "–"],

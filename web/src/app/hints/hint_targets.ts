@@ -8,7 +8,7 @@ export interface HintTarget {
 	readonly element: HTMLElement;
 	readonly box: ScreenBox;
 	/** The key of the hint's text. */
-	readonly text: "point" | "point_views" | "turn" | "play";
+	readonly text: "point" | "point_views" | "turn" | "turn_touch" | "play";
 	/** Whether a ring marks the target. */
 	readonly marked: boolean;
 }
@@ -74,8 +74,11 @@ function turnTarget(page: HTMLElement): HintTarget | undefined {
 	const { left, top, width, height } = boxOf(element);
 	const isMirrored = getComputedStyle(element).direction === "rtl";
 	const box = { left: isMirrored ? left + width : left, top: top + height, width: 0, height: 0 };
-	return { element, box, text: "turn", marked: false };
+	return { element, box, text: isTouch() ? "turn_touch" : "turn", marked: false };
 }
+
+/** Returns whether the main pointer is a finger, which cannot scroll with a wheel. */
+const isTouch = (): boolean => matchMedia("(pointer: coarse)").matches;
 
 /** Returns the handles of all flat views, which are in shadow trees. */
 function handlesIn(page: HTMLElement): readonly HTMLElement[] {

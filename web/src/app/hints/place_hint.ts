@@ -40,10 +40,10 @@ export function placeHint(size: Size, { target, bounds, controls, others }: Surr
 	return nearestFree(size, target, bounds, [...hard, ...soft]) ?? nearestFree(size, target, bounds, hard);
 }
 
-/** Returns whether a hint at a place is within the area and covers no control. */
-export function isFree(size: Size, place: Place, { target, bounds, controls }: Surroundings): boolean {
+/** Returns whether a hint at a place is within the area and covers no control and no other element. */
+export function isFree(size: Size, place: Place, { target, bounds, controls, others }: Surroundings): boolean {
 	const hint = { ...place, ...size };
-	return isWithin(hint, bounds) && ![target, ...controls].some((box) => overlap(box, hint, 0));
+	return isWithin(hint, bounds) && ![target, ...controls, ...others].some((box) => overlap(box, hint, 0));
 }
 
 /**

@@ -119,7 +119,7 @@ class HomePage {
 	#search(): unknown {
 		return html`<form class="home-search" role="search" @submit=${this.#openFirst}>
 			<label><span class="unseen">${text("search")}</span>${icon("search")}<input
-				type="search" autocomplete="off" spellcheck="false" placeholder="${text("search")}: ${text("search_example")}"
+				type="search" autocomplete="off" spellcheck="false" placeholder=${text("search_example")}
 				aria-keyshortcuts="Control+K Meta+K /" .value=${this.#query} @focus=${() => void this.#loadSearch()} @input=${this.#typed}
 			></label>
 		</form>`;
@@ -133,9 +133,9 @@ class HomePage {
 		return html`<section class="home-results" aria-label=${text("results")}>
 			<p role="status">${found.length > 0 ? text("found", { count: found.length }) : text("none", { query: this.#query.trim() })}</p>
 			<ul>${found.map(
-				({ model, preset, title, family, picture }) => html`<li><a class="found-plant" href=${queryOf(model, preset)}>
+				({ model, preset, title, place, picture }) => html`<li><a class="found-plant" href=${queryOf(model, preset)}>
 					${picture ? html`<img src=${picture(this.#dark)} alt="" width="60" height="75" loading="lazy" decoding="async">` : nothing}
-					<b>${title}</b> <span>${family}</span>
+					<b>${title}</b> <span>${place}</span>
 				</a></li>`,
 			)}</ul>
 		</section>`;

@@ -1,17 +1,16 @@
 /** The search of the home page: the presets of all models, loaded with the first search. */
 import { modelNamed, modelNames } from "../../models/index";
 import type { PageModel } from "../../models/page_model";
-import { searchPresets } from "../preset_search";
+import { placeInWords, searchPresets } from "../preset_search";
 import { sectionsOf } from "../preset_sections";
-import { familyTitle } from "./families";
 
 /** A plant that matches a search. */
 export interface FoundPreset {
 	readonly model: string;
 	readonly preset: string;
 	readonly title: string;
-	/** Title of its family. */
-	readonly family: string;
+	/** Its family, kind and method, which distinguish plants with equal titles. */
+	readonly place: string;
 	/** The address of its picture, for the dark theme or the light one; undefined where its model has no pictures. */
 	readonly picture: ((dark: boolean) => string) | undefined;
 }
@@ -42,7 +41,7 @@ export function findPlants(query: string): readonly FoundPreset[] {
 			model: model.name,
 			preset: preset.name,
 			title: preset.title,
-			family: familyTitle(kind.family),
+			place: placeInWords({ model, kind }),
 			picture: model.pictures === false ? undefined : (dark: boolean) => pictureOf(model.name, preset.name, dark),
 		}));
 }

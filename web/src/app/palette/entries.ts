@@ -8,9 +8,8 @@ import type { IconName } from "../../ui/icons";
 import { isQuantity } from "../../ui/quantity";
 import type { Tool } from "../../ui/tool";
 import { ACTIONS, isLetter, keysInWords, type PageAction } from "../actions";
-import { familyTitle } from "../home/families";
 import { applying, groupsFor } from "../panel_groups";
-import type { PlacedPreset } from "../preset_search";
+import { type PlacedPreset, placeInWords } from "../preset_search";
 import type { SearchTexts } from "../search/text_index";
 import type { Studio } from "../studio";
 import { text } from "./messages.generated";
@@ -47,8 +46,7 @@ const pictureOf = (model: string, preset: string, dark: boolean): string =>
 /** Returns the entry of a preset; choosing it is one undo step. */
 export function plantEntry(studio: Studio, { model, kind, preset }: PlacedPreset): PaletteEntry {
 	const { title, name, figure } = preset;
-	const family = familyTitle(kind.family);
-	const shelf = kind.title === family ? family : text("plant_about", { family, shelf: kind.title });
+	const shelf = placeInWords({ model, kind });
 	return {
 		key: `plant:${model.name}/${name}`,
 		group: "plants",

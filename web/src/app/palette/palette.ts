@@ -2,6 +2,7 @@ import { html, nothing, svg } from "lit";
 import { repeat } from "lit/directives/repeat.js";
 import { LANGUAGES } from "../../locale/locale";
 import { icon } from "../../ui/icons";
+import { text as appText } from "../messages.generated";
 import { StudioPart } from "../parts/studio_part";
 import type { TextIndex } from "../search/text_index";
 import type { Studio } from "../studio";
@@ -10,6 +11,7 @@ import { actionEntries, type PaletteEntry, settingEntries, toolEntries } from ".
 import { helpEntries, sectionEntries } from "./help_entries";
 import { text } from "./messages.generated";
 import { recentKeys, rememberKey } from "./recent";
+import { recentPlantEntries } from "./recent_plants";
 import { entriesToStart, type FoundGroup, findEntries, indexOf } from "./search";
 import "../style/palette.css";
 
@@ -28,6 +30,8 @@ export class CommandPalette extends StudioPart {
 	/** All entries but plants, as the palette was opened; empty while it is closed. */
 	#entries: readonly PaletteEntry[] = [];
 	#index: TextIndex<PaletteEntry> | undefined;
+	/** The plants that were open lately, which an empty field lists first. */
+	#recentPlants: readonly PaletteEntry[] = [];
 	#found: readonly FoundGroup[] = [];
 	/** Position of the active entry among the found ones. */
 	#at = 0;
@@ -51,7 +55,7 @@ export class CommandPalette extends StudioPart {
 					role="combobox" aria-expanded=${entries.length > 0} aria-controls=${this.idOf("list")} aria-autocomplete="list"
 					aria-activedescendant=${entries.length > 0 ? this.#idAt(this.#at) : nothing}
 					aria-label=${text("placeholder")} placeholder=${text("placeholder")} .value=${this.#query} @input=${this.#typed}
-				>
+				><button class="button quiet icon" type="button" aria-label=${appText("close")} title=${appText("close")} @click=${() => this.#close()}>${icon("close")}</button>
 			</div>
 			<div class="palette-list" role="listbox" id=${this.idOf("list")} aria-label=${text("results")} ?hidden=${entries.length === 0}>
 				${this.#found.map((group) => this.#group(group))}
@@ -69,7 +73,7 @@ export class CommandPalette extends StudioPart {
 	/** Returns the entries that match the query; for an empty query recent and suggested ones. */
 	#find(studio: Studio, index: TextIndex<PaletteEntry>): readonly FoundGroup[] {
 		if (this.#query.trim() !== "") return findEntries(studio, index, this.#query);
-		return entriesToStart(studio, this.#entries, recentKeys());
+		return entriesToStart(studio, this.#entries, recentKeys(), this.#recentPlants);
 	}
 
 	/** Renders a group of entries. */
@@ -122,6 +126,7 @@ export class CommandPalette extends StudioPart {
 		const dialog = this.querySelector("dialog");
 		if (dialog && !dialog.open) dialog.showModal();
 		this.querySelector<HTMLElement>("input")?.focus();
+		void this.#readRecentPlants();
 		const loaded = await Promise.allSettled([
 			downloadEntries(this.context),
 			sectionEntries(this.context),
@@ -129,6 +134,14 @@ export class CommandPalette extends StudioPart {
 		]);
 		const late = loaded.flatMap((entries) => (entries.status === "fulfilled" ? entries.value : []));
 		if (this.#index) this.#setEntries(late);
+	}
+
+	/** Reads the plants that were open lately, and lists them unless the user has chosen an entry already. */
+	async #readRecentPlants(): Promise<void> {
+		const plants = await recentPlantEntries(this.context);
+		if (!this.#index || this.#at > 0) return;
+		this.#recentPlants = plants;
+		this.requestUpdate();
 	}
 
 	/** Collects the entries that the studio offers now. @param late those that had to be loaded */
@@ -151,6 +164,7 @@ export class CommandPalette extends StudioPart {
 	readonly #closed = (): void => {
 		this.#index = undefined;
 		this.#entries = [];
+		this.#recentPlants = [];
 		this.requestUpdate();
 	};
 

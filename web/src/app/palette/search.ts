@@ -12,7 +12,7 @@ const MAX_LISTED: Readonly<Record<EntryGroup, number>> = { plants: 8, settings: 
 
 /** Entries of one group that match a query, best first. */
 export interface FoundGroup {
-	readonly group: EntryGroup | "recent" | "suggested";
+	readonly group: EntryGroup | "recent_plants" | "recent" | "suggested";
 	readonly entries: readonly PaletteEntry[];
 }
 
@@ -20,6 +20,9 @@ export interface FoundGroup {
 const SUGGESTED = ["browse", "variation", "undo", "download", "share", "saved", "open", "help"].map(
 	(key) => `action:${key}`,
 );
+
+/** Begins the keys of presets (entries.ts). */
+const PLANT = "plant:";
 
 /** Makes the index of all entries but plants. */
 export const indexOf = (entries: readonly PaletteEntry[]): TextIndex<PaletteEntry> =>
@@ -48,19 +51,24 @@ export function findEntries(studio: Studio, index: TextIndex<PaletteEntry>, quer
 }
 
 /**
- * Returns the entries for an empty query: those that were run last, and useful actions.
+ * Returns the entries for an empty query: the plants that were open lately, the entries that were run last, and useful
+ * actions.
  * @param entries all entries but plants
- * @param recent keys, newest first
+ * @param recent keys of entries, newest first
+ * @param recentPlants entries of plants, newest first; presets that were chosen in the palette are among them
  */
 export function entriesToStart(
 	studio: Studio,
 	entries: readonly PaletteEntry[],
 	recent: readonly string[],
+	recentPlants: readonly PaletteEntry[] = [],
 ): readonly FoundGroup[] {
 	const named = (key: string) => entries.find((entry) => entry.key === key) ?? plantOf(studio, key);
-	const last = recent.flatMap((key) => named(key) ?? []);
+	const isListed = (key: string) => recentPlants.length === 0 || !key.startsWith(PLANT);
+	const last = recent.filter(isListed).flatMap((key) => named(key) ?? []);
 	const others = SUGGESTED.filter((key) => !recent.includes(key)).flatMap((key) => named(key) ?? []);
 	const groups: readonly FoundGroup[] = [
+		{ group: "recent_plants", entries: recentPlants },
 		{ group: "recent", entries: last },
 		{ group: "suggested", entries: others },
 	];
@@ -70,7 +78,7 @@ export function entriesToStart(
 /** Returns the plant with a key such as "plant:growth/oak"; undefined where there is none. */
 function plantOf(studio: Studio, key: string): PaletteEntry | undefined {
 	for (const { model, kind, presets } of sectionsOf(studio.state.catalogue)) {
-		const preset = presets.find(({ name }) => key === `plant:${model.name}/${name}`);
+		const preset = presets.find(({ name }) => key === `${PLANT}${model.name}/${name}`);
 		if (preset) return plantEntry(studio, { model, kind, preset });
 	}
 	return undefined;

@@ -7,7 +7,7 @@ import { rove, stopAt } from "../../ui/roving";
 import { familyTitle } from "../home/families";
 import { text } from "../messages.generated";
 import { cardContent, described, familyOf, modelsOf, presetKey, sectionsOfFamily } from "../preset_cards";
-import { type PlacedPreset, searchPresets } from "../preset_search";
+import { type PlacedPreset, placeInWords, searchPresets } from "../preset_search";
 import { kindKey, type PresetSection, sectionsOf } from "../preset_sections";
 import type { Studio } from "../studio";
 import { StudioPart } from "./studio_part";
@@ -124,7 +124,7 @@ export class BrowseDialog extends StudioPart {
 		return html`<ul class="cards">${repeat(
 			placed,
 			({ model, preset }) => presetKey(model, preset),
-			({ model, preset }) => this.#card(studio, model, preset),
+			({ model, kind, preset }) => this.#card(studio, model, preset, placeInWords({ model, kind })),
 		)}</ul>`;
 	}
 
@@ -163,8 +163,11 @@ export class BrowseDialog extends StudioPart {
 		</section>`;
 	}
 
-	/** Renders a preset with the button that makes it a favourite. */
-	#card(studio: Studio, model: PageModel, preset: Preset): TemplateResult {
+	/**
+	 * Renders a preset with the button that makes it a favourite.
+	 * @param place where it belongs, in lists of several families
+	 */
+	#card(studio: Studio, model: PageModel, preset: Preset, place?: string): TemplateResult {
 		const { specimen, dark, ui } = studio.state;
 		const chosen = model.name === specimen.model && preset.name === specimen.preset;
 		const key = presetKey(model, preset);
@@ -174,7 +177,7 @@ export class BrowseDialog extends StudioPart {
 			<button
 				class="preset" type="button" aria-current=${chosen} title=${described(preset)} data-preset=${preset.name} tabindex="-1"
 				@click=${() => this.#choose(studio, model, preset)}
-			>${cardContent(model, preset, dark)}</button>
+			>${cardContent(model, preset, dark, place)}</button>
 			<button
 				class="favourite" type="button" aria-pressed=${isFavourite} aria-label=${label} title=${label}
 				@click=${() => studio.toggleFavourite(key)}

@@ -1,8 +1,12 @@
 import { html, nothing } from "lit";
 import { guard } from "lit/directives/guard.js";
 import { formatNumber } from "../../locale/format";
+import type { Plant } from "../../plant/plant";
+import { isOnText } from "../../plant/text_notes";
 import { allBut } from "../../specimen/all_but";
+import type { WithGrammar } from "../../specimen/grammar_text";
 import type { MeasureInfo } from "../../specimen/measures";
+import type { Specimen } from "../../specimen/specimen";
 import { measured } from "../../ui/measured";
 import { term } from "../../ui/term";
 import { withThousands } from "../../ui/thousands";
@@ -28,9 +32,10 @@ export class Readout extends StudioPart {
 	/** Renders measures, counts, time, version, source, fingerprint and notes of the grown plant. */
 	protected override draw(studio: Studio): unknown {
 		const { state } = studio;
-		const { grown, measures, model, modelUi, specimen } = state;
+		const { grown, grownFrom, measures, model, modelUi, specimen } = state;
 		if (!grown) return html`<div class="readout"><p>${text("growing_nothing")}</p></div>`;
-		const { timings, fingerprint, notes } = grown;
+		const { timings, fingerprint } = grown;
+		const notes = shownNotes(grown, grownFrom);
 		const source = specimen.preset === undefined ? undefined : model.presets.named(specimen.preset)?.source;
 		const stale = grown.measures === undefined;
 		const searchable = model.targets?.measures(specimen) ?? [];
@@ -75,6 +80,19 @@ export class Readout extends StudioPart {
 /** Describes a time in milliseconds, with a decimal below 10. */
 const timeInWords = (time: number): string =>
 	text("readout_milliseconds", { time: formatNumber(time, { maximumFractionDigits: time < 10 ? 1 : 0 }) });
+
+/**
+ * Returns the notes on a plant. Those on lines of a preset's text are left out: the grammar pane shows them beside the
+ * lines, and a user who has not opened it knows of no lines.
+ */
+export function shownNotes(
+	{ notes, noteMessages = [] }: Pick<Plant, "notes" | "noteMessages">,
+	from: (Specimen & Partial<WithGrammar>) | undefined,
+): readonly string[] {
+	if (from?.grammar !== undefined) return notes;
+	const onText = new Set(noteMessages.filter(isOnText).map((note) => note.text));
+	return notes.filter((note) => !onText.has(note));
+}
 
 const NONE = new Float32Array(0);
 /** Greatest number of notes shown: layout of thousands of lines takes seconds. */

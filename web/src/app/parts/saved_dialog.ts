@@ -136,7 +136,7 @@ export class SavedDialog extends StudioPart {
 	/** Renders the recent plants without the one on the controls, which is open already. */
 	#recentPlants(): unknown {
 		const title = recentText("recent");
-		const open = (plant: RecentPlant) => void this.#openRecent(plant);
+		const open = (plant: RecentPlant) => this.#openRecent(plant);
 		return this.#recent.draw({ title, element: html`<h3>${title}</h3>` }, open, ({ link }) => link !== this.#link);
 	}
 
@@ -235,16 +235,10 @@ export class SavedDialog extends StudioPart {
 		}
 	}
 
-	/** Opens a recent plant and closes the dialog; a failure is reported as a notice that tries again. */
-	async #openRecent(plant: RecentPlant): Promise<void> {
-		const opening = openRecent(this.context, plant);
+	/** Opens a recent plant and closes the dialog. */
+	#openRecent(plant: RecentPlant): void {
+		void openRecent(this.context, plant);
 		this.#close();
-		try {
-			await opening;
-		} catch {
-			const again = () => void this.#openRecent(plant);
-			this.context.notify(recentText("not_opened", { title: plant.title }), fetchFailed(), { again });
-		}
 	}
 
 	/** Undoes the last step in the list, and moves the focus to a restored plant, since the pressed button disappears. */

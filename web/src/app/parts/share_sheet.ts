@@ -31,13 +31,16 @@ interface Shared {
 	readonly code: QrModules | undefined;
 }
 
+/** The parts of the sheet with buttons that report a result. */
+type SharePart = "link" | "qr" | "picture";
+
 /** The share sheet: the link, the system's share dialog, a QR code, a picture, and the embed code of a plant. */
 export class ShareSheet extends StudioPart {
 	#shared: Shared | undefined;
 	/** Whether the picture has a transparent background. */
 	#alone = false;
-	/** The result of the last action. */
-	#result = "";
+	/** The result of the last action, and the part of the sheet that has its button. */
+	#result: { readonly part: SharePart; readonly words: string } | undefined;
 
 	/** Returns the values whose change redraws the sheet. */
 	protected override shows({ state: { picture } }: Studio): readonly unknown[] {
@@ -49,8 +52,12 @@ export class ShareSheet extends StudioPart {
 		return html`<dialog class="help sheet-dialog share" closedby="any" aria-labelledby=${this.idOf("title")} @close=${this.#closed}>
 			${sheetHeader(this.idOf("title"), text("share_title"))}
 			${this.#shared ? this.#body(this.#shared, studio) : nothing}
-			<p class="result" role="status">${this.#result}</p>
 		</dialog>`;
+	}
+
+	/** Renders the result of the last action if its button is in this part of the sheet, next to the button. */
+	#resultOf(part: SharePart): unknown {
+		return html`<p class="result" role="status">${this.#result?.part === part ? this.#result.words : nothing}</p>`;
 	}
 
 	/** Renders the link, the QR code, the picture and the embed code. */
@@ -61,6 +68,7 @@ export class ShareSheet extends StudioPart {
 					<button class="button wine" type="button" data-copy @click=${() => this.#copyLink(shared)}>${text("copy_link")}</button>
 					${canShare() ? html`<button class="button" type="button" @click=${() => this.#shareWith(shared)}>${text("share_with")}</button>` : nothing}
 				</div>
+				${this.#resultOf("link")}
 				<p>${text("share_link_about")}</p>
 				${shared.remarks.map((line) => html`<p class="remark">${line}</p>`)}
 			</section>
@@ -88,7 +96,7 @@ export class ShareSheet extends StudioPart {
 		const size = code.length;
 		// Whole pixels per module, at least two.
 		const width = size * Math.max(2, Math.ceil(QR_WIDTH / size));
-		const save = (blob: Blob, ending: string) => this.#save(blob, `${name}-qr.${ending}`);
+		const save = (blob: Blob, ending: string) => this.#save("qr", blob, `${name}-qr.${ending}`);
 		return html`<svg class="qr" role="img" aria-label=${text("share_qr_label")} width=${width} height=${width} viewBox="0 0 ${size} ${size}" shape-rendering="crispEdges">
 				<rect width=${size} height=${size} fill="#fff"/><path fill="#000" d=${qrPath(code)}/>
 			</svg>
@@ -96,7 +104,8 @@ export class ShareSheet extends StudioPart {
 			<div class="choices">
 				<button class="button" type="button" @click=${() => save(qrSvg(code), "svg")}>${text("share_qr_svg")}</button>
 				<button class="button" type="button" @click=${() => save(qrPng(code), "png")}>${text("share_qr_png")}</button>
-			</div>`;
+			</div>
+			${this.#resultOf("qr")}`;
 	}
 
 	/** Renders the preview of the picture, with its options. */
@@ -108,7 +117,8 @@ export class ShareSheet extends StudioPart {
 			<div class="choices">
 				<button class="button" type="button" @click=${this.#copyPicture}>${text("share_picture_copy")}</button>
 				<button class="button" type="button" @click=${() => this.#savePicture(shared)}>${text("share_picture_download")}</button>
-			</div>`;
+			</div>
+			${this.#resultOf("picture")}`;
 	}
 
 	/**
@@ -131,7 +141,8 @@ export class ShareSheet extends StudioPart {
 			],
 			code: qrModules(link),
 		};
-		this.#report("");
+		this.#result = undefined;
+		this.requestUpdate();
 		await this.updateComplete;
 		const dialog = this.querySelector("dialog");
 		if (!dialog?.open) dialog?.showModal();
@@ -142,12 +153,13 @@ export class ShareSheet extends StudioPart {
 	/** Empties the sheet after it has been closed. */
 	#closed(): void {
 		this.#shared = undefined;
-		this.#report("");
+		this.#result = undefined;
+		this.requestUpdate();
 	}
 
-	/** Announces the result of an action. */
-	#report(result: string): void {
-		this.#result = result;
+	/** Shows and announces the result of an action in place of the last one. */
+	#report(part: SharePart, words: string): void {
+		this.#result = { part, words };
 		this.requestUpdate();
 	}
 
@@ -155,10 +167,10 @@ export class ShareSheet extends StudioPart {
 	async #copyLink({ link }: Shared): Promise<void> {
 		try {
 			await navigator.clipboard.writeText(link);
-			this.#report(text("link_copied"));
+			this.#report("link", text("link_copied"));
 		} catch {
 			this.querySelector<HTMLElement>(".link input")?.focus();
-			this.#report(text("copy_link_blocked"));
+			this.#report("link", text("copy_link_blocked"));
 		}
 	}
 
@@ -166,11 +178,14 @@ export class ShareSheet extends StudioPart {
 	async #shareWith({ link, title }: Shared): Promise<void> {
 		try {
 			await navigator.share({ title, url: link });
-			this.#report(text("share_done"));
+			this.#report("link", text("share_done"));
 		} catch (error) {
 			// The user has closed the dialog.
 			if (error instanceof DOMException && error.name === "AbortError") return;
-			this.#report(text("share_with_failed", { problem: error instanceof Error ? error.message : String(error) }));
+			this.#report(
+				"link",
+				text("share_with_failed", { problem: error instanceof Error ? error.message : String(error) }),
+			);
 		}
 	}
 
@@ -196,23 +211,27 @@ export class ShareSheet extends StudioPart {
 
 	/** Copies the picture and reports the result. */
 	async #copyPicture(): Promise<void> {
-		this.#report(await copyPicture(this.context, { alone: this.#alone }));
+		this.#report("picture", await copyPicture(this.context, { alone: this.#alone }));
 	}
 
 	/** Saves the picture as a file and reports the result. */
 	async #savePicture({ name }: Shared): Promise<void> {
 		try {
-			this.#save(await pictureOf(this.context, { alone: this.#alone }), `${name}${this.#alone ? "-cut-out" : ""}.png`);
+			this.#save(
+				"picture",
+				await pictureOf(this.context, { alone: this.#alone }),
+				`${name}${this.#alone ? "-cut-out" : ""}.png`,
+			);
 		} catch (error) {
 			const problem = error instanceof Error ? error.message : String(error);
-			this.#report(text("share_picture_failed", { problem }));
+			this.#report("picture", text("share_picture_failed", { problem }));
 		}
 	}
 
 	/** Saves a file and reports that. */
-	#save(blob: Blob, file: string): void {
+	#save(part: SharePart, blob: Blob, file: string): void {
 		saveFile(blob, file);
-		this.#report(text("download_done", { file }));
+		this.#report(part, text("download_done", { file }));
 	}
 
 	/** Opens the dialog of the embed code in place of the sheet. */

@@ -79,13 +79,15 @@ export class StagePart extends StudioPart {
 	/** Renders the 3-D view's canvas with caption, messages, tools and progress over it. */
 	protected override draw(studio: Studio): unknown {
 		const { failure, growing, shown } = studio.state;
+		// While the next plant grows, the last one is dimmed, since the page already has the next one's title.
+		const isLeaving = growing && isOther(studio);
 		return html`<canvas
-				class="stage-surface" tabindex="0" role="application" aria-roledescription=${text("stage_3d")} aria-label=${described(studio)} aria-describedby=${this.idOf("keys")}
+				class="stage-surface" ?data-leaving=${isLeaving} tabindex="0" role="application" aria-roledescription=${text("stage_3d")} aria-label=${described(studio)} aria-describedby=${this.idOf("keys")}
 				@keydown=${this.#turnByKey}
 			></canvas>
 			<div class="view-aids"></div>
 			<p class="unseen" id=${this.idOf("keys")}>${orbitKeys()}</p>
-			${shown ? caption(studio) : nothing}
+			${shown && !isLeaving ? caption(studio) : nothing}
 			<div aria-live="polite">${chips(studio)}</div>
 			${warnings(studio)}
 			${this.#trouble && !failure ? message(this.#trouble.title, this.#trouble.details, this.#trouble.again ? button(text("try_again"), this.#trouble.again) : nothing) : nothing}
@@ -400,10 +402,16 @@ function remedies(studio: Studio, failure: Failure): unknown {
 	});
 }
 
-/** Renders the progress of a growth, with a button that cancels it. */
+/** Returns whether the plant in view is of another preset than the one on the controls, which has yet to grow. */
+const isOther = ({ state: { shown, model, specimen } }: Studio): boolean =>
+	shown !== undefined && (shown.model !== model || shown.from.preset !== specimen.preset);
+
+/** Renders the progress of a growth, with a button that cancels it; that of another plant with its title. */
 function progress(studio: Studio): unknown {
+	const { specimen, model } = studio.state;
+	const label = isOther(studio) ? text("growing_plant", { title: titleOf(specimen, model) }) : text("growing");
 	return html`<div class="growing" role="status">
-		<span>${text("growing")}</span><progress aria-label=${text("growing")}></progress>
+		<span>${label}</span><progress aria-label=${label}></progress>
 		<button class="button quiet" type="button" title=${text("growing_cancel_title")} aria-keyshortcuts="Escape" @click=${() => studio.cancel()}>${text("cancel")}</button>
 	</div>`;
 }

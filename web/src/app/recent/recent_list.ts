@@ -3,10 +3,10 @@ import { html, nothing, svg, type TemplateResult } from "lit";
 import { repeat } from "lit/directives/repeat.js";
 import { icon } from "../../ui/icons";
 import { drawnJpeg } from "../saved/drawn_jpeg";
-import { ago } from "./ago";
 import { text } from "./messages.generated";
 import type { RecentPlant } from "./recent_plant";
 import type { Recents, RemovedRecent } from "./recents";
+import { timeInWords } from "./time_in_words";
 import "./recent.css";
 
 /** In place of the picture of a plant that was left before it was drawn: a seedling. */
@@ -144,16 +144,6 @@ export class RecentList {
 
 /** Returns the arguments of messages about removed plants: their number and the title of the first. */
 const countAndTitle = (removed: RemovedRecent) => ({ count: removed.length, title: removed[0]?.plant.title ?? "" });
-
-/**
- * Returns when a plant was edited or opened, in words.
- * @param now milliseconds since 1970
- */
-function timeInWords({ at, editedAt }: RecentPlant, now: number): string {
-	const time = ago(editedAt ?? at, now);
-	if (editedAt !== undefined) return time === undefined ? text("edited_now") : text("edited", { ago: time });
-	return time === undefined ? text("opened_now") : text("opened", { ago: time });
-}
 
 /**
  * Returns the address of a plant; of one with stored parts that its link cannot contain, with its id
