@@ -172,16 +172,45 @@ it("a vine’s bunches hang on its wood, to both sides of the row", () => {
 	expect(Math.min(...sides)).toBeGreaterThan(5);
 });
 
-it("an oak’s leaves are as long as an oak’s, several on a twig, and all of them are counted", () => {
+it("an oak’s leaves are as long as an oak’s, many on a twig, and all of them are counted", () => {
 	const plant = grown("oak", {}, true);
 	const { leaf_size: length, leaf_twig: each } = fromPreset(model, "oak").parameters;
 	expect(length).toBeGreaterThanOrEqual(7);
 	expect(length).toBeLessThanOrEqual(14);
-	expect(plant.counts.leaves).toBe(each * plant.organs.count);
+	expect(plant.organs.count).toBe(2 * plant.counts.twigs);
+	expect(plant.counts.leaves).toBe(each * plant.counts.twigs);
 	expect(measured(plant, "leaf_count")).toBe(plant.counts.leaves);
-	const alone = grown("oak", { leaf_twig: 1 }, true);
-	const share = (of: GrowthPlant) => measured(of, "leaf_area") / measured(of, "leaf_count");
-	expect(share(plant) / share(alone)).toBeCloseTo(1, 2);
+});
+
+/** Range of the leaf area index of crowns (Bréda 2003), and the least number of twigs' tips. */
+const CROWNS: Record<string, { index: readonly [number, number]; tips: number }> = {
+	oak: { index: [4, 5.5], tips: 8000 },
+	beech: { index: [4, 5.5], tips: 8000 },
+	lime: { index: [4, 5.5], tips: 8000 },
+	birch: { index: [2.5, 4], tips: 8000 },
+	willow: { index: [2.3, 4], tips: 8000 },
+	apple: { index: [2.5, 4], tips: 4000 },
+};
+
+it.each(Object.entries(CROWNS))("%s has the leaf area and the twigs of a real crown", (name, { index, tips }) => {
+	const plant = grown(name, { season: 0.4 }, true);
+	expect(measured(plant, "leaf_index")).toBeGreaterThan(index[0]);
+	expect(measured(plant, "leaf_index")).toBeLessThan(index[1]);
+	expect(measured(plant, "twig_tips")).toBeGreaterThan(tips);
+});
+
+it("twigs stay in winter, without leaves", () => {
+	const [summer, winter] = [grown("oak", { season: 0.4 }), grown("oak", { season: 0.05 })];
+	expect(winter.counts).toMatchObject({ leaves: 0, twigs: summer.counts.twigs });
+	expect(placesOf(winter, "twig")).toEqual(placesOf(summer, "twig"));
+});
+
+it("species differ at one seed, though their grammars have the same rule", () => {
+	const orders = ["oak", "beech", "birch", "maple", "cherry"].map((name) => {
+		const plant = grown(name, {}, true);
+		return ["tips", "order2", "order3"].map((key) => measured(plant, key)).join(" ");
+	});
+	expect(new Set(orders).size).toBe(orders.length);
 });
 
 it("fallen leaves thin out with distance, without an edge", () => {

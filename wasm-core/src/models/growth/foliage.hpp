@@ -4,12 +4,13 @@
 #include <cstdint>
 
 #include "models/growth/moment.hpp"
+#include "models/growth/twig_shapes.hpp"
 #include "plant/plant.hpp"
 
 namespace panicle::growth {
 
 inline constexpr std::uint32_t leaf_tag = 0, falling_tag = 1, fallen_tag = 2, shed_tag = 3, blossom_tag = 4,
-                               bunch_tag = 5, organ_tags = 6;
+                               bunch_tag = 5, twig_tag = 6, organ_tags = 7;
 
 struct LeafHabit {
   float size = 0.14f;      // length of a leaf, or of a twig of leaves, metres
@@ -23,10 +24,17 @@ struct LeafHabit {
   float blossom_size = 0.03f;                // metres
   std::uint32_t bunches = 0;                 // places for fruit on each branch of a trunk
   float first_bunch = 0.2f, between = 0.1f;  // height of the first along that branch, and distance to the next, metres
+  TwigHabit twigs;           // where it has shapes, a leaf organ has all leaves of a twig, which is an organ of its own
+  float twig_length = 0.4f;  // of the longest, metres
+  float lift = 0.2f;         // how far twigs rise; below 0 they hang, −1: straight down
   std::uint64_t seed = 1;
 };
 
-// Appends leaves to the organs, then blossoms, then places for bunches, which hang along their +Y. Errors: limit.
+// The size of leaves of each shape of twig over their full size, by the season: the buds of one shape open together.
+std::vector<float> unfolded_by_shape(const LeafHabit& habit);
+
+// Appends leaves to the organs, then blossoms, then places for bunches, which hang along their +Y. Of twigs and their
+// leaves, `mesh` is the number of their shape. Errors: limit.
 Diagnostic add_leaves(Plant& plant, const Population& population, const Form& form, const Moment& moment, float time,
                       const LeafHabit& habit, const Limits& limits);
 

@@ -27,6 +27,9 @@ constexpr float filled = 0.8f, least_width = 0.25f, least_first = 0.35f;
 constexpr float max_left = 6;
 constexpr float floor_share = 0.012f;  // as a share of a volume's height: tips do not go lower
 constexpr float first_along = 0.2f, bole_along = 0.8f;
+// Where a whorl is in its stretch of an internode: the leader goes on above the last one.
+constexpr float whorl_along = 0.7f;
+constexpr float in_whorl = 0.02f;     // height of a whorl, as a share of its internode
 constexpr float trunk_crook = 0.35f;  // of child trunks against branches
 constexpr float leaning = 18;         // slope of child trunks, degrees
 // Area that a node and a counted leaf shade, in squares of a branch's first internode.
@@ -80,6 +83,7 @@ class FormBuilder {
   void allocate_nodes() {
     std::uint32_t nodes = 0;
     std::vector<std::uint32_t> attached_count(population_.shoots.size(), 0);
+    count_whorls();
     for (const Shoot& shoot : population_.shoots) {
       ShootPath path;
       path.first = nodes;
@@ -96,8 +100,12 @@ class FormBuilder {
         path.along =
             glm::mix(least_along + (1 - least_along) * (turns - std::floor(turns)),
                      1 - 0.08f * (turns - std::floor(turns)), population_.shoots[parent].trunk ? habit_.whorl : 0);
+        azimuths_.push_back(habit_.turn * static_cast<float>(place));
+        if (habit_.whorl_size > 0 && population_.shoots[parent].trunk)
+          place_in_whorl(shoot, path, on_bole ? bole_along : 0, azimuths_.back());
       } else {
         ordinals_.push_back(0);
+        azimuths_.push_back(0);
       }
       nodes += path.count + 1;
       form_.paths.push_back(path);
@@ -113,6 +121,41 @@ class FormBuilder {
     for (const Shoot& shoot : population_.shoots) highest = std::max(highest, shoot.order);
     for (std::uint32_t order = 0; order <= highest; ++order)
       by_order_.push_back(power(habit_.order_ratio, static_cast<float>(order) - 1));
+  }
+
+  // Counts the branches on each internode of the trunks, where these have whorls.
+  void count_whorls() {
+    if (habit_.whorl_size == 0) return;
+    const std::size_t per_trunk = population_.steps + std::size_t{1};
+    on_internode_.assign(population_.volumes.size() * per_trunk, 0);
+    placed_on_internode_ = on_internode_;
+    for (const Shoot& shoot : population_.shoots)
+      if (is_in_whorl(shoot)) ++on_internode_[internode_address(shoot)];
+  }
+
+  // Whether a shoot is a branch of a trunk.
+  bool is_in_whorl(const Shoot& shoot) const {
+    return shoot.parent >= 0 && !shoot.trunk && population_.shoots[static_cast<std::size_t>(shoot.parent)].trunk;
+  }
+
+  // The index of the trunk's internode of a branch in `on_internode_`.
+  std::size_t internode_address(const Shoot& shoot) const {
+    const Shoot& trunk = population_.shoots[static_cast<std::size_t>(shoot.parent)];
+    return shoot.volume * (population_.steps + std::size_t{1}) + internode_at(trunk, shoot.node);
+  }
+
+  // Puts a branch of a trunk into one of the whorls of its internode, which are at even distances up to its end: sets
+  // its place on the internode, from `lowest` on, and its azimuth in degrees.
+  void place_in_whorl(const Shoot& shoot, ShootPath& path, float lowest, float& azimuth) {
+    const std::size_t address = internode_address(shoot);
+    const std::uint32_t count = on_internode_[address], number = placed_on_internode_[address]++;
+    const std::uint32_t whorls = std::max((count + habit_.whorl_size / 2) / habit_.whorl_size, 1u);
+    const std::uint32_t whorl = number * whorls / count, first = (whorl * count + whorls - 1) / whorls,
+                        end = ((whorl + 1) * count + whorls - 1) / whorls;
+    path.along = glm::mix(lowest, 1.0f, (static_cast<float>(whorl) + whorl_along) / static_cast<float>(whorls)) -
+                 in_whorl * turns_.unit(hash_combine(address, number));
+    azimuth = 360 * static_cast<float>(number - first) / static_cast<float>(std::max(end - first, 1u)) +
+              golden_angle * static_cast<float>(path.internode + 3 * whorl);
   }
 
   // Adds an internode to each shoot that grows in a step.
@@ -170,8 +213,7 @@ class FormBuilder {
         (population_.shoots[static_cast<std::size_t>(shoot.parent)].trunk ? habit_.trunk_angle : habit_.branch_angle) *
         (1 + spread * (2 * angles_.unit(q) - 1));
     const SinCos slope = sincos_degrees(angle);
-    const SinCos azimuth =
-        sincos_degrees(habit_.turn * static_cast<float>(ordinals_[q]) + stray * (2 * turns_.unit(q) - 1));
+    const SinCos azimuth = sincos_degrees(azimuths_[q] + stray * (2 * turns_.unit(q) - 1));
     ahead_of = unit_or(slope.cosine * along + slope.sine * (azimuth.cosine * normal + azimuth.sine * binormal), along);
     if (shoot.order > 1) ahead_of = unit_or({ahead_of.x, ahead_of.y * (1 - habit_.flat), ahead_of.z}, along);
     if (shoot.order == 1 && habit_.cordon > 0)
@@ -304,7 +346,10 @@ class FormBuilder {
   const Surroundings& surroundings_;
   CrownLight light_;
   std::vector<std::uint32_t> ordinals_;  // index of each shoot among its parent's
-  std::vector<VolumeShape> shapes_;      // of the volumes
+  std::vector<float> azimuths_;          // of each shoot about its parent, degrees
+  // By trunk and internode: the number of branches, and of those that are placed; only with whorls.
+  std::vector<std::uint32_t> on_internode_, placed_on_internode_;
+  std::vector<VolumeShape> shapes_;  // of the volumes
   // of each branch of a trunk, the first length that reaches the edge in the end
   std::vector<float> firsts_;
   std::vector<float> by_age_, by_order_;  // factors of lengths by age and by order

@@ -19,11 +19,12 @@ struct FormHabit {
   float trunk_angle = 60, branch_angle = 45;  // between a branch and its parent, degrees
   float turn = 137.5f;                        // from one branch to the next, degrees
   float inertia = 1, space = 0.7f, crook = 0.08f;
-  float hang = 0;    // gravitropism of branches of branches, besides the grammar's
-  float reach = 0;   // weight of lengths that reach the volume's edge, for branches of the trunk, 0 … 1
-  float whorl = 0;   // how near to an internode's end its branches are attached, 0 … 1
-  float flat = 0;    // how level branches of branches leave, 0 … 1
-  float cordon = 0;  // height where a trunk is bent level along a wire, metres; 0: not trained
+  float hang = 0;                // gravitropism of branches of branches, besides the grammar's
+  float reach = 0;               // weight of lengths that reach the volume's edge, for branches of the trunk, 0 … 1
+  float whorl = 0;               // how near to an internode's end its branches are attached, 0 … 1
+  std::uint32_t whorl_size = 0;  // branches of each whorl along an internode of the trunk; 0: none
+  float flat = 0;                // how level branches of branches leave, 0 … 1
+  float cordon = 0;              // height where a trunk is bent level along a wire, metres; 0: not trained
   std::uint64_t seed = 1;
 };
 

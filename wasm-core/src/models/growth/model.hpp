@@ -17,12 +17,13 @@
 //   volumes.child    uint8: 1 for a child trunk's
 //   levels.tolerance float32, one a requested level: the size of its largest omitted or merged part, metres
 // Organs: `leaf`, `falling` (about to fall), `fallen` (of these, on the ground), `shed` (on the ground in autumn),
-// `blossom`, and `bunch`, a place without a mesh where fruit hangs along +Y. Meshes: `stems` (segment: uint32 a
-// vertex), `leaves` and `blossoms` where present; where `outputs` names `levels` also `level0` … `level3`, or the first
-// of these, of material `level`: the whole tree as one mesh for one distance each, from near to far, with the runs
-// `bark`, `leaves` and `blossoms` (always all three), without texture coordinates, with a byte of sky a vertex, and
-// without leaves on the ground. Counts: branches (without trunks), steps, segments, leaves (without those shed),
-// falling, shed, blossoms, bunches.
+// `blossom`, `bunch`, a place without a mesh where fruit hangs along +Y, and `twig`, whose leaves are an organ of their
+// own. Meshes: `stems` (segment: uint32 a vertex), `leaves` and `blossoms` where present, and of twigs in place of
+// `leaves` those of each shape: `twig 1` … of material `twig`, `leaves 1` …, and on the ground `litter 1` …; where
+// `outputs` names `levels` also `level0` … `level3`, or the first of these, of material `level`: the whole tree as one
+// mesh for one distance each, from near to far, with the runs `bark`, `leaves` and `blossoms` (always all three),
+// without texture coordinates, with a byte of sky a vertex, and without leaves on the ground. Counts: branches (without
+// trunks), steps, segments, twigs, leaves (without those shed), falling, shed, blossoms, bunches.
 #pragma once
 
 #include "protocol/model.hpp"

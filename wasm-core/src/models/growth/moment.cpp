@@ -12,7 +12,9 @@ namespace panicle::growth {
 namespace {
 
 constexpr std::uint32_t trunk_tag = 0, branch_tag = 1;
-constexpr float tapered = 0.6f;  // radius at the end of a shoot over the radius of its last segment
+constexpr float tapered = 0.6f;          // radius at the end of a shoot over the radius of its last segment
+constexpr float shortest_piece = 0.35f;  // of a curve, after a branch, as a share of a whole one
+constexpr float smoothed = 0.7f;         // half the length over which thickness is smoothed, in internodes of the shoot
 
 // Builder of a tree as it is at a time, in steps: segments for all internodes that exist, numbered so that each comes
 // after its parent. Shoots are numbered as in the population (`q`).
@@ -21,6 +23,7 @@ struct MomentBuilder {
   const Form& form;
   float time;
   const WoodHabit& habit;
+  const CurveHabit& curves;
   Moment moment;
   std::vector<std::uint32_t> children;  // of all shoots, consecutive by parent, in the order along it
   std::vector<std::uint32_t> first;     // of each shoot, the index of its first child in `children`; and the end
@@ -68,6 +71,8 @@ struct MomentBuilder {
     glm::vec3 at = last >= 0 ? moment.segments[static_cast<std::size_t>(last)].end : nodes[0];
     if (standing) moment.feet.push_back(at);
     if (!standing) ++moment.branches;
+    moment.first_of_shoot[q] = static_cast<std::int32_t>(moment.segments.size());
+    if (curves.pieces > 0) return add_curved(q, last, at);
     std::uint32_t child = first[q];
     for (std::uint32_t i = 0; i < path.count; ++i) {
       const float share = grown_share(static_cast<std::uint16_t>(path.from + i), time);
@@ -79,6 +84,37 @@ struct MomentBuilder {
         parent_segments[children[child]] = last;
       }
       add(q, last, at, from + whole);
+      moment.of_node[path.first + i + 1] = last;
+    }
+  }
+
+  // The same as a smooth curve: each internode is divided into pieces, and where branches leave it.
+  void add_curved(std::uint32_t q, std::int32_t last, glm::vec3 at) {
+    const ShootPath& path = form.paths[q];
+    curve_.set(population, form, curves, q);
+    std::uint32_t child = first[q];
+    for (std::uint32_t i = 0; i < path.count; ++i) {
+      const float share = grown_share(static_cast<std::uint16_t>(path.from + i), time);
+      if (!(share > 0)) break;
+      const glm::vec3 from = at;
+      const std::uint32_t pieces = curve_.pieces(i);
+      const float piece = 1 / static_cast<float>(pieces);
+      for (std::uint32_t k = 1; k <= pieces; ++k) {
+        const float upto = k == pieces ? 1 : static_cast<float>(k) * piece;
+        float begin = upto - piece;
+        for (; child < first[q + 1] && form.paths[children[child]].internode == i &&
+               (k == pieces || form.paths[children[child]].along <= upto);
+             ++child) {
+          const float along = form.paths[children[child]].along;
+          const glm::vec3 place = from + curve_.at(i, share * along);
+          if (along > begin && glm::distance(place, at) > 0) add(q, last, at, place);
+          begin = along;
+          parent_segments[children[child]] = last;
+        }
+        // A branch near the end of a piece ends it.
+        if (k < pieces && upto - begin < shortest_piece * piece) continue;
+        add(q, last, at, from + curve_.at(i, share * upto));
+      }
       moment.of_node[path.first + i + 1] = last;
     }
   }
@@ -113,6 +149,76 @@ struct MomentBuilder {
     for (std::size_t i = 0; i < moment.segments.size(); ++i)
       moment.segments[i].radius_end =
           has_next(i) ? moment.segments[next_[i]].radius : tapered * moment.segments[i].radius;
+    if (curves.pieces > 0) smooth_thickness();
+  }
+
+  // Makes the thickness of every shoot decrease evenly instead of in steps at its forks: after the last fork to the
+  // tip, before it as the mean over a stretch of the shoot. No branch is thicker than its parent where it leaves.
+  void smooth_thickness() {
+    const std::vector<Segment>& segments = moment.segments;
+    std::vector<std::uint8_t> forks(segments.size(), 0);  // whether a branch leaves at the end of a segment
+    for (std::size_t i = 0; i < segments.size(); ++i)
+      if (segments[i].parent >= 0 && moment.axes[static_cast<std::size_t>(segments[i].parent)] != moment.axes[i])
+        forks[static_cast<std::size_t>(segments[i].parent)] = 1;
+    for (std::size_t begin = 0, end = 0; begin < segments.size(); begin = end) {
+      for (end = begin + 1; end < segments.size() && moment.axes[end] == moment.axes[begin];) ++end;
+      smooth_shoot(begin, end, forks);
+    }
+  }
+
+  // Smooths the thickness of the shoot whose segments are from `begin` to `end`.
+  void smooth_shoot(std::size_t begin, std::size_t end, const std::vector<std::uint8_t>& forks) {
+    std::vector<Segment>& segments = moment.segments;
+    const std::size_t count = end - begin;
+    lengths_.assign(count + 1, 0);
+    for (std::size_t k = 0; k < count; ++k)
+      lengths_[k + 1] = lengths_[k] + glm::distance(segments[begin + k].start, segments[begin + k].end);
+    const float whole = lengths_[count];
+    std::size_t tail = 0;
+    for (std::size_t k = 0; k < count; ++k)
+      if (forks[begin + k]) tail = k + 1;
+    // Radii at the ends of segments, with the tail tapered; and their sums along the shoot.
+    radii_.resize(count + 1);
+    sums_.assign(count + 1, 0);
+    for (std::size_t k = 0; k <= count; ++k) {
+      const float radius = segments[begin + std::min(k, count - 1)].radius;
+      const float along_tail = k > tail ? (lengths_[k] - lengths_[tail]) / (whole - lengths_[tail]) : 0;
+      radii_[k] = radius * (1 + (curves.tip - 1) * along_tail);
+    }
+    for (std::size_t k = 0; k < count; ++k)
+      sums_[k + 1] = sums_[k] + 0.5f * (radii_[k] + radii_[k + 1]) * (lengths_[k + 1] - lengths_[k]);
+    const float stretch = smoothed * whole / static_cast<float>(std::max<std::size_t>(internodes_of(begin), 1));
+    const std::int32_t parent = segments[begin].parent;
+    float limit = parent >= 0 ? segments[static_cast<std::size_t>(parent)].radius_end : radii_[0];
+    for (std::size_t k = 0; k <= count; ++k) {
+      // At both ends the stretch is shorter: a shoot begins and ends as thick as it was.
+      const float reach = std::min({stretch, lengths_[k], whole - lengths_[k]});
+      const float radius =
+          reach > 0 ? (sum_to(lengths_[k] + reach) - sum_to(lengths_[k] - reach)) / (2 * reach) : radii_[k];
+      limit = std::min(limit, radius);
+      if (k < count) segments[begin + k].radius = limit;
+      if (k > 0) segments[begin + k - 1].radius_end = limit;
+    }
+  }
+
+  // The number of internodes of a segment's shoot that exist.
+  std::size_t internodes_of(std::size_t segment) const {
+    const ShootPath& path = form.paths[static_cast<std::size_t>(moment.axes[segment])];
+    std::size_t count = 0;
+    while (count < path.count && moment.of_node[path.first + count + 1] >= 0) ++count;
+    return count;
+  }
+
+  // The integral of the current shoot's radius from its base to a distance along it.
+  float sum_to(float distance) const {
+    const std::size_t after =
+        static_cast<std::size_t>(std::upper_bound(lengths_.begin(), lengths_.end(), distance) - lengths_.begin());
+    if (after == 0) return 0;
+    if (after == lengths_.size()) return sums_.back();
+    const std::size_t k = after - 1;
+    const float length = lengths_[k + 1] - lengths_[k], share = length > 0 ? (distance - lengths_[k]) / length : 0;
+    const float radius = radii_[k] + share * (radii_[k + 1] - radii_[k]);
+    return sums_[k] + 0.5f * (radii_[k] + radius) * (distance - lengths_[k]);
   }
 
   // Whether a segment's shoot has a segment after it.
@@ -130,6 +236,8 @@ struct MomentBuilder {
 
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
   std::vector<std::size_t> next_ = {};
+  ShootCurve curve_ = {};
+  std::vector<float> lengths_ = {}, radii_ = {}, sums_ = {};  // of the shoot that is smoothed
 };
 
 }  // namespace
@@ -141,9 +249,10 @@ float grown_share(std::uint16_t step, float time) {
 
 // Builds the segments of a tree at a time in steps. Returns an error if there are more than the limits allow.
 Result<Moment> moment_of(const Population& population, const Form& form, float time, const WoodHabit& habit,
-                         const Limits& limits) {
-  MomentBuilder builder{population, form, time, habit, {}, {}, {}, {}};
+                         const Limits& limits, const CurveHabit& curves) {
+  MomentBuilder builder{population, form, time, habit, curves, {}, {}, {}, {}};
   builder.moment.of_node.assign(form.nodes.size(), -1);
+  builder.moment.first_of_shoot.assign(form.paths.size(), -1);
   builder.parent_segments.assign(form.paths.size(), -1);
   builder.sort_children();
   // Each shoot's internodes, and their parts where children are attached.
@@ -157,6 +266,14 @@ Result<Moment> moment_of(const Population& population, const Form& form, float t
   }
   builder.thicken();
   return std::move(builder.moment);
+}
+
+// Returns the segments of the internode that ends in a shoot's node (1 … path.count).
+SegmentRange segments_of(const Moment& moment, const ShootPath& path, std::uint32_t shoot, std::uint32_t node) {
+  const std::int32_t last = moment.of_node[path.first + node];
+  if (last < 0) return {};
+  const std::int32_t first = node > 1 ? moment.of_node[path.first + node - 1] + 1 : moment.first_of_shoot[shoot];
+  return {static_cast<std::size_t>(first), static_cast<std::size_t>(last) + 1};
 }
 
 }  // namespace panicle::growth

@@ -1,4 +1,4 @@
-/** Splits a tree into parts: bark, leaves in their tints, blossoms, leaves about to fall and leaves on the ground. */
+/** Splits a tree into parts: bark, leaves in their tints, twigs, blossoms, leaves about to fall and leaves on the ground. */
 import { linear } from "../../plant/colour";
 import { leafTints } from "../../plant/leaf_colours";
 import type { Material } from "../../plant/material";
@@ -17,7 +17,7 @@ const FOOT = linear("2a2623");
 /** Season of fallen leaves' colours in autumn: browner than leaves on the tree. */
 const LYING_SEASON = 1;
 
-/** Yields the parts of the plant: wood with leaves, leaves that fall or lie, blossoms, bunches. */
+/** Yields the parts of the plant: wood with leaves, twigs, leaves that fall or lie, blossoms, bunches. */
 export function* growthParts(plant: GrowthPlant, specimen: GrowthSpecimen): Generator<Part> {
 	const { look, parameters } = specimen;
 	const evergreen = GROWTH_TABLE.option(specimen, "year") === "evergreen";
@@ -26,8 +26,9 @@ export function* growthParts(plant: GrowthPlant, specimen: GrowthSpecimen): Gene
 	const colours = { leaf: look.leaf, autumn: look.autumn };
 	yield* woodenParts(withOrgans(plant, ["leaf"]), {
 		...dress,
-		tints: { blade: leafTints({ ...colours, season }, plant.veins), petal: [] },
+		tints: { blade: leafTints({ ...colours, season }, plant.veins), petal: [], twig: [] },
 	});
+	yield* attachedParts(withOrgans(plant, ["twig"]), { twig: [twig(look.young_bark)] });
 	// Falling and fallen leaves have one colour: they disappear a step later.
 	const [red] = leafTints({ leaf: look.falling, autumn: look.falling, season: 0.4 }, plant.veins);
 	yield* attachedParts(withOrgans(plant, ["falling", "fallen"]), { blade: [{ ...red, name: "Falling leaf" }] });
@@ -70,6 +71,9 @@ const BARKS: Readonly<Record<string, BarkKind>> = {
 	banded: "banded",
 	stringy: "fibrous",
 };
+
+/** Returns the material of twigs' wood of a colour. */
+const twig = (colour: string): Material => ({ name: "Twig", colour: linear(colour), roughness: 0.85 });
 
 /** Returns the material of blossoms of a colour. */
 const petal = (colour: string): Material => ({
