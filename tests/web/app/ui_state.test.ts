@@ -59,11 +59,12 @@ describe("what the page remembers", () => {
 		});
 	});
 
-	it("shares only theme, language, keyboard setting, names of tools, symbols, scale bar, favourites and recent presets with other tabs", () => {
+	it("shares only theme, language, keyboard setting, names of tools, symbols, outdoors, scale bar, favourites and recent presets with other tabs", () => {
 		const ui: UiState = { ...FIRST_VISIT, theme: "dark", scaleBar: true, groups: { look: true } };
 		expect(pageOf(ui)).toEqual({
 			theme: "dark",
 			language: "",
+			outdoors: true,
 			letters: true,
 			toolNames: false,
 			symbols: false,

@@ -1,6 +1,6 @@
 import { Vector3 } from "three";
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import { CameraController } from "../../../web/src/render/camera_controller";
+import { CameraController, EYE_HEIGHT } from "../../../web/src/render/camera_controller";
 import { boundingProfileOf } from "../../../web/src/render/camera_fit";
 import { sampleBunch } from "../models/bunch/sample_bunch";
 
@@ -43,6 +43,34 @@ describe("CameraController", () => {
 			expect(value).toBeCloseTo(expected[k], 9);
 		});
 	};
+
+	it("looks at a tall plant from the height of a person's eyes over the ground, and never from below it", () => {
+		const tall = boundingProfileOf({
+			spheres: new Float32Array(0),
+			points: Float32Array.of(-4, 3, 0, 4, 8, 1, 0, 3, 0, 0, 15, 0),
+		});
+		table.forget();
+		table.setGround(3);
+		table.follow(tall, false);
+		expect(table.camera.position.y).toBeCloseTo(3 + EYE_HEIGHT, 1);
+		table.orbit(0.3, -2);
+		expect(table.camera.position.y).toBeGreaterThan(3);
+		table.fit("front");
+		expect(table.camera.position.y).toBeCloseTo(3 + EYE_HEIGHT, 1);
+		table.setGround(undefined);
+		table.fit();
+		expect(table.camera.position.y).toBeGreaterThan(9);
+	});
+
+	it("looks at a small plant on the ground from a little above it", () => {
+		const small = boundingProfileOf({ spheres: new Float32Array(0), points: Float32Array.of(0, 0, 0, 0.1, 0.4, 0) });
+		table.forget();
+		table.setGround(0);
+		table.follow(small, false);
+		const { position } = table.camera;
+		expect(position.y).toBeLessThan(EYE_HEIGHT);
+		expect(position.y).toBeGreaterThan(0.3);
+	});
 
 	it("measures the view's height at a depth: it grows with the distance, and none is behind the eye or among the plants", () => {
 		const { camera } = table;

@@ -1,6 +1,7 @@
 import { Group, type Mesh, Vector3 } from "three";
 import { expect, it } from "vitest";
 import type { Part } from "../../../web/src/plant/part";
+import { PAPER } from "../../../web/src/render/model_renderer";
 import { PaperShadow } from "../../../web/src/render/paper_shadow";
 import { partRenderer } from "../../../web/src/render/part_renderer";
 import { StageLight } from "../../../web/src/render/stage_light";
@@ -8,7 +9,13 @@ import { windUniforms } from "../../../web/src/render/wind_shader";
 import { PULP, tetrahedron } from "../formats/toy_parts";
 
 it("marks triangles by separate geometry, so that disposing of a mark leaves the plant's buffers", () => {
-	const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
+	const stage = {
+		root: new Group(),
+		light: new StageLight(),
+		shadow: new PaperShadow(),
+		wind: windUniforms(),
+		setting: PAPER,
+	};
 	const renderer = partRenderer<unknown, Part[]>((parts) => parts)(stage);
 	const mesh = { ...tetrahedron([0, 0, 0], 1), pickIds: Uint32Array.of(1, 2, 2, 1) };
 	renderer.show([{ name: "Petal", shape: { mesh, material: PULP } }], {});

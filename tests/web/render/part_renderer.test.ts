@@ -16,6 +16,8 @@ import type { Material, Picture } from "../../../web/src/plant/material";
 import type { Part } from "../../../web/src/plant/part";
 import { partsOf } from "../../../web/src/plant/parts_of";
 import type { Plant } from "../../../web/src/plant/plant";
+import { rigOf } from "../../../web/src/render/light";
+import { PAPER } from "../../../web/src/render/model_renderer";
 import { PaperShadow } from "../../../web/src/render/paper_shadow";
 import { partRenderer } from "../../../web/src/render/part_renderer";
 import { StageLight } from "../../../web/src/render/stage_light";
@@ -26,7 +28,13 @@ import { toyPlant } from "../plant/toy_plant";
 const plant = toyPlant();
 
 function staged() {
-	const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
+	const stage = {
+		root: new Group(),
+		light: new StageLight(),
+		shadow: new PaperShadow(),
+		wind: windUniforms(),
+		setting: PAPER,
+	};
 	const renderer = partRenderer<unknown, Plant>((grown) => partsOf(grown))(stage);
 	const meshes = () => stage.root.children.filter((child): child is Mesh => "isMesh" in child);
 	return { stage, renderer, meshes };
@@ -65,7 +73,13 @@ describe("the renderer of parts", () => {
 	});
 
 	it("shows pictures on textured parts, and replaces them in the same materials", () => {
-		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
+		const stage = {
+			root: new Group(),
+			light: new StageLight(),
+			shadow: new PaperShadow(),
+			wind: windUniforms(),
+			setting: PAPER,
+		};
 		const renderer = partRenderer<unknown, Part[]>((parts) => parts)(stage);
 		const meshes = () => stage.root.children.filter((child): child is Mesh => "isMesh" in child);
 		const picture = (shade: number): Picture => ({ width: 2, height: 1, pixels: new Uint8Array(6).fill(shade) });
@@ -132,7 +146,13 @@ describe("the renderer of parts", () => {
 	});
 
 	it("returns pick ids of meshes that have them, and numbers other parts behind the last id", () => {
-		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
+		const stage = {
+			root: new Group(),
+			light: new StageLight(),
+			shadow: new PaperShadow(),
+			wind: windUniforms(),
+			setting: PAPER,
+		};
 		const renderer = partRenderer<unknown, Part[]>((parts) => parts)(stage);
 		const meshes = () => stage.root.children.filter((child): child is Mesh => "isMesh" in child);
 		const part = (x: number, pickIds?: Uint32Array): Part => ({
@@ -187,7 +207,7 @@ describe("the renderer of parts", () => {
 
 	it("is lit by the stage's light", () => {
 		const { stage, renderer } = staged();
-		stage.light.setTheme("dark");
+		stage.light.setRig(rigOf("dark"));
 		const camera = new PerspectiveCamera();
 		camera.updateMatrixWorld();
 		stage.light.aim(camera);
@@ -255,7 +275,13 @@ describe("the renderer of parts", () => {
 	});
 
 	it("shows a material's picture on its mesh, with the same texture for the same picture", () => {
-		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
+		const stage = {
+			root: new Group(),
+			light: new StageLight(),
+			shadow: new PaperShadow(),
+			wind: windUniforms(),
+			setting: PAPER,
+		};
 		const colour = { width: 1, height: 1, pixels: Uint8Array.of(1, 2, 3) };
 		const renderer = partRenderer<unknown, Plant>((grown) =>
 			[...partsOf(grown)].map(({ shape, ...part }) => ({
@@ -277,7 +303,13 @@ describe("the renderer of parts", () => {
 	});
 
 	it("shows vertex colours in place of the material's colour", () => {
-		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
+		const stage = {
+			root: new Group(),
+			light: new StageLight(),
+			shadow: new PaperShadow(),
+			wind: windUniforms(),
+			setting: PAPER,
+		};
 		const renderer = partRenderer(() => fruits())(stage);
 		renderer.show({}, {});
 		const [fruit, , tuft] = stage.root.children.filter((child): child is Mesh => "isMesh" in child);

@@ -1,6 +1,8 @@
 import { Object3D, type PerspectiveCamera } from "three";
 import { describe, expect, it, vi } from "vitest";
+import { rigOf } from "../../../web/src/render/light";
 import type { ModelRenderer, RendererStage } from "../../../web/src/render/model_renderer";
+import { outdoorRig } from "../../../web/src/render/outdoor/outdoor_light";
 import { Stage } from "../../../web/src/render/stage";
 
 /** A renderer that logs its calls. */
@@ -60,6 +62,34 @@ describe("Stage", () => {
 		expect(other.given().root.visible).toBe(false);
 		stage.show(2, "b");
 		expect(other.given().root.visible).toBe(true);
+	});
+
+	it("is outdoors only while that is wanted and the renderer has a light for it", () => {
+		const stage = new Stage<string, number>();
+		const { make, given } = fakeRenderer();
+		stage.setOutdoors(true);
+		stage.use(make);
+		expect(given().setting.outdoors).toBe(false);
+		stage.use((own) => ({ ...make(own), outdoorRig, groundLevel: 2 }));
+		expect(given().setting.outdoors).toBe(true);
+		expect(given().light.rig.fixed).toBe(true);
+		expect(stage.groundLevel).toBe(2);
+		stage.setTheme("dark");
+		expect(given().setting.theme).toBe("dark");
+		stage.setOutdoors(false);
+		expect(given().setting.outdoors).toBe(false);
+		expect(given().light.rig).toBe(rigOf("dark"));
+		expect(stage.groundLevel).toBeUndefined();
+	});
+
+	it("draws the plant alone while the background is flat", () => {
+		const stage = new Stage<string, number>();
+		const { make, given } = fakeRenderer();
+		stage.use(make);
+		stage.setGround(1);
+		expect(given().setting.bare).toBe(true);
+		stage.setGround();
+		expect(given().setting.bare).toBe(false);
 	});
 
 	it("shows the plant without editing aids and marks during a call, and shows them again afterwards", () => {

@@ -137,6 +137,13 @@ export const ACTIONS: readonly PageAction[] = [
 		},
 	},
 	{
+		key: "outdoors",
+		icon: "outdoors",
+		title: () => text("stage_outdoors"),
+		isAvailable: ({ state }) => state.view !== undefined && state.model.outdoors === true,
+		run: (studio) => studio.setUi({ outdoors: !studio.state.ui.outdoors }),
+	},
+	{
 		key: "measure",
 		icon: "tape",
 		title: () => text("stage_measure"),

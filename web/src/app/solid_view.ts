@@ -46,6 +46,7 @@ export class SolidView implements ToolView {
 	/** The model whose script could not be fetched: it is fetched again on request, or after another model was shown. */
 	#failedModel: PageModel | undefined;
 	#shown: ShownPlant | undefined;
+	#outdoors: boolean | undefined;
 	#look: StudioState["specimen"]["look"] | undefined;
 	/** The plant that a tool shows in place of the document's, and the plant in view. */
 	#instead: SubstitutePlant | undefined;
@@ -101,7 +102,7 @@ export class SolidView implements ToolView {
 
 	/** Updates the view to the state; unchanged parts cost nothing. */
 	update(state: StudioState): void {
-		const { shown, model, held, dark, modelUi } = state;
+		const { shown, model, held, dark, modelUi, ui } = state;
 		if (shown && shown.model !== this.#rendererModel) {
 			if (shown.model !== this.#failedModel) void this.#loadRenderer(shown.model);
 			return;
@@ -111,6 +112,8 @@ export class SolidView implements ToolView {
 		// A substitute plant is shown from the same camera position, for comparison.
 		this.#view.holdView(held || instead !== undefined);
 		const look = shown && lookOf(shown, state);
+		if (ui.outdoors !== this.#outdoors) this.#view.outdoors = ui.outdoors;
+		this.#outdoors = ui.outdoors;
 		const { grown, from } = instead ?? shown ?? {};
 		if (grown && from && look && (grown !== this.#viewedPlant || shown !== this.#shown || look !== this.#look)) {
 			const start = performance.now();

@@ -11,6 +11,8 @@ export interface UiState {
 	toolNames: boolean;
 	/** Whether the panel shows the symbols of the papers beside names. */
 	symbols: boolean;
+	/** Whether the 3-D view shows trees outdoors instead of on paper. */
+	outdoors: boolean;
 	/** Whether the 3-D view shows a scale bar; undefined, unless the user chose: in the studio, but not in presentations. */
 	scaleBar: boolean | undefined;
 	/** The view that a phone shows: `SOLID`, or the name of a model's flat view. */
@@ -40,6 +42,7 @@ export const FIRST_VISIT: UiState = {
 	letters: true,
 	toolNames: false,
 	symbols: false,
+	outdoors: true,
 	scaleBar: undefined,
 	view: SOLID,
 	favourites: [],
@@ -86,14 +89,15 @@ export function pageOf({
 	letters,
 	toolNames,
 	symbols,
+	outdoors,
 	scaleBar,
 	favourites,
 	recentPresets,
 }: UiState): Pick<
 	UiState,
-	"theme" | "language" | "letters" | "toolNames" | "symbols" | "scaleBar" | "favourites" | "recentPresets"
+	"theme" | "language" | "letters" | "toolNames" | "symbols" | "outdoors" | "scaleBar" | "favourites" | "recentPresets"
 > {
-	return { theme, language, letters, toolNames, symbols, scaleBar, favourites, recentPresets };
+	return { theme, language, letters, toolNames, symbols, outdoors, scaleBar, favourites, recentPresets };
 }
 
 /** Returns the stored entries, updated by those that have changed since `before`. */
@@ -107,7 +111,7 @@ function merged<T>(
 
 /** Reads stored state, which may come from another version: unusable values are replaced by those of a first visit. */
 function restoreUi(stored: unknown): UiState {
-	const { theme, language, letters, toolNames, symbols, scaleBar, favourites, recentPresets, groups, tools } =
+	const { theme, language, letters, toolNames, symbols, outdoors, scaleBar, favourites, recentPresets, groups, tools } =
 		recordOf(stored);
 	return {
 		...FIRST_VISIT,
@@ -116,6 +120,7 @@ function restoreUi(stored: unknown): UiState {
 		letters: letters !== false,
 		toolNames: toolNames === true,
 		symbols: symbols === true,
+		outdoors: outdoors !== false,
 		scaleBar: typeof scaleBar === "boolean" ? scaleBar : undefined,
 		favourites: presetKeysIn(favourites, MAX_FAVOURITES),
 		recentPresets: presetKeysIn(recentPresets, MAX_RECENT_PRESETS),

@@ -15,6 +15,7 @@ export const OWN_ATTRIBUTES = [
 	"poster",
 	"autorotate",
 	"wind",
+	"outdoors",
 	"controls",
 	"handles",
 	"capture",

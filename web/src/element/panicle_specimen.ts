@@ -194,6 +194,7 @@ export class PanicleSpecimen extends HTMLElement {
 		else if (name === "theme") this.#withView((view) => view.setDark(isDark(this.getAttribute("theme"))));
 		else if (name === "autorotate") this.#withView((view) => view.setTurning(this.getAttribute("autorotate")));
 		else if (name === "wind") this.#withView((view) => view.setWind(this.getAttribute("wind")));
+		else if (name === "outdoors") this.#withView((view) => view.setOutdoors(this.hasAttribute("outdoors")));
 		this.#extras.follow();
 	}
 
@@ -276,6 +277,7 @@ export class PanicleSpecimen extends HTMLElement {
 				made.setDark(isDark(this.getAttribute("theme")));
 				made.setTurning(this.getAttribute("autorotate"));
 				made.setWind(this.getAttribute("wind"));
+				made.setOutdoors(this.hasAttribute("outdoors"));
 				made.setSeen(this.#seen);
 			},
 			() => {

@@ -116,6 +116,11 @@ export class SpecimenView {
 		this.#blow();
 	}
 
+	/** Sets whether plants that stand on the ground are shown outdoors. */
+	setOutdoors(on: boolean): void {
+		this.#viewer.outdoors = on;
+	}
+
 	/** Pauses the wind, or lets it go on. */
 	setPaused(paused: boolean): void {
 		this.#paused = paused;

@@ -9,6 +9,8 @@ import type { Model } from "./model";
 export interface PageModel<S extends Specimen = Specimen, G extends Plant = Plant> extends Model<S, G> {
 	/** Loads the model's own renderer, with three.js in its module; absent where a renderer of `parts` is enough. */
 	render?(): Promise<RendererFactory<S, G>>;
+	/** Whether its plants can be shown outdoors: its renderer has a light for that. */
+	outdoors?: true;
 	/** Loads the handles on the plant, for pages that show it alone. */
 	handles?(): Promise<HandlesOf<S>>;
 	/** Loads the model's tools, flat views, panel sections, read-out and bars, with Lit in their module. */

@@ -14,6 +14,13 @@ const WALKING_NEAR = 0.05;
 /** Duration of the movement that follows an outgrown plant, ms. */
 const EASE = 320;
 
+/** Height of the eye over the ground outdoors, metres. */
+export const EYE_HEIGHT = 1.7;
+/** Steepest first view outdoors, degrees: the eye of small plants is lower. */
+const STEEPEST = 14;
+/** Least height of the eye over the ground, as a share of its distance. */
+const LEAST_HEIGHT = 0.004;
+
 export type ViewName = "three-quarter" | "front" | "side";
 
 /** Position and target of the eye, metres. */
@@ -45,6 +52,8 @@ export class CameraController {
 	 * would leave the picture, even while pointers do not turn the plant, and never comes nearer.
 	 */
 	keepsWhole = false;
+	/** Height of the ground, metres; undefined without ground. */
+	#ground: number | undefined;
 	/** Whether the eye is placed by `look`, instead of orbiting the plant. */
 	#walking = false;
 	#glide: { from: Vector3; to: Vector3; fromDistance: number; toDistance: number; start: number } | undefined;
@@ -65,6 +74,7 @@ export class CameraController {
 		this.controls.maxPolarAngle = Math.PI - 0.12;
 		this.controls.addEventListener("change", () => {
 			this.#keepInReach();
+			this.#keepAboveGround();
 			changed();
 		});
 		this.controls.addEventListener("start", () => {
@@ -144,6 +154,7 @@ export class CameraController {
 		this.#fit = undefined;
 		this.#fitted = undefined;
 		this.#profile = undefined;
+		this.#ground = undefined;
 		this.#glide = undefined;
 	}
 
@@ -154,7 +165,7 @@ export class CameraController {
 		// Damping is off, else the rest of a fling would go on turning the plant.
 		this.controls.enableDamping = false;
 		this.controls.update();
-		const elevation = view === "three-quarter" ? this.#firstElevation : VIEWS[view].elevation;
+		const elevation = this.#elevationOf(view);
 		const from = { ...VIEWS[view], elevation };
 		this.#place(from);
 		this.#fitElevation = MathUtils.degToRad(elevation);
@@ -168,6 +179,49 @@ export class CameraController {
 		}
 		this.camera.lookAt(this.controls.target);
 		this.changed();
+	}
+
+	/**
+	 * Sets the height of the ground that the plant stands on, metres; undefined for none. The eye does not go below it,
+	 * and the first view is from the height of a person's eyes.
+	 */
+	setGround(level: number | undefined): void {
+		if (level === this.#ground) return;
+		this.#ground = level;
+		this.#keepAboveGround();
+	}
+
+	/** Returns the elevation of a named view, degrees. */
+	#elevationOf(view: ViewName): number {
+		if (this.#ground === undefined || !this.#profile)
+			return view === "three-quarter" ? this.#firstElevation : VIEWS[view].elevation;
+		// The distance depends on the elevation, but hardly: two steps suffice.
+		let elevation = 0;
+		for (let i = 0; i < 2; i++) {
+			const { target, distance } = fitView(
+				this.#profile,
+				MathUtils.degToRad(FOV),
+				this.camera.aspect,
+				MARGIN,
+				MathUtils.degToRad(elevation),
+			);
+			const rise = (this.#ground + EYE_HEIGHT - target[1]) / distance;
+			elevation = Math.min(STEEPEST, MathUtils.radToDeg(Math.asin(MathUtils.clamp(rise, -1, 1))));
+		}
+		return elevation;
+	}
+
+	/** Raises the eye on its sphere about the target to a little above the ground, if it is lower. */
+	#keepAboveGround(): void {
+		if (this.#ground === undefined || this.#walking) return;
+		const arm = this.camera.position.clone().sub(this.controls.target);
+		const distance = arm.length();
+		const least = this.#ground + LEAST_HEIGHT * distance - this.controls.target.y;
+		if (arm.y >= least || distance === 0) return;
+		const angles = new Spherical().setFromVector3(arm);
+		angles.phi = Math.acos(MathUtils.clamp(least / distance, -1, 1));
+		this.camera.position.setFromSpherical(angles).add(this.controls.target);
+		this.camera.lookAt(this.controls.target);
 	}
 
 	/** Places the eye at a position, where nothing else moves it; undefined shows the whole plant again. */
@@ -345,6 +399,7 @@ export class CameraController {
 
 	/** Looks at the target from the camera's new position. */
 	#moved(): void {
+		this.#keepAboveGround();
 		this.camera.lookAt(this.controls.target);
 		this.changed();
 	}

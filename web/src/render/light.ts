@@ -26,6 +26,8 @@ export interface WindowLight {
 
 /** All light of the scene. Directions are in view space: +X right, +Y up, +Z towards the eye. */
 export interface LightRig {
+	/** Whether directions are in the plant's frame instead: the light does not turn with the viewer. */
+	fixed?: true;
 	key: WindowLight;
 	rim: WindowLight;
 	surroundings: Lobe[];

@@ -2,7 +2,7 @@ import { type MeshStandardMaterial, RepeatWrapping, type Texture } from "three";
 import type { Material, Picture } from "../plant/material";
 import type { LightUniforms } from "./light_shader";
 import { pictureTexture } from "./picture_texture";
-import { standardMaterial } from "./standard_material";
+import { type CrownUniforms, standardMaterial } from "./standard_material";
 import type { WindUniforms } from "./wind_shader";
 
 /** Property of a three.js material for each kind of texture. */
@@ -38,8 +38,14 @@ export class MaterialCache {
 	readonly #textured = new Map<Material, number>();
 	#plant = 0;
 
-	/** @param wind wind that moves the parts; without it they do not move */
-	constructor(light: LightUniforms, wind?: WindUniforms) {
+	readonly #crown: CrownUniforms | undefined;
+
+	/**
+	 * @param wind wind that moves the parts; without it they do not move
+	 * @param crown crown that bends the normals of sheets outwards
+	 */
+	constructor(light: LightUniforms, wind?: WindUniforms, crown?: CrownUniforms) {
+		this.#crown = crown;
 		this.#light = light;
 		this.#wind = wind;
 	}
@@ -100,6 +106,7 @@ export class MaterialCache {
 				sky: true,
 				maps,
 				...(this.#wind && !material.still ? { wind: this.#wind } : {}),
+				...(this.#crown ? { crown: this.#crown } : {}),
 			}),
 			lastUsed: 0,
 			shows,

@@ -2,6 +2,7 @@
 import type { Object3D, PerspectiveCamera } from "three";
 import type { Sway } from "../plant/sway";
 import type { Bodies } from "./camera_fit";
+import type { LightRig, Theme } from "./light";
 import type { PaperShadow } from "./paper_shadow";
 import type { StageLight } from "./stage_light";
 import type { WindUniforms } from "./wind_shader";
@@ -15,6 +16,18 @@ export interface ViewRay {
 	direction: SceneVector;
 }
 
+/** Where the plant is shown; changes at any time, and counts from the next drawing on. */
+export interface StageSetting {
+	/** Whether outdoors instead of on paper, if the renderer has a light for that. */
+	outdoors: boolean;
+	/** Whether the plant alone is drawn: in cut-out pictures and in the user's room. */
+	bare: boolean;
+	theme: Theme;
+}
+
+/** The setting of a new stage. */
+export const PAPER: Readonly<StageSetting> = { outdoors: false, bare: false, theme: "light" };
+
 /** Environment of a renderer. */
 export interface RendererStage {
 	/** Parent of the renderer's objects, in the plant's metres; the viewer shows and hides it. */
@@ -23,6 +36,7 @@ export interface RendererStage {
 	readonly light: StageLight;
 	/** Scene for the objects that cast the shadow on the paper. */
 	readonly shadow: PaperShadow;
+	readonly setting: Readonly<StageSetting>;
 	/** Uniforms of the wind, for shaders of the parts that it moves. */
 	readonly wind: WindUniforms;
 	/** Called when the drawing changes by itself, to request a frame; absent without a viewer. */
@@ -58,6 +72,10 @@ export interface ModelRenderer<S, G> {
 	setMode(mode: string): void;
 	/** Elevation of the first view above the plant's horizon, degrees; absent: a small default. */
 	readonly elevation?: number;
+	/** Returns the light outdoors, for plants that can be shown there; absent where they cannot. */
+	outdoorRig?(theme: Theme): LightRig;
+	/** Height of the ground that the shown plant stands on, metres; undefined where it does not stand. */
+	readonly groundLevel?: number | undefined;
 	/**
 	 * Whether the camera is within the plant, as of the last `prepare`: the background is then a sky instead of paper.
 	 */

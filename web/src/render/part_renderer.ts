@@ -21,7 +21,7 @@ import type { ModelRenderer, RendererFactory, RendererStage, ViewRay } from "./m
 import { ballOf, boundsOf, joined } from "./part_bounds";
 import { PartMeshes, type PartObject } from "./part_meshes";
 import { StandardLights } from "./standard_lights";
-import { windyDepth } from "./standard_material";
+import { type CrownUniforms, windyDepth } from "./standard_material";
 
 /** Emissive colour of a marked part. */
 const MARK = new Color(0.22, 0.18, 0.12);
@@ -37,6 +37,14 @@ const CELL = {
 /** Overlay of the marked group, below the part's own. */
 const WHOLE = { ...CELL, opacity: 0.22, polygonOffsetFactor: -1, polygonOffsetUnits: -1 };
 
+/** Options of a `PartRenderer`. */
+export interface PartRendererOptions {
+	/** Whether the plant casts its shadow on the paper behind it; false if it stands on ground. True by default. */
+	onPaper?: boolean;
+	/** Crown that bends the normals of leaves outwards. */
+	crown?: CrownUniforms;
+}
+
 /**
  * Renderer for models that consist of parts, with three's standard material and the stage's light. `pick` returns the
  * pick id of meshes with `pickIds`; other parts are numbered from the largest pick id on, in the order of the parts,
@@ -48,7 +56,8 @@ export class PartRenderer<S, G> implements ModelRenderer<S, G> {
 	readonly #parts: (grown: G, specimen: S) => Iterable<Part>;
 	readonly #room: (specimen: S) => Float32Array;
 	readonly #lights = new StandardLights();
-	readonly #shadow: MeshShadow;
+	/** Shadow on the paper; undefined for plants that stand on ground. */
+	readonly #shadow: MeshShadow | undefined;
 	readonly #materials: MaterialCache;
 	readonly #depth: MeshDepthMaterial;
 	readonly #swayOf: (grown: G) => Sway | undefined;
@@ -70,15 +79,17 @@ export class PartRenderer<S, G> implements ModelRenderer<S, G> {
 		parts: (grown: G, specimen: S) => Iterable<Part>,
 		room: (specimen: S) => Float32Array = () => new Float32Array(0),
 		swayOf: (grown: G) => Sway | undefined = () => undefined,
+		{ onPaper = true, crown }: PartRendererOptions = {},
 	) {
 		this.#stage = stage;
 		this.#parts = parts;
 		this.#room = room;
 		this.#swayOf = swayOf;
-		this.#materials = new MaterialCache(stage.light.uniforms, stage.wind);
+		this.#materials = new MaterialCache(stage.light.uniforms, stage.wind, crown);
 		this.#depth = windyDepth(stage.wind);
 		this.#shown = new PartMeshes([], this.#materials);
-		this.#shadow = new MeshShadow(stage.shadow, stage.wind);
+		if (onPaper) this.#shadow = new MeshShadow(stage.shadow, stage.wind);
+		else this.#lights.onGround = true;
 		stage.root.add(this.#lights.group);
 	}
 
@@ -94,7 +105,7 @@ export class PartRenderer<S, G> implements ModelRenderer<S, G> {
 			this.#stage.root.add(object);
 		}
 		this.#sway = this.#swayOf(grown);
-		this.#shadow.set(this.#shown.objects, ({ userData }) => userData.blown);
+		this.#shadow?.set(this.#shown.objects, ({ userData }) => userData.blown);
 		this.#bounds = boundsOf(parts);
 		this.#about = this.#room(specimen);
 		this.#lights.shade(ballOf(this.#bounds));
@@ -193,7 +204,7 @@ export class PartRenderer<S, G> implements ModelRenderer<S, G> {
 		this.#clear();
 		this.#materials.dispose();
 		this.#depth.dispose();
-		this.#shadow.dispose();
+		this.#shadow?.dispose();
 		this.#lights.dispose();
 	}
 
@@ -202,7 +213,7 @@ export class PartRenderer<S, G> implements ModelRenderer<S, G> {
 		this.#unmark();
 		for (const object of this.#shown.objects) object.removeFromParent();
 		this.#shown.dispose();
-		this.#shadow.set([]);
+		this.#shadow?.set([]);
 	}
 
 	/** Removes all marks; only overlays own their geometry, marked instances share it. */

@@ -1,8 +1,8 @@
 import { Group, type Object3D, type PerspectiveCamera, Scene, type WebGLRenderer } from "three";
 import { Backdrop } from "./backdrop";
 import type { Bodies } from "./camera_fit";
-import type { Theme } from "./light";
-import type { ModelRenderer, RendererFactory, ViewRay } from "./model_renderer";
+import { rigOf, type Theme } from "./light";
+import { type ModelRenderer, PAPER, type RendererFactory, type StageSetting, type ViewRay } from "./model_renderer";
 import { PaperShadow } from "./paper_shadow";
 import type { Drawable } from "./renderer";
 import { StageLight } from "./stage_light";
@@ -23,6 +23,8 @@ export class Stage<S, G> implements Drawable {
 	#marked: number | undefined;
 	#markedGroup: ReadonlySet<number> | undefined;
 	#filled = false;
+	readonly #setting: StageSetting = { ...PAPER };
+	#wantsOutdoors = false;
 
 	readonly #changed: () => void;
 
@@ -42,10 +44,12 @@ export class Stage<S, G> implements Drawable {
 			root: this.#root,
 			light: this.#light,
 			shadow: this.#shadow,
+			setting: this.#setting,
 			wind: this.wind.uniforms,
 			changed: this.#changed,
 		});
 		this.#mode = this.#renderer.modes[0];
+		this.#applyLight();
 		this.#hidePlant();
 	}
 
@@ -131,15 +135,37 @@ export class Stage<S, G> implements Drawable {
 
 	/** Sets the light and the background of a colour scheme. */
 	setTheme(theme: Theme): void {
-		this.#light.setTheme(theme);
-		this.#backdrop.setRig(this.#light.rig);
-		this.#shadow.setRig(this.#light.rig);
+		this.#setting.theme = theme;
+		this.#applyLight();
 	}
 
-	/** Sets a flat black or white background; undefined restores the paper. */
+	/** Sets whether plants are shown outdoors; those that cannot be are shown on paper. */
+	setOutdoors(on: boolean): void {
+		this.#wantsOutdoors = on;
+		this.#applyLight();
+	}
+
+	/** Height of the ground outdoors, metres; undefined on paper, and for plants that do not stand. */
+	get groundLevel(): number | undefined {
+		return this.#setting.outdoors ? this.#renderer?.groundLevel : undefined;
+	}
+
+	/** Sets a flat black or white background; undefined restores the paper or the sky. */
 	setGround(grey?: 0 | 1): void {
-		if (grey === undefined) this.#backdrop.setRig(this.#light.rig);
+		this.#setting.bare = grey !== undefined;
+		if (grey === undefined) this.#backdrop.setRig(rigOf(this.#setting.theme));
 		else this.#backdrop.setFlat(grey);
+	}
+
+	/** Sets the light and the background of the present theme, outdoors or not. */
+	#applyLight(): void {
+		const { theme } = this.#setting;
+		const outdoors = this.#wantsOutdoors ? this.#renderer?.outdoorRig?.(theme) : undefined;
+		this.#setting.outdoors = outdoors !== undefined;
+		const rig = outdoors ?? rigOf(theme);
+		this.#light.setRig(rig);
+		this.#backdrop.setRig(rigOf(theme));
+		this.#shadow.setRig(rig);
 	}
 
 	/**
@@ -161,6 +187,7 @@ export class Stage<S, G> implements Drawable {
 	 * @param withPlant false draws the mark alone
 	 */
 	drawInRoom(renderer: WebGLRenderer, camera: PerspectiveCamera, mark: Object3D, withPlant: boolean): void {
+		this.#setting.bare = true;
 		this.#light.aim(camera);
 		if (this.#filled) this.#renderer?.prepare(camera);
 		this.#backdrop.mesh.visible = false;
@@ -171,6 +198,7 @@ export class Stage<S, G> implements Drawable {
 		} finally {
 			mark.removeFromParent();
 			this.#backdrop.mesh.visible = true;
+			this.#setting.bare = false;
 			this.#root.visible = this.#filled;
 		}
 	}

@@ -7,6 +7,9 @@ import type { WindUniforms } from "./wind_shader";
 const SHADOW_PIXELS = 1024;
 const SHADOW_BLUR = 4;
 
+/** Far end of the shadow's range with ground, in radii: enough for a light 16° over the horizon. */
+const FAR_GROUND = 9;
+
 interface Ball {
 	centre: Vector3;
 	radius: number;
@@ -22,6 +25,8 @@ export class StandardLights {
 	readonly #rim = new DirectionalLight();
 	readonly #sky = new LightProbe();
 
+	/** Whether shadows also fall on the ground below the ball. Set it before `shade`. */
+	onGround = false;
 	#shaded: Ball | undefined;
 	/** Phase of the wind when the shadow was last drawn. */
 	readonly #beat = new Vector2();
@@ -46,7 +51,8 @@ export class StandardLights {
 		camera.left = camera.bottom = -ball.radius;
 		camera.right = camera.top = ball.radius;
 		camera.near = ball.radius;
-		camera.far = 3 * ball.radius;
+		// A shadow on the ground is far behind the ball where the light is low.
+		camera.far = (this.onGround ? FAR_GROUND : 3) * ball.radius;
 		camera.updateProjectionMatrix();
 	}
 

@@ -12,7 +12,9 @@ import {
 	Vector3,
 	type WebGLProgramParametersWithUniforms,
 } from "three";
+import { BEND } from "../plant/crown";
 import type { Material } from "../plant/material";
+import { float } from "./glsl";
 import { LIGHT_CHUNK, type LightUniforms } from "./light_shader";
 import { pictureTexture } from "./picture_texture";
 import { WIND_CHUNK, type WindUniforms } from "./wind_shader";
@@ -38,12 +40,21 @@ export interface StandardOptions extends PlainOptions {
 	/** Whether vertices or instances have `sky`, 0 none … 1 all; if not, the whole sky is visible. */
 	sky?: boolean;
 	shares?: LampShares;
+	/** Crown that bends the normals of sheets outwards (plant/crown.ts); without it they keep their own. */
+	crown?: CrownUniforms;
 	/**
 	 * Wind that moves the material's parts; without it they do not move. `userData.blown` of the material has the
 	 * choice.
 	 */
 	wind?: WindUniforms;
 }
+
+/** Returns the uniforms of a crown: its centre, and half of its width, height and width. */
+export function crownUniforms() {
+	return { crownCentre: { value: new Vector3() }, crownSize: { value: new Vector3(1, 1, 1) } };
+}
+
+export type CrownUniforms = ReturnType<typeof crownUniforms>;
 
 /**
  * Converts a material to three's physically based material, for any scene. Light through sheets and flesh is left out.
@@ -78,8 +89,10 @@ export function standardMaterial(material: Material, options: StandardOptions): 
 	setSheet(made, material);
 	setPicture(made, material);
 	made.onBeforeCompile = (shader) => addLight(shader, sheet, options);
-	const { sky = false, shares, wind } = options;
-	made.customProgramCacheKey = () => JSON.stringify([sky, shares?.chunk, sheet !== undefined, wind !== undefined]);
+	const { sky = false, shares, wind, crown } = options;
+	const bends = sheet !== undefined && crown !== undefined;
+	made.customProgramCacheKey = () =>
+		JSON.stringify([sky, shares?.chunk, sheet !== undefined, wind !== undefined, bends]);
 	return made;
 }
 
@@ -141,13 +154,33 @@ const SHEET = "uniform vec3 sheetThrough;\nuniform vec3 sheetReverse;\n";
  * Light of both lamps and of the surroundings on the other side, transmitted to this side: `lightThrough`
  * (plant/material.ts).
  */
-const THROUGH = /* glsl */ `
-vec3 behind = 0.6 * PI * diffuse_surroundings(-normal);
-for (int i = 0; i < NUM_DIR_LIGHTS; i++) {
-	behind += directionalLights[i].color * max(0.0, -dot(normal, directionalLights[i].direction));
-}
+const through = (sky: boolean) => /* glsl */ `
+vec3 behind = lampsBehind + 0.6 * PI * diffuse_surroundings(-normal)${sky ? " * openSky" : ""};
 reflectedLight.directDiffuse += sheetThrough * sqrt(diffuseColor.rgb) * BRDF_Lambert(diffuseColor.rgb) * behind;
 `;
+
+/** Light of each lamp on the other side, in its shadow: inside the loop over lamps. */
+const LAMP_BEHIND = "lampsBehind += directLight.color * max(0.0, -dot(normal, directLight.direction));";
+
+/** Outward direction of the crown where an instance is attached, in view space. */
+const OUTWARDS = /* glsl */ `
+vec3 attached = transformed;
+#ifdef USE_INSTANCING
+	attached = instanceMatrix[3].xyz;
+#endif
+vec3 fromCentre = (attached - crownCentre) / (crownSize * crownSize);
+crownOut = mat3(modelViewMatrix) * (dot(fromCentre, fromCentre) > 0.0 ? normalize(fromCentre) : vec3(0.0, 1.0, 0.0));
+`;
+
+/** Bends the normal as `bentNormal` (plant/crown.ts). */
+const BENT = `normal = normalize(mix(normal, crownOut, ${float(BEND)}));`;
+
+/**
+ * The point whose shadow is looked up is moved along the normal towards the lamp: a leaf seen from below would be in
+ * its own shadow.
+ */
+const TOWARDS_KEY =
+	"vec3 shadowWorldNormal = transformNormalByInverseViewMatrix(transformedNormal, viewMatrix);\nshadowWorldNormal *= dot(shadowWorldNormal, keyDirection) < 0.0 ? -1.0 : 1.0;";
 
 /** Reflection of the surroundings, more blurred for rougher surfaces. */
 const MIRRORED = /* glsl */ `
@@ -176,8 +209,9 @@ function addLight(
 	sheet: SheetUniforms | undefined,
 	options: StandardOptions,
 ): void {
-	const { light, sky, shares, wind } = options;
-	Object.assign(shader.uniforms, light, shares?.uniforms, sheet);
+	const { light, sky = false, shares, wind } = options;
+	const crown = sheet && options.crown;
+	Object.assign(shader.uniforms, light, shares?.uniforms, sheet, crown);
 	if (wind) addWind(shader, wind);
 	const varyings = `${sky ? "varying float openSky;" : ""}\n${shares ? "varying vec2 lampShares;" : ""}\n`;
 	shader.vertexShader = shader.vertexShader
@@ -189,16 +223,43 @@ function addLight(
 			"#include <project_vertex>",
 			`#include <project_vertex>\n${sky ? "openSky = sky;" : ""}\n${shares ? PLACED : ""}`,
 		);
-	const lamps = ShaderChunk.lights_fragment_begin;
+	if (sheet && !shares) {
+		const own = ShaderChunk.shadowmap_vertex.replace(
+			/vec3 shadowWorldNormal = transformNormalByInverseViewMatrix[^;]*;/,
+			TOWARDS_KEY,
+		);
+		shader.vertexShader = shader.vertexShader
+			.replace("#include <common>", "#include <common>\nuniform vec3 keyDirection;")
+			.replace("#include <shadowmap_vertex>", own);
+	}
+	if (crown)
+		shader.vertexShader = shader.vertexShader
+			.replace(
+				"#include <common>",
+				"#include <common>\nuniform vec3 crownCentre;\nuniform vec3 crownSize;\nvarying vec3 crownOut;",
+			)
+			.replace("#include <project_vertex>", `#include <project_vertex>\n${OUTWARDS}`);
+	const lamps = sheet ? withLampsBehind(ShaderChunk.lights_fragment_begin) : ShaderChunk.lights_fragment_begin;
 	shader.fragmentShader = shader.fragmentShader
-		.replace("#include <common>", `#include <common>\n${varyings}${sheet ? SHEET : ""}${LIGHT_CHUNK}`)
+		.replace(
+			"#include <common>",
+			`#include <common>\n${varyings}${sheet ? SHEET : ""}${crown ? "varying vec3 crownOut;\n" : ""}${LIGHT_CHUNK}`,
+		)
+		.replace("#include <normal_fragment_maps>", `#include <normal_fragment_maps>\n${crown ? BENT : ""}`)
 		.replace("#include <color_fragment>", `#include <color_fragment>\n${sheet ? REVERSE : ""}`)
 		.replace(
 			"#include <lights_fragment_begin>",
-			`${shares ? lamps.replace(LAMP, `${LAMP}\n${SHARED}`) : lamps}\n${sheet ? THROUGH : ""}`,
+			`${shares ? lamps.replace(LAMP, `${LAMP}\n${SHARED}`) : lamps}\n${sheet ? through(sky) : ""}`,
 		)
 		.replace("#include <lights_fragment_end>", `${MIRRORED}#include <lights_fragment_end>`)
 		.replace("#include <aomap_fragment>", sky ? SHADED : "");
+}
+
+/** Returns the loops over lamps with the sum of their light on the other side of a sheet (`lampsBehind`). */
+function withLampsBehind(lamps: string): string {
+	const at = lamps.indexOf(LAMP);
+	const reflected = lamps.indexOf("RE_Direct", at);
+	return `vec3 lampsBehind = vec3(0.0);\n${lamps.slice(0, reflected)}${LAMP_BEHIND}\n${lamps.slice(reflected)}`;
 }
 
 /**

@@ -85,6 +85,7 @@ export class Viewer<S, G> {
 	/** Shows a plant in place of the last. Fast enough for every step of a drag: buffers and programs are reused. */
 	show(grown: G, specimen: S): void {
 		this.#profile = boundingProfileOf(this.#stage.show(grown, specimen));
+		this.#cameraController.setGround(this.#stage.groundLevel);
 		this.#cameraController.follow(this.#profile, this.#held);
 		this.#loop.request(true);
 	}
@@ -102,6 +103,18 @@ export class Viewer<S, G> {
 	/** Sets the light and the background of a colour scheme of the page. */
 	setTheme(theme: Theme): void {
 		this.#stage.setTheme(theme);
+		this.#loop.request();
+	}
+
+	/**
+	 * Sets whether plants that stand on the ground are shown outdoors, under the sky, instead of on paper; the first view
+	 * is then from the height of a person's eyes.
+	 */
+	set outdoors(on: boolean) {
+		const before = this.#stage.groundLevel;
+		this.#stage.setOutdoors(on);
+		this.#cameraController.setGround(this.#stage.groundLevel);
+		if (before !== this.#stage.groundLevel) this.#cameraController.fit();
 		this.#loop.request();
 	}
 

@@ -25,6 +25,7 @@ const DRAWINGS = {
 	unfold: svg`<path d="m6 8 4 4 4-4"/>`,
 	star: svg`<path d="m10 3.2 2.1 4.4 4.7.6-3.5 3.3.9 4.8-4.2-2.4-4.2 2.4.9-4.8-3.5-3.3 4.7-.6z"/>`,
 	starred: svg`<path d="m10 3.2 2.1 4.4 4.7.6-3.5 3.3.9 4.8-4.2-2.4-4.2 2.4.9-4.8-3.5-3.3 4.7-.6z" fill="currentcolor"/>`,
+	outdoors: svg`<circle cx="14" cy="6" r="2.3"/><path d="M2.5 15.5c3-4.5 6-4.5 8.5-1.5 2-2 4-2 6.5 1.5M2.5 15.5h15M14 2v.8M17.7 3.4l-.6.6M18 6h-.8"/>`,
 	tape: svg`<path d="m3 13 10-10 4 4L7 17zM10.5 5.5 12 7M8 8l1.5 1.5M5.5 10.5 7 12"/>`,
 	room: svg`<path d="M10 2.5 16 6v7l-6 3.5L4 13V6zM4 6l6 3.5L16 6M10 9.5v7"/>`,
 	presentation: svg`<rect x="2.5" y="4" width="15" height="12" rx="1.5"/><path d="M8.3 7.3v5.4l4.2-2.7z" fill="currentcolor"/>`,

@@ -16,6 +16,7 @@ import {
 import { PaintQueue, type PaintWorker } from "../../../../web/src/models/leaf/render/paint_queue";
 import { leafFromPreset } from "../../../../web/src/models/leaf/schema";
 import { rgbaPicture } from "../../../../web/src/plant/picture";
+import { PAPER } from "../../../../web/src/render/model_renderer";
 import { PaperShadow } from "../../../../web/src/render/paper_shadow";
 import { StageLight } from "../../../../web/src/render/stage_light";
 import { windUniforms } from "../../../../web/src/render/wind_shader";
@@ -79,7 +80,14 @@ function staged() {
 	const bench = new Bench();
 	const changed = vi.fn();
 	const root = new Group();
-	const stage = { root, light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms(), changed };
+	const stage = {
+		root,
+		light: new StageLight(),
+		shadow: new PaperShadow(),
+		wind: windUniforms(),
+		setting: PAPER,
+		changed,
+	};
 	const figure = new LeafRenderer(stage, (deliver) => new PaintQueue(deliver, () => bench));
 	const drawn = (side: "upper" | "lower") => {
 		const face = root.children.find((one): one is Mesh => one instanceof Mesh && one.name.includes(side));

@@ -5,6 +5,7 @@ import { cutRenderer } from "../../../../web/src/models/root/cut_renderer";
 import { model } from "../../../../web/src/models/root/index";
 import { buildPit } from "../../../../web/src/models/root/soil";
 import type { RootSpecimen } from "../../../../web/src/models/root/specimen";
+import { PAPER } from "../../../../web/src/render/model_renderer";
 import { PaperShadow } from "../../../../web/src/render/paper_shadow";
 import { StageLight } from "../../../../web/src/render/stage_light";
 import { windUniforms } from "../../../../web/src/render/wind_shader";
@@ -77,7 +78,13 @@ describe("the pit about a root", () => {
 	});
 
 	it("is drawn around the root, casts no shadow, and is removed with it", () => {
-		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
+		const stage = {
+			root: new Group(),
+			light: new StageLight(),
+			shadow: new PaperShadow(),
+			wind: windUniforms(),
+			setting: PAPER,
+		};
 		const figure = cutRenderer(stage);
 		const specimen = fromPreset(model, "carrot");
 		const plant = grow(specimen);
@@ -95,7 +102,13 @@ describe("the pit about a root", () => {
 	});
 
 	it("is not dug anew while particles run, and is dug for the whole root when they rest", () => {
-		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
+		const stage = {
+			root: new Group(),
+			light: new StageLight(),
+			shadow: new PaperShadow(),
+			wind: windUniforms(),
+			setting: PAPER,
+		};
 		const figure = cutRenderer(stage);
 		const at = (age: number, reach = 1) => {
 			const specimen = fromPreset(model, "tap");

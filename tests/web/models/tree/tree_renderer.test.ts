@@ -4,6 +4,7 @@ import type { Core } from "../../../../web/src/core/core";
 import { model as rootModel } from "../../../../web/src/models/root/index";
 import { model } from "../../../../web/src/models/tree/index";
 import { boundingProfileOf, fitView, needsRefit } from "../../../../web/src/render/camera_fit";
+import { PAPER } from "../../../../web/src/render/model_renderer";
 import { PaperShadow } from "../../../../web/src/render/paper_shadow";
 import { StageLight } from "../../../../web/src/render/stage_light";
 import { windUniforms } from "../../../../web/src/render/wind_shader";
@@ -15,7 +16,13 @@ beforeAll(async () => {
 	core = await particlesCore();
 });
 
-const stage = () => ({ root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() });
+const stage = () => ({
+	root: new Group(),
+	light: new StageLight(),
+	shadow: new PaperShadow(),
+	wind: windUniforms(),
+	setting: PAPER,
+});
 
 /** The framing of a plant with few particles and no leaves. */
 async function fitOf(kind: typeof model | typeof rootModel, preset: string, life: "run" | "grow", age: number) {

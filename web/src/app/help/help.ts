@@ -82,6 +82,7 @@ export class Help extends StudioPart {
 			case "view":
 				return html`<p>${text("view_turn")}</p>
 					<p>${text.pieces("view_reset", { reset: named(app("stage_reset")), wind: named(app("stage_wind")) })}</p>
+					<p>${text.pieces("view_outdoors", { outdoors: named(app("stage_outdoors")) })}</p>
 					<p>${text.pieces("view_scale", { palette: named(app("palette")), scale: named(app("stage_scale")) })}</p>
 					<p>${text.pieces("view_present", { present: named(app("stage_present")) })}</p>
 					<p>${text.pieces("view_measure", { measure: named(app("stage_measure")) })}</p>

@@ -173,6 +173,7 @@ const DONE: Readonly<Record<string, (studio: Studio) => string>> = {
 	variation: ({ state }) => text("done_variation", { seed: `${state.specimen.seed}` }),
 	view: () => text("done_view"),
 	wind: ({ state }) => text("done_wind", { state: state.view?.wind ? "on" : "off" }),
+	outdoors: ({ state }) => text("done_outdoors", { state: state.ui.outdoors ? "on" : "off" }),
 	theme: ({ state }) => text("done_theme", { theme: state.dark ? "dark" : "light" }),
 };
 

@@ -70,6 +70,7 @@ export class StagePart extends StudioPart {
 			modelUi,
 			tools,
 			ui.toolNames,
+			ui.outdoors,
 			state.aid,
 			failure && specimen,
 			...applying(modelUi?.tools, specimen),
@@ -223,6 +224,13 @@ export class StagePart extends StudioPart {
 				label: text("stage_wind"),
 				press: () => this.#setWind(solid, !solid.wind),
 				pressed: solid.wind,
+			});
+		if (solid && model.outdoors)
+			slots.view.push({
+				icon: "outdoors",
+				label: text("stage_outdoors"),
+				press: () => studio.setUi({ outdoors: !ui.outdoors }),
+				pressed: ui.outdoors,
 			});
 		if (solid)
 			slots.view.push({

@@ -10,7 +10,17 @@ export interface FrameSettings {
 }
 
 /** Keys of the frame's query that become attributes of the element; no parameter has such a name. */
-export const FRAME_KEYS = ["autorotate", "wind", "controls", "handles", "capture", "theme", "alt", "loading"] as const;
+export const FRAME_KEYS = [
+	"autorotate",
+	"wind",
+	"outdoors",
+	"controls",
+	"handles",
+	"capture",
+	"theme",
+	"alt",
+	"loading",
+] as const;
 
 /**
  * Splits an address: keys in FRAME_KEYS are attributes, `allow` lists origins that may send messages (undefined: all),

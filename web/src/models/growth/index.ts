@@ -23,6 +23,7 @@ export const model = {
 		return text("shelf");
 	},
 	preview: true,
+	outdoors: true,
 	plantName: "tree",
 	wasm: "growth.wasm",
 	prepare: async (specimen) => {
@@ -36,5 +37,6 @@ export const model = {
 	summary: growthInWords,
 	record: growthRecord,
 	formats: GROWTH_FORMATS,
+	render: async () => (await import("./growth_renderer")).growthRenderer,
 	ui: async () => (await import("./ui/ui")).modelUi,
 } satisfies PageModel<GrowthSpecimen, GrowthPlant>;

@@ -22,6 +22,7 @@ export const model = {
 		return text("shelf");
 	},
 	preview: true,
+	outdoors: true,
 	plantName: "tree",
 	wasm: "particles.wasm",
 	prepare: fetchLeafOf,

@@ -17,6 +17,7 @@ import { bunchSkin } from "../../../../../web/src/models/bunch/parts/skin";
 import { AMBER, HALO, SCAR, SEAT, WAX } from "../../../../../web/src/models/bunch/parts/skin_rules";
 import { bunchRenderer } from "../../../../../web/src/models/bunch/render/bunch_renderer";
 import { everyPart } from "../../../../../web/src/plant/part";
+import { PAPER } from "../../../../../web/src/render/model_renderer";
 import { PaperShadow } from "../../../../../web/src/render/paper_shadow";
 import { StageLight } from "../../../../../web/src/render/stage_light";
 import { windUniforms } from "../../../../../web/src/render/wind_shader";
@@ -28,7 +29,13 @@ import { LOOK } from "../sample_bunch";
 type Part = Mesh<InstancedBufferGeometry, ShaderMaterial>;
 
 function staged(grown: BunchPlant) {
-	const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
+	const stage = {
+		root: new Group(),
+		light: new StageLight(),
+		shadow: new PaperShadow(),
+		wind: windUniforms(),
+		setting: PAPER,
+	};
 	const figure = bunchRenderer(stage);
 	figure.show(grown, { look: LOOK });
 	const part = (name: string) => stage.root.getObjectByName(name) as Part;
