@@ -28,7 +28,9 @@ it("restores the background if there is no room for the picture", () => {
 	);
 	const drawn: unknown[] = [];
 	const canvas = { width: 9000, height: 9000 } as HTMLCanvasElement;
-	expect(() => cutOutOf(canvas, (ground) => drawn.push(ground))).toThrow("no room for 9000 × 9000 pixels");
+	expect(() => cutOutOf(canvas, { width: 9000, height: 9000 }, (ground) => drawn.push(ground))).toThrow(
+		"no room for 9000 × 9000 pixels",
+	);
 	expect(drawn).toEqual([0, undefined]);
 	vi.unstubAllGlobals();
 });

@@ -13,12 +13,45 @@ const SPREAD = 0.3;
 /** How much lighter or darker single leaves are. */
 const UNEVEN = 0.1;
 
+/** How much the hue of single leaves differs, radians. */
+const UNEVEN_HUE = 0.05;
+
+/**
+ * Colours of the upper and the lower side by kind of leaf, sRGB: the lower side of a leaf reflects more (Gates et al.
+ * 1965; Woolley 1971), most where it is hairy (willow) or scaly (olive). The hues and the lightness are estimates about
+ * the measured mean of foliage, `576c43` (McCamy, Marcus and Davidson 1976).
+ */
+const SIDES: Readonly<Record<string, readonly [upper: string, lower: string]>> = {
+	vine: ["4f6b35", "7f9162"],
+	oak: ["475f30", "7e9068"],
+	beech: ["4c6a33", "728a50"],
+	willow: ["6f8166", "a9b7a4"],
+	lime: ["51703a", "8aa06a"],
+	maple: ["4b6b31", "7c9460"],
+	birch: ["5b7a38", "86a063"],
+	olive: ["5f6f58", "b4bbaa"],
+};
+/** Colour of the lower side of other leaves as a factor on that of the upper one. */
+const LOWER: Colour = [1.25, 1.2, 1.35];
+/** Share of the table's difference between the sides that is shown: leaves bend, and few are seen from exactly below. */
+const SIDE_SHARE = 0.5;
+
+/** Returns the colour of the lower side of a kind of leaf as a factor on that of the upper one; never darker. */
+export function undersideOf(kind: string | undefined): Colour {
+	const sides = kind === undefined ? undefined : SIDES[kind];
+	if (!sides) return LOWER;
+	const [upper, lower] = sides.map(linear);
+	return upper.map((value, k) => Math.max(1, 1 + SIDE_SHARE * (lower[k] / value - 1))) as Colour;
+}
+
 export interface LeafLook {
 	/** Six hexadecimal digits. */
 	leaf: string;
 	autumn: string;
 	/** 0 spring, 0.4 summer, 1 autumn. */
 	season: number;
+	/** Name of the baked leaf, for the colour of its lower side. */
+	kind?: string;
 }
 
 /**
@@ -42,7 +75,8 @@ export function leafColour({ leaf, autumn, season }: LeafLook, ahead = 0): Colou
 }
 
 /**
- * Returns one material per tint, by how far ahead its leaves are.
+ * Returns one material per tint, by how far ahead its leaves are. Neighbouring tints are alike, because the leaves of a
+ * branch have neighbouring ones (wood/wooden_parts.ts); half of the differences are not in that order.
  * @param veins veins of all leaves; without them leaves are plain
  */
 export function leafTints(look: LeafLook, veins?: Veins): Material[] {
@@ -51,16 +85,16 @@ export function leafTints(look: LeafLook, veins?: Veins): Material[] {
 		const turning = look.season > SUMMER ? Math.min(1, (look.season - SUMMER) / 0.2) : 0;
 		const { lightness, chroma, hue } = toLch(leafColour(look, SPREAD * share * turning));
 		const colour = fromLch({
-			lightness: lightness * (1 + UNEVEN * ORDER[tint]),
+			lightness: lightness * (1 + UNEVEN * (0.5 * ORDER[tint] + share)),
 			chroma,
-			hue: hue + 0.05 * ORDER[TINTS - 1 - tint],
+			hue: hue + UNEVEN_HUE * (0.5 * ORDER[TINTS - 1 - tint] - share),
 		});
 		return {
 			name: `Leaf ${tint + 1}`,
 			colour,
 			roughness: 0.48,
 			doubleSided: true,
-			sheet: { through: [0.8, 0.85, 0.5], reverse: [1.25, 1.2, 1.35] },
+			sheet: { through: [0.8, 0.85, 0.5], reverse: undersideOf(look.kind) },
 			...(veins ? { textures: { colour: leafPicture(veins, colour, veinColour(colour)) } } : {}),
 		};
 	});

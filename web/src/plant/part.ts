@@ -12,6 +12,8 @@ export interface PartMesh extends Mesh {
 	colours?: Float32Array;
 	/** The share of the sky that each vertex sees: 255 all, 0 none; all where absent. */
 	sky?: Uint8Array;
+	/** For tubes, by vertex: the diameter, metres. Views draw tubes thinner than a pixel wider, so that they are no dashes. */
+	widths?: Float32Array;
 	/** The model's own number for each triangle, which is picked and highlighted in place of the part. */
 	pickIds?: Uint32Array;
 	/** 3 × vertices: the fixed points of merged instances that are to sway. */
@@ -107,6 +109,7 @@ export function cut(mesh: PartMesh, { firstVertex, vertexCount, firstIndex, inde
 	const lastVertex = firstVertex + vertexCount;
 	const colours = mesh.colours?.subarray(3 * firstVertex, 3 * lastVertex);
 	const sky = mesh.sky?.subarray(firstVertex, lastVertex);
+	const widths = mesh.widths?.subarray(firstVertex, lastVertex);
 	return {
 		positions: mesh.positions.subarray(3 * firstVertex, 3 * lastVertex),
 		normals: mesh.normals.subarray(3 * firstVertex, 3 * lastVertex),
@@ -114,6 +117,7 @@ export function cut(mesh: PartMesh, { firstVertex, vertexCount, firstIndex, inde
 		indices: countedFrom(firstVertex, mesh.indices.subarray(firstIndex, firstIndex + indexCount)),
 		...(colours ? { colours } : {}),
 		...(sky ? { sky } : {}),
+		...(widths ? { widths } : {}),
 	};
 }
 

@@ -1,4 +1,5 @@
 /** Separates a plant from its background by two pictures, over black and over white (Porter & Duff 1984, "matting"). */
+import type { Size } from "./size";
 
 /**
  * Computes a picture with a transparent background from two opaque ones of the same scene, RGBA bytes each. The
@@ -25,19 +26,22 @@ export function cutOut(onBlack: Uint8ClampedArray, onWhite: Uint8ClampedArray): 
 /**
  * Returns the drawing on a canvas as a PNG with a transparent background. All drawing is finished when the call
  * returns.
+ * @param size of the picture, pixels; the drawing may be larger, and is then averaged
  * @param draw draws over black (0), over white (1), or over the usual background; the last call always restores the
  * usual background, even after an error
  */
-export function cutOutOf(canvas: HTMLCanvasElement, draw: (ground?: 0 | 1) => void): Promise<Blob> {
+export function cutOutOf(
+	canvas: HTMLCanvasElement,
+	{ width, height }: Size,
+	draw: (ground?: 0 | 1) => void,
+): Promise<Blob> {
 	try {
 		draw(0);
-		// Drawing has made the canvas as large as the picture.
-		const { width, height } = canvas;
 		const copy = new OffscreenCanvas(width, height);
 		const context = copy.getContext("2d", { willReadFrequently: true });
 		if (!context) throw new Error(`The browser has no room for ${width} × ${height} pixels; try a smaller picture.`);
 		const copied = () => {
-			context.drawImage(canvas, 0, 0);
+			context.drawImage(canvas, 0, 0, width, height);
 			return context.getImageData(0, 0, width, height).data;
 		};
 		const onBlack = copied();

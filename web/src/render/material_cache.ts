@@ -66,15 +66,16 @@ export class MaterialCache {
 	 * Returns the three.js material for a material. Geometries that use it have an attribute `sky`, the visible share
 	 * of the sky, for vertices or instances.
 	 * @param coloured whether vertices have colours
+	 * @param thin whether vertices have the width of a tube
 	 */
-	materialOf(material: Material, coloured: boolean): MeshStandardMaterial {
+	materialOf(material: Material, coloured: boolean, thin = false): MeshStandardMaterial {
 		const { textures, ...plain } = material;
 		if (textures && !this.#textured.has(material)) this.#textured.set(material, this.#textured.size);
 		// If a picture is shown, its mean colour does not matter.
 		const keyed = textures?.colour ? { ...plain, colour: undefined } : plain;
 		const kinds = textures && KINDS.filter((kind) => textures[kind]);
-		const key = JSON.stringify([keyed, coloured, kinds, textures?.repeats, this.#textured.get(material)]);
-		const cached = this.#cached.get(key) ?? this.#make(material, coloured);
+		const key = JSON.stringify([keyed, coloured, thin, kinds, textures?.repeats, this.#textured.get(material)]);
+		const cached = this.#cached.get(key) ?? this.#make(material, coloured, thin);
 		cached.lastUsed = this.#plant;
 		this.#cached.set(key, cached);
 		for (const kind of kinds ?? []) showPicture(cached, kind, textures?.[kind] as Picture);
@@ -94,7 +95,7 @@ export class MaterialCache {
 	}
 
 	/** Creates the three.js material of a material, with its textures. */
-	#make(material: Material, coloured: boolean): CachedMaterial {
+	#make(material: Material, coloured: boolean, thin: boolean): CachedMaterial {
 		const { repeats, ...shows } = material.textures ?? {};
 		const maps = Object.fromEntries(
 			KINDS.flatMap((kind) => (shows[kind] ? [[kind, pictureTexture(shows[kind], kind === "colour", repeats)]] : [])),
@@ -103,6 +104,7 @@ export class MaterialCache {
 			made: standardMaterial(material, {
 				light: this.#light,
 				coloured,
+				thin,
 				sky: true,
 				maps,
 				...(this.#wind && !material.still ? { wind: this.#wind } : {}),

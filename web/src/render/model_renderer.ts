@@ -72,6 +72,8 @@ export interface ModelRenderer<S, G> {
 	setMode(mode: string): void;
 	/** Elevation of the first view above the plant's horizon, degrees; absent: a small default. */
 	readonly elevation?: number;
+	/** Samples per pixel of pictures, along each side; 1 if absent. Plants with many thin parts need more. */
+	readonly samples?: number;
 	/** Returns the light outdoors, for plants that can be shown there; absent where they cannot. */
 	outdoorRig?(theme: Theme): LightRig;
 	/** Height of the ground that the shown plant stands on, metres; undefined where it does not stand. */

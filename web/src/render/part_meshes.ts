@@ -70,7 +70,7 @@ export class PartMeshes {
 			const geometry = this.#geometryOf(mesh, instances);
 			if (shape.material.textures) geometry.setAttribute("uv", new BufferAttribute(mesh.uvs, 2));
 			const coloured = mesh.colours !== undefined;
-			const material = materials.materialOf(shape.material, coloured);
+			const material = materials.materialOf(shape.material, coloured, mesh.widths !== undefined);
 			const object = instances ? instancedMesh(geometry, material, instances.transforms) : new Mesh(geometry, material);
 			object.name = name;
 			object.userData.pickIds = mesh.pickIds;
@@ -117,11 +117,12 @@ function openSky(instances?: Instances): InstancedBufferAttribute {
 }
 
 /** Creates a geometry with three's attribute names; without computed sky, `sky` is fully visible. */
-function geometryOf({ positions, normals, colours, sky, indices }: PartMesh): BufferGeometry {
+function geometryOf({ positions, normals, colours, sky, widths, indices }: PartMesh): BufferGeometry {
 	const geometry = new BufferGeometry();
 	geometry.setAttribute("position", new BufferAttribute(positions, 3));
 	geometry.setAttribute("normal", new BufferAttribute(normals, 3));
 	if (colours) geometry.setAttribute("color", new BufferAttribute(colours, 3));
+	if (widths) geometry.setAttribute("width", new BufferAttribute(widths, 1));
 	geometry.setAttribute("sky", sky ? new BufferAttribute(sky, 1, true) : openSky());
 	geometry.setIndex(new BufferAttribute(indices, 1));
 	geometry.boundingSphere = sphereAbout(positions, 3 * Math.max(1, Math.floor(positions.length / 3 / MAX_SAMPLED)));

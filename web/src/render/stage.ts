@@ -145,6 +145,11 @@ export class Stage<S, G> implements Drawable {
 		this.#applyLight();
 	}
 
+	/** Samples per pixel of pictures, along each side. */
+	get samples(): number {
+		return this.#renderer?.samples ?? 1;
+	}
+
 	/** Height of the ground outdoors, metres; undefined on paper, and for plants that do not stand. */
 	get groundLevel(): number | undefined {
 		return this.#setting.outdoors ? this.#renderer?.groundLevel : undefined;

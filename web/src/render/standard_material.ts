@@ -10,7 +10,9 @@ import {
 	type Texture,
 	Vector2,
 	Vector3,
+	Vector4,
 	type WebGLProgramParametersWithUniforms,
+	type WebGLRenderer,
 } from "three";
 import { BEND } from "../plant/crown";
 import type { Material } from "../plant/material";
@@ -39,6 +41,8 @@ export interface StandardOptions extends PlainOptions {
 	light: LightUniforms;
 	/** Whether vertices or instances have `sky`, 0 none … 1 all; if not, the whole sky is visible. */
 	sky?: boolean;
+	/** Whether vertices have `width`: tubes thinner than a pixel are then drawn wider. */
+	thin?: boolean;
 	shares?: LampShares;
 	/** Crown that bends the normals of sheets outwards (plant/crown.ts); without it they keep their own. */
 	crown?: CrownUniforms;
@@ -89,10 +93,11 @@ export function standardMaterial(material: Material, options: StandardOptions): 
 	setSheet(made, material);
 	setPicture(made, material);
 	made.onBeforeCompile = (shader) => addLight(shader, sheet, options);
-	const { sky = false, shares, wind, crown } = options;
+	const { sky = false, thin = false, shares, wind, crown } = options;
+	if (thin) made.onBeforeRender = followPixels;
 	const bends = sheet !== undefined && crown !== undefined;
 	made.customProgramCacheKey = () =>
-		JSON.stringify([sky, shares?.chunk, sheet !== undefined, wind !== undefined, bends]);
+		JSON.stringify([sky, shares?.chunk, sheet !== undefined, wind !== undefined, bends, thin]);
 	return made;
 }
 
@@ -182,6 +187,32 @@ const BENT = `normal = normalize(mix(normal, crownOut, ${float(BEND)}));`;
 const TOWARDS_KEY =
 	"vec3 shadowWorldNormal = transformNormalByInverseViewMatrix(transformedNormal, viewMatrix);\nshadowWorldNormal *= dot(shadowWorldNormal, keyDirection) < 0.0 ? -1.0 : 1.0;";
 
+/** Height of the view in pixels; that of pictures differs from that of the canvas. */
+const viewPixels = { value: 1 };
+const viewport = new Vector4();
+
+/** Updates `viewPixels` before a drawing. */
+const followPixels = (renderer: WebGLRenderer): void => {
+	viewPixels.value = renderer.getCurrentViewport(viewport).w;
+};
+
+/**
+ * A tube narrower than a pixel covers the centres of only some pixels, and becomes a dashed line. So it is widened to
+ * `ENOUGH` pixels along its normals; but at most by the factor `WIDEST`, else the twigs of a distant tree would hide
+ * its leaves (as the plants of a stand, models/stand/render/crowd_material.ts).
+ */
+const ENOUGH = 1.1;
+const WIDEST = 3;
+const WIDENED = /* glsl */ `
+float metre = 0.5 * projectionMatrix[1].y * viewPixels / max(-mvPosition.z, 1e-4);
+float across = width * metre;
+float lacking = min(max(${float(ENOUGH)} - across, 0.0), ${float(WIDEST - 1)} * across);
+if (lacking > 0.0) {
+	mvPosition.xyz += 0.5 * lacking / metre * normalize(transformedNormal);
+	gl_Position = projectionMatrix * mvPosition;
+}
+`;
+
 /** Reflection of the surroundings, more blurred for rougher surfaces. */
 const MIRRORED = /* glsl */ `
 vec3 mirrored = reflect(-geometryViewDir, normal);
@@ -223,6 +254,12 @@ function addLight(
 			"#include <project_vertex>",
 			`#include <project_vertex>\n${sky ? "openSky = sky;" : ""}\n${shares ? PLACED : ""}`,
 		);
+	if (options.thin) {
+		shader.uniforms.viewPixels = viewPixels;
+		shader.vertexShader = shader.vertexShader
+			.replace("#include <common>", "#include <common>\nattribute float width;\nuniform float viewPixels;")
+			.replace("#include <logdepthbuf_vertex>", `${WIDENED}\n#include <logdepthbuf_vertex>`);
+	}
 	if (sheet && !shares) {
 		const own = ShaderChunk.shadowmap_vertex.replace(
 			/vec3 shadowWorldNormal = transformNormalByInverseViewMatrix[^;]*;/,

@@ -267,7 +267,15 @@ export class Viewer<S, G> {
 	/** Returns the current view as a PNG of the given size in pixels, without editing aids and marks. */
 	async snapshot(width: number, height: number): Promise<Blob> {
 		await this.#stage.whenFinished();
-		return this.#inSize({ width, height }, () => {
+		const size = { width, height };
+		if (this.#stage.samples > 1) {
+			const { finePicture, samplesFor } = await import("./fine_picture");
+			return this.#inSize(size, () => {
+				this.#draw(samplesFor(size, this.#stage.samples));
+				return finePicture(this.#canvas, size);
+			});
+		}
+		return this.#inSize(size, () => {
 			this.#draw(1);
 			// toBlob copies the pixels before it returns, so that the view can be restored at once.
 			return new Promise<Blob>((resolve, reject) => {
@@ -281,12 +289,13 @@ export class Viewer<S, G> {
 
 	/** Returns the plant as a PNG with a transparent background. */
 	async cutOut(width: number, height: number): Promise<Blob> {
-		const { cutOutOf } = await import("./cut_out");
+		const [{ cutOutOf }, { samplesFor }] = await Promise.all([import("./cut_out"), import("./fine_picture")]);
 		await this.#stage.whenFinished();
-		return this.#inSize({ width, height }, () =>
-			cutOutOf(this.#canvas, (ground) => {
+		const size = { width, height };
+		return this.#inSize(size, () =>
+			cutOutOf(this.#canvas, size, (ground) => {
 				this.#stage.setGround(ground);
-				this.#draw(1);
+				this.#draw(samplesFor(size, this.#stage.samples));
 			}),
 		);
 	}

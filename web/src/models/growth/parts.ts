@@ -23,7 +23,8 @@ export function* growthParts(plant: GrowthPlant, specimen: GrowthSpecimen): Gene
 	const evergreen = GROWTH_TABLE.option(specimen, "year") === "evergreen";
 	const dress = woodOf(specimen);
 	const season = leafSeason(parameters.season, evergreen);
-	const colours = { leaf: look.leaf, autumn: look.autumn };
+	const kind = GROWTH_TABLE.option(specimen, "leaf_kind");
+	const colours = { leaf: look.leaf, autumn: look.autumn, ...(kind === undefined ? {} : { kind }) };
 	yield* woodenParts(withOrgans(plant, ["leaf"]), {
 		...dress,
 		tints: { blade: leafTints({ ...colours, season }, plant.veins), petal: [], twig: [] },

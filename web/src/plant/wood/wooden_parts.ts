@@ -1,4 +1,5 @@
 /** Parts of trees and roots: solid meshes as they are, and attached organs as instances. */
+import { branchBases } from "../branches";
 import type { Material } from "../material";
 import { hashFraction } from "../noise";
 import { type Part, TRANSFORM } from "../part";
@@ -30,17 +31,30 @@ export function* woodenParts(plant: Wooden, { wood, bark, tints }: WoodMaterials
 	const solid = meshes.filter(({ material }, index) => !withInstances.has(index) && !Object.hasOwn(tints, material));
 	for (const mesh of solid) {
 		const colours = woodColours(plant, mesh, bark);
-		const coloured = colours ? { ...mesh, colours } : mesh;
+		const widths = widthsOf(plant, mesh);
+		const coloured = { ...mesh, ...(colours ? { colours } : {}), ...(widths ? { widths } : {}) };
 		yield* partsOf({ meshes: [coloured], organs: EMPTY_PLANT.organs }, { [mesh.material]: wood });
 	}
 	yield* attachedParts(plant, tints);
 }
 
+/** Returns the diameter of the stem at each vertex, metres; undefined if the plant does not list their segments. */
+function widthsOf({ segments, vertexSegments }: Wooden, mesh: PlantMesh): Float32Array | undefined {
+	if (!vertexSegments || vertexSegments.length !== mesh.positions.length / 3) return undefined;
+	const widths = new Float32Array(vertexSegments.length);
+	for (let i = 0; i < widths.length; i++) widths[i] = 2 * segments.radii[2 * vertexSegments[i] + 1];
+	return widths;
+}
+
 /** Yields the attached organs of a plant, without its wood. */
-export function* attachedParts({ meshes, organs }: Plant, tints: WoodMaterials["tints"]): Generator<Part> {
+export function* attachedParts({ meshes, organs, segments }: Plant, tints: WoodMaterials["tints"]): Generator<Part> {
 	const attached = attachedMeshes(organs);
+	let branches: Int32Array | undefined;
 	for (const [index, mesh] of meshes.entries()) {
-		if (attached.has(index)) yield* instancesOf(organs, index, mesh, tints[mesh.material] ?? []);
+		if (!attached.has(index)) continue;
+		const own = tints[mesh.material] ?? [];
+		if (own.length > 1) branches ??= branchBases(segments);
+		yield* instancesOf(organs, index, mesh, own, branches);
 	}
 }
 
@@ -57,8 +71,14 @@ function attachedMeshes({ count, mesh }: Plant["organs"]): Set<number> {
 }
 
 /** Yields a part for each tint of the organs that share a mesh, with an instance for each organ. */
-function* instancesOf(organs: Plant["organs"], index: number, mesh: PlantMesh, tints: Tints): Generator<Part> {
-	const members = sorted(organs, index, Math.max(1, tints.length));
+function* instancesOf(
+	organs: Plant["organs"],
+	index: number,
+	mesh: PlantMesh,
+	tints: Tints,
+	branches: Int32Array | undefined,
+): Generator<Part> {
+	const members = sorted(organs, index, Math.max(1, tints.length), branches);
 	for (const [tint, { count, numbers }] of members.entries()) {
 		if (count === 0) continue;
 		const own = numbers.subarray(0, count);
@@ -83,23 +103,44 @@ function* instancesOf(organs: Plant["organs"], index: number, mesh: PlantMesh, t
 }
 
 /**
- * Returns the organs of one mesh by tint. A hash of their position decides, so that each has the same tint while others
- * appear.
+ * Returns the organs of one mesh by tint. Half of the choice is by the branch, half by a hash of the position, so that
+ * each has the same tint while others appear; all tints are equally frequent.
  * @param mesh index of the mesh
  * @param tints number of tints
+ * @param branches for each segment its branch (plant/branches.ts)
  * @returns for each tint the indices of its organs; only the first `count` of `numbers` are used
  */
-function sorted(organs: Plant["organs"], mesh: number, tints: number): { count: number; numbers: Uint32Array }[] {
+function sorted(
+	organs: Plant["organs"],
+	mesh: number,
+	tints: number,
+	branches: Int32Array | undefined,
+): { count: number; numbers: Uint32Array }[] {
 	const groups = Array.from({ length: tints }, () => ({ count: 0, numbers: new Uint32Array(organs.count) }));
 	const { buffer, byteOffset, length } = organs.transforms;
 	const bits = new Int32Array(buffer, byteOffset, length);
 	for (let organ = 0; organ < organs.count; organ++) {
 		if (organs.mesh[organ] !== mesh) continue;
 		const at = TRANSFORM * organ;
-		const group = groups[Math.floor(tints * hashFraction(bits[at] ^ Math.imul(bits[at + 2], 31), bits[at + 4]))];
+		const own = hashFraction(bits[at] ^ Math.imul(bits[at + 2], 31), bits[at + 4]);
+		const branch = branches?.[organs.segment[organ]] ?? -1;
+		const share = branch < 0 ? own : evenMean(own, hashFraction(branch, BRANCH_TINTS));
+		const group = groups[Math.min(tints - 1, Math.floor(tints * share))];
 		group.numbers[group.count++] = organ;
 	}
 	return groups;
+}
+
+/** Stream of the random numbers of branches. */
+const BRANCH_TINTS = 71;
+
+/**
+ * Returns the mean of two random numbers, 0 … 1, mapped to be evenly distributed: by the distribution function of the
+ * sum of two even numbers.
+ */
+function evenMean(one: number, other: number): number {
+	const mean = 0.5 * (one + other);
+	return mean < 0.5 ? 2 * mean * mean : 1 - 2 * (1 - mean) * (1 - mean);
 }
 
 /** Returns the sky shares of some organs. */

@@ -26,6 +26,7 @@ export interface StandingOptions<S, G> {
 const NO_CROWN: Crown = { centre: [0, -1e6, 0], breadth: 1, height: 1 };
 
 export class StandingRenderer<S, G extends Plant> extends PartRenderer<S, G> {
+	readonly samples = 2;
 	readonly outdoorRig = outdoorRig;
 	readonly #crown: CrownUniforms;
 	readonly #scenery: Scenery;
