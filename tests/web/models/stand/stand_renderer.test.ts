@@ -4,13 +4,17 @@ import { afterEach, expect, it, vi } from "vitest";
 import { StandRenderer } from "../../../../web/src/models/stand/render/stand_renderer";
 import { atFront, gazeOf, turned } from "../../../../web/src/models/stand/walker";
 import type { RendererStage } from "../../../../web/src/render/model_renderer";
+import { PAPER } from "../../../../web/src/render/model_renderer";
 import { StageLight } from "../../../../web/src/render/stage_light";
 import { windUniforms } from "../../../../web/src/render/wind_shader";
 import { grownStand, planned } from "./stands";
 
 function staged() {
 	const light = new StageLight();
-	return { light, stage: { root: new Group(), light, wind: windUniforms() } as unknown as RendererStage };
+	return {
+		light,
+		stage: { root: new Group(), light, wind: windUniforms(), setting: PAPER } as unknown as RendererStage,
+	};
 }
 
 afterEach(() => void vi.restoreAllMocks());

@@ -24,6 +24,7 @@ export const model = {
 		return text("shelf");
 	},
 	preview: true,
+	outdoors: true,
 	plantName: "stand",
 	wasm: "stand.wasm",
 	prepare: ({ grammar }) => {

@@ -15,8 +15,12 @@ export class Scenery {
 	/** The setting that the ground and the sky are set for. */
 	#setFor: Theme | "paper" | undefined;
 
-	constructor(stage: RendererStage) {
+	readonly #hasPatch: boolean;
+
+	/** @param options.patch whether there is a patch of ground on the paper: not for plants that bring their own */
+	constructor(stage: RendererStage, { patch = true }: { patch?: boolean } = {}) {
 		this.#stage = stage;
+		this.#hasPatch = patch;
 		this.#ground = new Ground(stage.light.uniforms);
 		stage.root.add(this.#ground.mesh);
 	}
@@ -35,7 +39,7 @@ export class Scenery {
 	aim(camera: PerspectiveCamera): void {
 		const { outdoors, bare, theme } = this.#stage.setting;
 		this.#set(outdoors ? theme : "paper");
-		this.#ground.aim(camera, !bare);
+		this.#ground.aim(camera, !bare && (outdoors || this.#hasPatch));
 		if (!this.#sky) return;
 		this.#sky.mesh.visible = outdoors && !bare;
 		if (this.#sky.mesh.visible) this.#sky.aim(camera);

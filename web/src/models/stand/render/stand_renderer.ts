@@ -1,9 +1,12 @@
 /** Renders a stand: its ground, and its plants as they arrive. */
 import { type PerspectiveCamera, Vector3 } from "three";
+import type { Footing } from "../../../plant/footing";
 import type { Sway } from "../../../plant/sway";
 import type { Bodies } from "../../../render/camera_fit";
 import { MaterialCache } from "../../../render/material_cache";
 import type { ModelRenderer, RendererStage, ViewRay } from "../../../render/model_renderer";
+import { outdoorRig } from "../../../render/outdoor/outdoor_light";
+import { Scenery } from "../../../render/outdoor/scenery";
 import { ballOf } from "../../../render/part_bounds";
 import { PartMeshes } from "../../../render/part_meshes";
 import { StandardLights } from "../../../render/standard_lights";
@@ -19,12 +22,15 @@ import { isWalking, type StandBall, shadedBall } from "./shaded";
 export class StandRenderer implements ModelRenderer<StandSpecimen, StandPlant> {
 	readonly modes = ["whole"];
 	readonly elevation = 24;
+	readonly outdoorRig = outdoorRig;
 	readonly #stage: RendererStage;
 	readonly #lights = new StandardLights();
 	readonly #materials: MaterialCache;
 	readonly #crowd: Crowd;
 	readonly #ring = new MarkRing();
 	readonly #ground: GroundRenderer;
+	/** The meadow and the sky about the stand, outdoors. */
+	readonly #scenery: Scenery;
 	#trellis: PartMeshes;
 	#stand: StandPlant | undefined;
 	#wholeBall: StandBall = { centre: new Vector3(), radius: 0 };
@@ -40,6 +46,7 @@ export class StandRenderer implements ModelRenderer<StandSpecimen, StandPlant> {
 		this.#crowd = new Crowd(stage.light.uniforms, stage.wind);
 		this.#trellis = new PartMeshes([], this.#materials);
 		this.#ground = new GroundRenderer(stage.light.uniforms);
+		this.#scenery = new Scenery(stage, { patch: false });
 		stage.root.add(this.#lights.group, this.#crowd.group, this.#ground.object, this.#ring.object);
 	}
 
@@ -56,6 +63,7 @@ export class StandRenderer implements ModelRenderer<StandSpecimen, StandPlant> {
 		this.#trellis = new PartMeshes(trellis, this.#materials);
 		for (const object of this.#trellis.objects) this.#stage.root.add(object);
 		this.#crowd.show(grown);
+		this.#scenery.show(meadowOf(grown));
 		this.#bounds = bodiesOf(grown);
 		this.#wholeBall = ballOf(this.#bounds);
 		this.#shaded = undefined;
@@ -93,6 +101,7 @@ export class StandRenderer implements ModelRenderer<StandSpecimen, StandPlant> {
 		this.#lights.aim(this.#stage.light, camera);
 		this.#crowd.aim(camera);
 		this.#ring.aim(camera);
+		this.#scenery.aim(camera);
 	}
 
 	/** Returns the plant that a ray from the camera hits first; undefined where it hits none. */
@@ -114,6 +123,7 @@ export class StandRenderer implements ModelRenderer<StandSpecimen, StandPlant> {
 		this.#clear();
 		this.#crowd.dispose();
 		this.#ground.dispose();
+		this.#scenery.dispose();
 		this.#ring.dispose();
 		this.#materials.dispose();
 		this.#lights.dispose();
@@ -122,7 +132,8 @@ export class StandRenderer implements ModelRenderer<StandSpecimen, StandPlant> {
 	/** Fixes the light's direction in the stand while the user walks; in other views the stand turns in the light. */
 	#holdLight(eye: Vector3): void {
 		const { keyDirection, rimDirection } = this.#stage.light.uniforms;
-		if (!this.#stand || !isWalking(this.#stand, eye)) this.#heldLight = undefined;
+		// Outdoors the sun stands still anyway.
+		if (this.#stage.setting.outdoors || !this.#stand || !isWalking(this.#stand, eye)) this.#heldLight = undefined;
 		else if (this.#heldLight) {
 			keyDirection.value.copy(this.#heldLight[0]);
 			rimDirection.value.copy(this.#heldLight[1]);
@@ -148,6 +159,12 @@ export class StandRenderer implements ModelRenderer<StandSpecimen, StandPlant> {
 		for (const object of this.#trellis.objects) object.removeFromParent();
 		this.#trellis.dispose();
 	}
+}
+
+/** Returns the footing of the meadow about a stand: level with the lowest of its ground, without stems and shade. */
+function meadowOf({ ground }: StandPlant): Footing {
+	const reach = 0.5 * Math.hypot(ground.width, ground.depth);
+	return { centre: [0, -0.5 * ground.relief, 0], stems: [], reach, height: 1, cover: 0 };
 }
 
 /**
