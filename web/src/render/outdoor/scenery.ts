@@ -3,13 +3,13 @@ import type { PerspectiveCamera } from "three";
 import type { Footing } from "../../plant/footing";
 import type { Theme } from "../light";
 import type { RendererStage } from "../model_renderer";
-import { Ground } from "./ground";
+import { Meadow } from "./meadow";
 import { outdoorRig, skyLook } from "./outdoor_light";
 import { Sky } from "./sky";
 
 export class Scenery {
 	readonly #stage: RendererStage;
-	readonly #ground: Ground;
+	readonly #ground: Meadow;
 	/** Made when first needed. */
 	#sky: Sky | undefined;
 	/** The setting that the ground and the sky are set for. */
@@ -21,7 +21,7 @@ export class Scenery {
 	constructor(stage: RendererStage, { patch = true }: { patch?: boolean } = {}) {
 		this.#stage = stage;
 		this.#hasPatch = patch;
-		this.#ground = new Ground(stage.light.uniforms);
+		this.#ground = new Meadow(stage.light.uniforms);
 		stage.root.add(this.#ground.mesh);
 	}
 

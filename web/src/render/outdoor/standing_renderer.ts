@@ -11,7 +11,7 @@ import { type CrownUniforms, crownUniforms } from "../standard_material";
 import { outdoorRig } from "./outdoor_light";
 import { Scenery } from "./scenery";
 
-/** What a standing plant consists of. */
+/** Functions that give the parts and the placement of a standing plant. */
 export interface StandingOptions<S, G> {
 	parts: (grown: G, specimen: S) => Iterable<Part>;
 	/** Returns how a plant stands; undefined for one that does not. */

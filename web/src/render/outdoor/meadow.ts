@@ -135,8 +135,8 @@ if (outdoors > 0.0) {
 }
 `;
 
-/** Ground of one plant at a time. */
-export class Ground {
+/** Ground of one plant at a time: a patch of grass or a meadow. */
+export class Meadow {
 	readonly mesh: Mesh<BufferGeometry, MeshStandardMaterial>;
 	readonly #uniforms = {
 		/** x, z and radius of the stems; radius 0 for none. */
@@ -251,7 +251,7 @@ function discGeometry(): BufferGeometry {
 	return geometry;
 }
 
-/** Returns the material of the ground, with the shading of `Ground`. */
+/** Returns the material of the ground, with the shading of `Meadow`. */
 function groundMaterial(light: LightUniforms, uniforms: Record<string, { value: unknown }>): MeshStandardMaterial {
 	const made = standardMaterial({ name: "Ground", colour: PATCH, roughness: 1, specular: 0 }, { light });
 	const lit = made.onBeforeCompile.bind(made);
