@@ -164,7 +164,7 @@ test("titles in the strip keep apart", async ({ page }) => {
 test("while a plant of another model loads, the last one is dimmed without its caption, and progress names the next", async ({
 	page,
 }) => {
-	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical");
+	await new StudioPage(page).open("?v=2&preset=cylindrical");
 	await page.route("**/*.wasm", async (route) => {
 		await new Promise((resolve) => setTimeout(resolve, 1500));
 		await route.continue();
@@ -178,8 +178,9 @@ test("while a plant of another model loads, the last one is dimmed without its c
 		.filter({ visible: true })
 		.selectOption("roots");
 	await expect(page.getByRole("status").filter({ hasText: "Growing: Tap root" })).toBeVisible();
-	await expect(studio.canvas).toHaveCSS("opacity", "0.25");
+	const view = page.locator(".stage-surface");
+	await expect(view).toHaveCSS("opacity", "0.25");
 	await expect(caption).toBeHidden();
 	await expect(caption).toHaveText("Tap root");
-	await expect(studio.canvas).toHaveCSS("opacity", "1");
+	await expect(view).toHaveCSS("opacity", "1");
 });

@@ -4,6 +4,7 @@ import { LARGEST_CONSTANT } from "../specimen/constants";
 import { ControlElement } from "../ui/control_element";
 import { HeldKey } from "../ui/held_key";
 import { sliderRow } from "../ui/slider_row";
+import { spoken } from "../ui/spoken";
 import { refusal, typedName } from "../ui/typed";
 import { type Constant, type Curve, decimals, type GrammarOutline, type NumberAt } from "./outline";
 import { readOutline } from "./read_outline";
@@ -128,6 +129,7 @@ export class ConstantsPanel extends ControlElement<GrammarContext> {
 			name: label,
 			typedName: typedName(label, unit),
 			unit,
+			...(unit === "" ? {} : { spoken: `${number.text} ${spoken(unit)}` }),
 			min,
 			max,
 			step,

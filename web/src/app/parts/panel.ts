@@ -52,7 +52,7 @@ export class Panel extends StudioPart {
 
 	/** Scrolls the panel until a group is in sight; never scrolls an element that also holds the plant. */
 	#scrollTo(group: Element | null): void {
-		let scroller = this.parentElement;
+		let scroller = group?.parentElement ?? null;
 		while (scroller && !(scroller.scrollHeight > scroller.clientHeight && isScrollable(scroller)))
 			scroller = scroller.parentElement;
 		if (!group || !scroller || scroller.querySelector("panicle-stage")) return;
