@@ -21,6 +21,8 @@ class CrownLight {
   void update();
   // The unit vector towards most light: the mean of the open sky, bent towards where the crown is lighter.
   glm::vec3 from(const glm::vec3& place) const;
+  // The share 0 … 1 of all light that reaches a place; 1 before the first update.
+  float share(const glm::vec3& place) const { return light_ ? light_->at(place) : 1; }
 
  private:
   DensityGrid matter_;

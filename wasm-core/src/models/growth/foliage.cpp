@@ -492,6 +492,7 @@ Diagnostic add_leaves(Plant& plant, const Population& population, const Form& fo
   }
   for (std::uint32_t q = 0; habit.bunches > 0 && q < form.paths.size(); ++q)
     if (population.shoots[q].order == 1) crown.add_bunches_of(q);
+  if (limits.budget != nullptr) limits.budget->spend(plant.organs.size());
   return {};
 }
 

@@ -29,9 +29,10 @@ constexpr float floor_share = 0.012f;  // as a share of a volume's height: tips 
 constexpr float first_along = 0.2f, bole_along = 0.8f;
 // Where a whorl is in its stretch of an internode: the leader goes on above the last one.
 constexpr float whorl_along = 0.7f;
-constexpr float in_whorl = 0.02f;     // height of a whorl, as a share of its internode
-constexpr float trunk_crook = 0.35f;  // of child trunks against branches
-constexpr float leaning = 18;         // slope of child trunks, degrees
+constexpr std::uint16_t least_age = 2;  // steps before a branch may be shed
+constexpr float in_whorl = 0.02f;       // height of a whorl, as a share of its internode
+constexpr float trunk_crook = 0.35f;    // of child trunks against branches
+constexpr float leaning = 18;           // slope of child trunks, degrees
 // Area that a node and a counted leaf shade, in squares of a branch's first internode.
 constexpr float node_shade = 0.06f, leaf_shade = 0.02f;
 constexpr float beyond = 0.5f;   // growth of a shoot that would end outside its volume, as a share
@@ -162,12 +163,45 @@ class FormBuilder {
   void grow(std::uint16_t step) {
     room_.set_nodes(placed_nodes_, std::max(cell_, 0.05f));
     shade(step);
+    if (habit_.shade_limit > 0) shed_shaded(step);
     for (; next_ < population_.deformations.size() && population_.deformations[next_].step <= step; ++next_)
       deformed_[population_.deformations[next_].shoot] = population_.deformations[next_];
     for (std::uint32_t q = 0; q < population_.shoots.size(); ++q) {
       const ShootPath& path = form_.paths[q];
-      if (step < path.from || path.count == 0) continue;
+      if (step < path.from || path.count == 0 || is_shed(q)) continue;
       extend(q, step - path.from);
+    }
+  }
+
+  // Whether a shoot has been shed.
+  bool is_shed(std::uint32_t q) const { return !form_.shed.empty() && form_.shed[q] != Form::never; }
+
+  // Sheds branches none of whose tips gets enough light, with all that grows on them, as trees do (Palubicki et al.
+  // 2009, section 3.3): the light of a branch is that of its best tip. Trunks are never shed.
+  void shed_shaded(std::uint16_t step) {
+    form_.shed.resize(form_.paths.size(), Form::never);
+    best_light_.assign(form_.paths.size(), 0);
+    for (std::size_t q = form_.paths.size(); q-- > 0;) {
+      const ShootPath& path = form_.paths[q];
+      if (path.count == 0 || path.from >= step || is_shed(static_cast<std::uint32_t>(q))) continue;
+      const std::uint32_t grown = std::min<std::uint32_t>(step - path.from, path.count);
+      best_light_[q] = std::max(best_light_[q], light_.share(form_.nodes[path.first + grown]));
+      const std::int32_t parent = population_.shoots[q].parent;
+      if (parent >= 0) {
+        float& of_parent = best_light_[static_cast<std::size_t>(parent)];
+        of_parent = std::max(of_parent, best_light_[q]);
+      }
+    }
+    for (std::uint32_t q = 0; q < form_.paths.size(); ++q) {
+      const Shoot& shoot = population_.shoots[q];
+      ShootPath& path = form_.paths[q];
+      if (shoot.trunk || is_shed(q) || path.count == 0) continue;
+      const bool fell = shoot.parent >= 0 && is_shed(static_cast<std::uint32_t>(shoot.parent));
+      const bool shaded = path.from + least_age <= step && best_light_[q] < habit_.shade_limit;
+      if (!fell && !shaded) continue;
+      form_.shed[q] = step;
+      // It grows no more.
+      path.count = path.from < step ? std::min<std::uint32_t>(path.count, step - path.from) : 0;
     }
   }
 
@@ -358,6 +392,7 @@ class FormBuilder {
   std::size_t shaded_ = 0, leaf_ = 0;  // numbers of those nodes, and of leaves, that the light includes
   FreeRoom room_;                      // with the nodes of earlier steps
   float cell_ = 0;
+  std::vector<float> best_light_;      // of each shoot and its branches, the share of light of the best tip
   std::vector<Deformation> deformed_;  // current deformation of each shoot
   std::size_t next_ = 0;               // index of the next deformation
 };

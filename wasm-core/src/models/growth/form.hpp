@@ -23,6 +23,7 @@ struct FormHabit {
   float reach = 0;               // weight of lengths that reach the volume's edge, for branches of the trunk, 0 … 1
   float whorl = 0;               // how near to an internode's end its branches are attached, 0 … 1
   std::uint32_t whorl_size = 0;  // branches of each whorl along an internode of the trunk; 0: none
+  float shade_limit = 0;         // branches that get less than this share of all light are shed; 0: none
   float flat = 0;                // how level branches of branches leave, 0 … 1
   float cordon = 0;              // height where a trunk is bent level along a wire, metres; 0: not trained
   std::uint64_t seed = 1;
@@ -40,8 +41,11 @@ struct ShootPath {
 
 // The form after all steps. An earlier age is a part of it, since internodes never move.
 struct Form {
+  static constexpr std::uint16_t never = 0xffff;
+
   std::vector<ShootPath> paths;  // one a shoot
   std::vector<glm::vec3> nodes;
+  std::vector<std::uint16_t> shed;  // the step at which each shoot is shed, with its branches; empty: none is
 };
 
 Form form_of(const Population& population, const FormHabit& habit, const Surroundings& about = {});

@@ -60,6 +60,7 @@ FormHabit form_habit(const GrowthValues& values, std::uint64_t seed) {
   habit.flat = values[flat];
   habit.cordon = values[cordon];
   habit.whorl_size = values.whole(whorl_size);
+  habit.shade_limit = values[shade_limit];
   habit.seed = seed;
   return habit;
 }

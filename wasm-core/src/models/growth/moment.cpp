@@ -31,6 +31,7 @@ struct MomentBuilder {
   // Whether a shoot has begun to grow.
   bool exists(std::uint32_t shoot) const {
     const ShootPath& path = form.paths[shoot];
+    if (!form.shed.empty() && time >= static_cast<float>(form.shed[shoot])) return false;
     return path.count > 0 && grown_share(path.from, time) > 0;
   }
 
@@ -265,6 +266,7 @@ Result<Moment> moment_of(const Population& population, const Form& form, float t
       return Diagnostic{Reason::limit, message(messages::growth::too_many_shoots, limits.segments)};
   }
   builder.thicken();
+  if (limits.budget != nullptr) limits.budget->spend(builder.moment.segments.size());
   return std::move(builder.moment);
 }
 

@@ -31,7 +31,7 @@ constexpr float least_leaf = 0.72f;
 constexpr float flattened = 0.5f;                    // of leaves towards the twig's plane
 constexpr float thin_end = 0.35f, thin_side = 0.6f;  // thickness at a tip, and of side twigs
 constexpr float spur_length = 0.16f, spur_angle = 62;
-constexpr float needle_width = 0.06f, single_needle_width = 0.1f, needle_base = 58, needle_tip = 22, pair_spread = 13;
+constexpr float needle_width = 0.06f, single_needle_width = 0.13f, needle_base = 58, needle_tip = 22, pair_spread = 13;
 constexpr float bud_width = 0.36f;
 constexpr std::uint32_t spur_leaves = 6;
 
@@ -198,7 +198,7 @@ class ShapeBuilder {
     const glm::vec3 way = unit(angle.cosine * forward + angle.sine * side, forward);
     const float length = unfolded_ * habit_.leaf * (least_leaf + (1 - least_leaf) * random(stream_size, address));
     const glm::vec3 across = unit(glm::cross(way, forward), {1, 0, 0});
-    // A single needle stands for two or three, which are as dense as the teeth of a brush.
+    // A single needle stands for three or four, which are as dense as the teeth of a brush.
     const float half = 0.5f * (pair ? needle_width : single_needle_width) * habit_.needle_breadth * habit_.leaf;
     Mesh& mesh = shape_.leaves;
     const auto spike = [&](const glm::vec3& direction) {
