@@ -57,10 +57,11 @@ describe("the JSON", () => {
 });
 
 describe("many models", () => {
-	it("are listed with their titles and presets", async () => {
+	it("are listed with their titles, presets and parameters", async () => {
 		const { status, printed, messages } = await grow(["--list"]);
 		expect([status, messages]).toEqual([0, []]);
-		const all: { model: string; title: string; preview?: boolean; presets: string[] }[] = JSON.parse(printed[0]);
+		const all: { model: string; title: string; preview?: boolean; presets: string[]; parameters: object[] }[] =
+			JSON.parse(printed[0]);
 		expect(all.filter(({ preview }) => preview).map(({ model }) => model)).toEqual([
 			"flower",
 			"growth",
@@ -72,6 +73,7 @@ describe("many models", () => {
 		const [bunch] = all;
 		expect(bunch).toMatchObject({ model: "bunch", title: "Grape bunch" });
 		expect(bunch.presets).toEqual(PRESETS.map(({ name }) => name));
+		expect(bunch.parameters).toContainEqual(expect.objectContaining({ key: "age", kind: "number", min: 0 }));
 	});
 
 	it("have presets named after them; the default's keep their bare names", async () => {

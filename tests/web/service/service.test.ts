@@ -44,6 +44,18 @@ describe("the address of a specimen’s file", () => {
 		expect(await of("specimens/root.json?n=200")).toMatchObject({ model: "root", preset: presets.standard });
 	});
 
+	it("without a file lists all models with their presets and parameters", async () => {
+		const answer = await request("specimens/");
+		expect(answer.headers.get("content-type")).toBe("application/json");
+		const all = await answer.json();
+		expect(all.map(({ model }: { model: string }) => model)).toEqual(modelNames());
+		const { table, presets } = await modelNamed("growth");
+		const trees = all.find(({ model }: { model: string }) => model === "growth");
+		expect(trees.presets).toEqual(presets.list.map(({ name }) => name));
+		expect(trees.parameters.map(({ key }: { key: string }) => key)).toEqual(table.entries.map(({ key }) => key));
+		expect(await (await request("specimens/", { method: "HEAD" })).text()).toBe("");
+	});
+
 	it("is a link under any name, in the query or as a folder", async () => {
 		const [one, other] = await Promise.all(
 			[

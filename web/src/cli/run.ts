@@ -9,8 +9,8 @@ import { FORMS, plantFile } from "../formats/plant_files";
 import { agedOf, hasAges } from "../generate/files/aged";
 import { levelledOf } from "../generate/files/levelled";
 import { growPlant } from "../generate/growth";
-import { models, presets } from "../library/catalogue";
 import { messageOf } from "../locale/message_error";
+import { catalogue } from "../models/catalogue";
 import { modelNames } from "../models/index";
 import type { GrowthOptions, Model } from "../models/model";
 import type { Plant } from "../plant/plant";
@@ -41,7 +41,7 @@ export async function run(words: readonly string[], surroundings: CommandEnviron
 	try {
 		const call = readArguments(words);
 		if (call.help) world.print(usage(await requestedModel(call.source), modelNames()));
-		else if (call.list) world.print(await modelList());
+		else if (call.list) world.print(`${JSON.stringify(await catalogue())}\n`);
 		else {
 			const limit = new TimeLimit(call.seconds, world.elapsed);
 			if (call.batch) return await growSeries(call, call.batch, limit, world);
@@ -55,17 +55,6 @@ export async function run(words: readonly string[], surroundings: CommandEnviron
 		if (error instanceof TimeOverError) return TIME_OVER;
 		return error instanceof UsageError || error instanceof FileTooLargeError ? 2 : 1;
 	}
-}
-
-/** Lists every model with its title and the names of its presets, as JSON. */
-async function modelList(): Promise<string> {
-	const rows = (await models()).map(async ({ name, title, preview }) => ({
-		model: name,
-		title,
-		...(preview ? { preview } : {}),
-		presets: (await presets(name)).map((preset) => preset.name),
-	}));
-	return `${JSON.stringify(await Promise.all(rows))}\n`;
 }
 
 /**

@@ -1,9 +1,12 @@
 /** The catalogue: models, and their presets, parameters, measures and files. */
 import { PLANT_FILES } from "../formats/plant_files";
+import { type ParameterInfo, parametersOf } from "../models/catalogue";
 import { isModel, modelNamed, modelNames } from "../models/index";
 import type { Model } from "../models/model";
 import { text } from "./messages.generated";
 import { modelUnknown } from "./read_request";
+
+export type { ParameterInfo } from "../models/catalogue";
 
 /** A model. */
 export interface ModelInfo {
@@ -25,28 +28,6 @@ export interface PresetInfo {
 	readonly kind: string;
 	/** One line of description. */
 	readonly about: string;
-}
-
-/** A parameter of a model. */
-export interface ParameterInfo {
-	/** The key for `grow`. */
-	readonly key: string;
-	/** The label in panels. */
-	readonly label: string;
-	/** A choice's value is the name of one of its `options`, a colour's six hexadecimal digits. */
-	readonly kind: "number" | "integer" | "choice" | "colour";
-	/** Of numbers: `mm`, `%`, `°` …; `px` are the paper's pixels; empty where there is none. */
-	readonly unit: string;
-	/** The value where neither preset nor caller sets one. */
-	readonly default: number | string;
-	/** Of numbers. */
-	readonly min?: number;
-	/** Of numbers. */
-	readonly max?: number;
-	/** Of choices. */
-	readonly options?: readonly string[];
-	/** One plain sentence. */
-	readonly help: string;
 }
 
 /** A measure of a grown plant. */
@@ -103,14 +84,7 @@ export async function presets(model?: string): Promise<PresetInfo[]> {
  * @throws SpecimenError where there is no such model
  */
 export async function parameters(model?: string): Promise<ParameterInfo[]> {
-	const { table } = await knownModel(model);
-	return table.entries.map((entry) => {
-		const { key, label, kind, unit, help } = entry;
-		const common = { key, label, kind, unit, help };
-		if (entry.kind === "colour") return { ...common, default: entry.default };
-		if (entry.kind === "choice") return { ...common, default: entry.options[entry.default], options: entry.options };
-		return { ...common, default: entry.default, min: entry.min, max: entry.max };
-	});
+	return parametersOf(await knownModel(model));
 }
 
 /**

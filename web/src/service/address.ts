@@ -90,6 +90,9 @@ export async function readAddress({ pathname, search, href }: URL): Promise<Addr
 	};
 }
 
+/** Whether an address is the folder of all specimens, which answers with the catalogue of models. */
+export const isCatalogue = ({ pathname }: URL): boolean => pathname.endsWith(FOLDER);
+
 type Read = Pick<AddressedFile, "model" | "specimen" | "notes">;
 
 /** Reads an address that has the query of a link: the specimen of the link. */

@@ -18,9 +18,10 @@ import { makeFile } from "../generate/files/make";
 import { growPlant, untimed } from "../generate/growth";
 import { messageOf } from "../locale/message_error";
 import type { Message } from "../locale/texts";
+import { catalogue } from "../models/catalogue";
 import type { Plant } from "../plant/plant";
 import { encodeLink } from "../specimen/link";
-import { type AddressedFile, readAddress } from "./address";
+import { type AddressedFile, isCatalogue, readAddress } from "./address";
 import { text } from "./messages.generated";
 import { ERROR_HEADERS, errorBody, Refused } from "./refused";
 import { TagCache } from "./tag_cache";
@@ -86,7 +87,9 @@ export function makeService({ loadCore, release }: ServiceEnvironment): Service 
 			return new Response(null, { status: 204, headers: { ...FOR_ALL, allow: METHODS.join(", ") } });
 		if (!METHODS.includes(method))
 			throw new Refused(405, text.message("method_not_allowed", { method }), { allow: METHODS.join(", ") });
-		const target = await readAddress(new URL(request.url));
+		const url = new URL(request.url);
+		if (isCatalogue(url)) return listed(request);
+		const target = await readAddress(url);
 		const format = await formatOf(target);
 		const link = await encodeLink(target.model, target.specimen);
 		const address = JSON.stringify([link, format, target.options, target.measures, target.map, release]);
@@ -128,6 +131,12 @@ export function makeService({ loadCore, release }: ServiceEnvironment): Service 
 			return refusal(error);
 		}
 	};
+}
+
+/** Answers with all models, their presets and parameters as JSON. */
+async function listed({ method }: Request): Promise<Response> {
+	const headers = { ...FOR_ALL, "cache-control": CACHING, "content-type": "application/json" };
+	return new Response(method === "HEAD" ? null : JSON.stringify(await catalogue()), { headers });
 }
 
 /** Returns the key of the kind of file for a suffix: `low.glb` is `glb-low`. */
