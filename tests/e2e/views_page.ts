@@ -11,22 +11,23 @@ declare global {
 	}
 }
 
-/** Where this worker has built the page, once for all its tests. */
-let folder: string | undefined;
+/** Where this worker has built each page, once for all its tests. */
+const folders = new Map<string, string>();
 
-/** Builds the page that is nothing but views (tests/views) and serves it. */
-export async function serveViews(): Promise<{ address: string; close(): Promise<void> }> {
-	folder ??= builtHere();
+/** Builds the page of a folder of tests/, by default the one that is nothing but views, and serves it. */
+export async function serveViews(name = "views"): Promise<{ address: string; close(): Promise<void> }> {
+	const folder = folders.get(name) ?? builtHere(name);
+	folders.set(name, folder);
 	return serveUnder("/", folder);
 }
 
-function builtHere(): string {
+function builtHere(name: string): string {
 	// Tests of another worker may use its own build.
-	const folder = `build/views/${process.env.TEST_PARALLEL_INDEX}`;
+	const folder = `build/${name}/${process.env.TEST_PARALLEL_INDEX}`;
 	const built = [
 		"build",
 		"--config",
-		"tests/views/vite.config.ts",
+		`tests/${name}/vite.config.ts`,
 		"--outDir",
 		join(process.cwd(), folder),
 		"--emptyOutDir",

@@ -45,7 +45,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/stand/render/level_choice.ts",
+		file: "web/src/render/level_choice.ts",
 		suites: [`${WEB}/parts.test.ts`],
 		faults: [
 			{

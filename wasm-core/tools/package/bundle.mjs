@@ -84,10 +84,11 @@ export async function bundlePackage(folder) {
 			browser: source("library/browser.ts"),
 			node: source("library/node.ts"),
 			three: source("library/three.ts"),
+			forest: source("library/forest/forest.ts"),
 		},
 		left: [MODEL_UI, MODEL_RENDERER],
 		// The user of the package installs three; only the entry point for Node imports Node's modules.
-		external: ["three", /^node:/],
+		external: ["three", /^three\//, /^node:/],
 		output: { chunkFileNames: "library/[name].js" },
 		// Bundlers of the package's users minify it; unminified, its errors have readable lines.
 		minify: false,

@@ -42,6 +42,7 @@ export function manifest() {
 				default: "./browser.js",
 			},
 			"./three": door("three"),
+			"./forest": door("forest"),
 			"./element": door("element"),
 			"./cores/*": "./cores/*",
 			"./package.json": "./package.json",

@@ -5,6 +5,7 @@ import { readFileSync } from "node:fs";
 const DOORS = {
 	panicle: 'import { grow, toGLB } from "panicle";',
 	three: 'import { toObject3D } from "panicle/three";',
+	forest: 'import { Forest, GameTree } from "panicle/forest";',
 	element: 'import "panicle/element";',
 };
 

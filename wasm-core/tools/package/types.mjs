@@ -9,7 +9,12 @@ import { buildFolder, repository } from "../repository.mjs";
 import { ToolchainError } from "../toolchain.mjs";
 
 /** Entry points by the names of their files, with the sources whose exports they have. */
-const DOORS = { panicle: "library/index", three: "library/three", element: "element/panicle" };
+const DOORS = {
+	panicle: "library/index",
+	three: "library/three",
+	forest: "library/forest/forest",
+	element: "element/panicle",
+};
 
 const declarations = join(buildFolder, "package/declarations");
 

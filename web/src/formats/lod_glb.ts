@@ -11,7 +11,7 @@ export type Levels = () => Promise<readonly (readonly Part[])[]>;
 
 /**
  * The least share of the view's area for each level; the last level is shown until it is invisible. Squares of the
- * shares of the view's height at which stands change levels (models/stand/render/level_choice.ts), rounded.
+ * shares of the view's height at which stands change levels (render/level_choice.ts), rounded.
  */
 const COVERAGE = [0.5, 0.07, 0.007, 0];
 

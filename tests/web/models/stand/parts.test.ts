@@ -6,13 +6,13 @@ import { betweenRows } from "../../../../web/src/models/stand/alley";
 import { heightAt } from "../../../../web/src/models/stand/ground_grid";
 import { model } from "../../../../web/src/models/stand/index";
 import { titlesOf } from "../../../../web/src/models/stand/members";
-import { STEPS, stepAt } from "../../../../web/src/models/stand/render/level_choice";
 import { firstPlantHit } from "../../../../web/src/models/stand/render/plant_hit";
 import { isWalking, shadedBall } from "../../../../web/src/models/stand/render/shaded";
 import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
 import { atFront, gazeOf, stepped, turned } from "../../../../web/src/models/stand/walker";
 import { standInWords } from "../../../../web/src/models/stand/words";
 import { packed, reachOf, unpacked } from "../../../../web/src/plant/packed_mesh";
+import { STEPS, stepAt } from "../../../../web/src/render/level_choice";
 import { documentOf } from "../../formats/reading";
 import { grownStand, PLAN, planned } from "./stands";
 

@@ -10,8 +10,8 @@ import {
 } from "three";
 import type { Colour } from "../../../plant/colour";
 import type { PackedMesh } from "../../../plant/packed_mesh";
+import { STEPS } from "../../../render/level_choice";
 import { EDGE_NORMAL_SIZE, edgeNormalsOf } from "./edge_normals";
-import { STEPS } from "./level_choice";
 
 /** A plant's meshes of one material, by level of detail. */
 export interface Slot {

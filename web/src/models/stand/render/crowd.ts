@@ -5,6 +5,7 @@
 import { Box3, Frustum, Group, Matrix4, type MeshStandardMaterial, type PerspectiveCamera, Vector3 } from "three";
 import type { Material } from "../../../plant/material";
 import type { PackedMesh } from "../../../plant/packed_mesh";
+import { STEPS } from "../../../render/level_choice";
 import type { LightUniforms } from "../../../render/light_shader";
 import { matrixOf } from "../../../render/part_meshes";
 import type { WindUniforms } from "../../../render/wind_shader";
@@ -14,7 +15,6 @@ import type { StandPlant } from "../stand_plant";
 import { Batch } from "./batch";
 import { crowdDepth, crowdMaterial, finishOf } from "./crowd_material";
 import { Cells, type DrawnPlant, type FineMesh } from "./drawn_plant";
-import { STEPS } from "./level_choice";
 
 /**
  * With more members than this, only a few plants have their finest level: that of all would take as much memory as all

@@ -2,8 +2,8 @@
 import { Box3, type Frustum, type Matrix4, type MeshStandardMaterial, type Vector3 } from "three";
 import type { Colour } from "../../../plant/colour";
 import type { PackedMesh } from "../../../plant/packed_mesh";
+import { STEPS, stepAt } from "../../../render/level_choice";
 import type { Slot } from "./batch";
-import { STEPS, stepAt } from "./level_choice";
 
 export interface DrawnPlant {
 	readonly plant: number;
