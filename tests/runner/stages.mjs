@@ -127,5 +127,6 @@ export const stages = [
 	{ name: "browsers", run: otherBrowsers },
 	{ name: "sanitizers", isLong: true, run: () => nativeTests("asan", ["core_tests"]) },
 	{ name: "readers", isLong: true, run: async () => (await import("../readers/run.mjs")).readFiles() },
+	{ name: "integrations", isLong: true, run: async () => (await import("../integrations/run.mjs")).testIntegrations() },
 	{ name: "soak", isLong: true, run: longUse },
 ];

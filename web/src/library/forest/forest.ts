@@ -198,11 +198,10 @@ export class Forest extends Group {
 		const zoom = camera.zoom / (2 * Math.tan((0.5 * Math.PI * camera.fov) / 180));
 		for (const level of this.#levels.flat()) level.clear();
 		for (const [index, { tree, scale = 1 }] of this.#places.entries()) {
-			const [x, y, z, radius] = this.#spheres.subarray(4 * index, 4 * index + 4);
-			sphere.center.set(x, y, z);
-			sphere.radius = radius;
+			sphere.center.fromArray(this.#spheres, 4 * index);
+			sphere.radius = this.#spheres[4 * index + 3];
 			if (!frustum.intersectsSphere(sphere)) continue;
-			const distance = Math.max(1e-3, eye.distanceTo(sphere.center) - 0.5 * radius);
+			const distance = Math.max(1e-3, eye.distanceTo(sphere.center) - 0.5 * sphere.radius);
 			this.#draw(index, tree, (zoom * scale * this.#kinds[tree].height) / distance);
 		}
 		for (const level of this.#levels.flat()) level.show();
