@@ -68,10 +68,13 @@ describe("a search of all models' presets", () => {
 	});
 
 	it("tells presets with equal titles apart by the line below the title", () => {
-		const lines = all.flatMap((section) => section.presets.map(({ title }) => `${title}: ${placeInWords(section)}`));
+		const lines = all.flatMap((section) =>
+			section.presets.map((preset) => `${preset.title}: ${placeInWords({ ...section, preset })}`),
+		);
 		expect(lines.filter((line, i) => lines.indexOf(line) !== i)).toEqual([]);
 		expect(lines).toContain("Oak: Trees · Species · Growth grammars");
 		expect(lines).toContain("Oak: Trees · Particle systems");
+		expect(lines).toContain("Long conical: Grapes · Shapes · Fig. 11");
 	});
 
 	it.each([

@@ -13,7 +13,7 @@ export const pictureOf = (model: PageModel, { name }: Preset, dark: boolean) =>
 
 /**
  * Renders the picture, the title and the figure number of a preset, inside a button.
- * @param place where it belongs, in lists of several families
+ * @param place where it belongs, with its figure, in lists of several families
  */
 export function cardContent(model: PageModel, preset: Preset, dark: boolean, place?: string): TemplateResult {
 	return html`${
@@ -21,9 +21,9 @@ export function cardContent(model: PageModel, preset: Preset, dark: boolean, pla
 			? html`<span class="no-picture"></span>`
 			: html`<img src=${pictureOf(model, preset, dark)} alt="" width="60" height="75" loading="lazy" fetchpriority="low" decoding="async">`
 	}${preset.title}${
-		preset.figure === undefined
-			? nothing
-			: html` <small aria-hidden="true">${text("gallery_figure", { figure: preset.figure })}</small>`
+		place === undefined && preset.figure !== undefined
+			? html` <small aria-hidden="true">${text("gallery_figure", { figure: preset.figure })}</small>`
+			: nothing
 	}${place === undefined ? nothing : html` <small>${place}</small>`}`;
 }
 

@@ -2,6 +2,7 @@
 import type { PageModel } from "../models/page_model";
 import { FAMILIES, type Preset, type PresetKind } from "../specimen/presets";
 import { familyTitle, firstOf } from "./home/families";
+import { text } from "./messages.generated";
 import type { PresetSection } from "./preset_sections";
 import synonyms from "./search/synonyms.json";
 import { type Scored, type SearchTexts, TextIndex } from "./search/text_index";
@@ -15,11 +16,12 @@ export interface PlacedPreset {
 
 /**
  * Returns where a preset belongs: "Trees · Species · Growth grammars", its family, its kind and its method, if several
- * models grow plants of the family. Presets with equal titles differ in it.
+ * models grow plants of the family; then the figure of a publication. Presets with equal titles differ in it.
  */
-export function placeInWords({ model, kind }: Pick<PlacedPreset, "model" | "kind">): string {
+export function placeInWords({ model, kind, preset: { figure } }: PlacedPreset): string {
 	const family = familyTitle(kind.family);
-	return [...new Set([family, kind.title, model.shelf ?? family])].join(" · ");
+	const parts = [family, kind.title, model.shelf ?? family];
+	return [...new Set(parts), ...(figure === undefined ? [] : [text("gallery_figure", { figure })])].join(" · ");
 }
 
 /**

@@ -41,7 +41,7 @@ export function findPlants(query: string): readonly FoundPreset[] {
 			model: model.name,
 			preset: preset.name,
 			title: preset.title,
-			place: placeInWords({ model, kind }),
+			place: placeInWords({ model, kind, preset }),
 			picture: model.pictures === false ? undefined : (dark: boolean) => pictureOf(model.name, preset.name, dark),
 		}));
 }

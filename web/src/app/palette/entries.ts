@@ -45,13 +45,12 @@ const pictureOf = (model: string, preset: string, dark: boolean): string =>
 
 /** Returns the entry of a preset; choosing it is one undo step. */
 export function plantEntry(studio: Studio, { model, kind, preset }: PlacedPreset): PaletteEntry {
-	const { title, name, figure } = preset;
-	const shelf = placeInWords({ model, kind });
+	const { title, name } = preset;
 	return {
 		key: `plant:${model.name}/${name}`,
 		group: "plants",
 		title,
-		about: figure === undefined ? shelf : text("plant_about_figure", { shelf, figure }),
+		about: placeInWords({ model, kind, preset }),
 		...(model.pictures === false ? {} : { picture: pictureOf(model.name, name, studio.state.dark) }),
 		texts: { title },
 		run: () => studio.choosePreset(name, model),

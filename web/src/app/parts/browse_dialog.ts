@@ -124,7 +124,7 @@ export class BrowseDialog extends StudioPart {
 		return html`<ul class="cards">${repeat(
 			placed,
 			({ model, preset }) => presetKey(model, preset),
-			({ model, kind, preset }) => this.#card(studio, model, preset, placeInWords({ model, kind })),
+			({ model, kind, preset }) => this.#card(studio, model, preset, placeInWords({ model, kind, preset })),
 		)}</ul>`;
 	}
 
