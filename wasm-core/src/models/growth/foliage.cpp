@@ -173,6 +173,7 @@ class Crown {
   // internode here stands for several of a vine's.
   void add_bunches_of(std::uint32_t q) {
     const ShootPath& path = form_.paths[q];
+    if (!form_.edited.empty() && form_.edited[q].dead) return;
     float begins = 0;
     std::uint32_t k = 0;
     for (std::uint32_t node = 1; node <= path.count && k < habit_.bunches; ++node) {
@@ -226,7 +227,7 @@ class Crown {
       place.share *= 1 - grown_share(counted.gone, time_);
     else if (marked)
       place.share *= 1 - std::clamp(time_ - static_cast<float>(counted.falls), 0.0f, 1.0f);
-    if (!(place.share > 0) || path.count == 0) return false;
+    if (!(place.share > 0) || path.count == 0 || !has_place(form_, counted)) return false;
     const std::uint32_t node =
         std::min<std::uint32_t>(counted.born > path.from ? counted.born - path.from : 0u, path.count - 1) + 1;
     place.segment = moment_.of_node[path.first + node];

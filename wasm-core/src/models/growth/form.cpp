@@ -17,7 +17,8 @@ namespace panicle::growth {
 namespace {
 
 constexpr std::uint64_t stream_angle = 0x666f726d, stream_turn = stream_angle + 1, stream_reach = stream_angle + 2,
-                        stream_crook = stream_angle + 3, stream_trunk = stream_angle + 4;
+                        stream_crook = stream_angle + 3, stream_trunk = stream_angle + 4,
+                        stream_dead = stream_angle + 5;
 
 constexpr float reach = 1.3f;  // search radius of a bud, in internodes
 constexpr float crowded = 0.3f, short_shoot = 0.3f;
@@ -43,6 +44,7 @@ constexpr int edge_samples = 24;
 constexpr float farthest = 1.2f, to_edge = 0.9f;
 // The greatest slope of canes, and their slope to both sides of the row by turns, so that bunches hang free of the
 // wood; the strength that bends canes back between the wires for a metre off the row, and an arm to its own wire.
+constexpr float kept_twigs = 0.3f;  // share of the last shoots of dead branches that have not fallen off
 constexpr float of_wire = 0.2f, of_row = 0.5f, held = 5, tied = 3;
 
 // The vector with length 1, or `otherwise` if it has no length.
@@ -55,9 +57,11 @@ glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& otherwise) {
 // (`q`).
 class FormBuilder {
  public:
-  FormBuilder(const Population& population, const FormHabit& habit, const Surroundings& surroundings)
+  FormBuilder(const Population& population, const FormHabit& habit, const Surroundings& surroundings,
+              const ShootEdits& edits)
       : population_(population),
         habit_(habit),
+        edits_(edits),
         angles_(habit.seed, stream_angle),
         turns_(habit.seed, stream_turn),
         reaches_(habit.seed, stream_reach),
@@ -83,6 +87,12 @@ class FormBuilder {
   // of internodes of each shoot is known before growth, and so the index of each node.
   void allocate_nodes() {
     std::uint32_t nodes = 0;
+    std::vector<std::uint8_t> has_branches;
+    if (!edits_.empty()) {
+      has_branches.assign(population_.shoots.size(), 0);
+      for (const Shoot& shoot : population_.shoots)
+        if (shoot.parent >= 0) has_branches[static_cast<std::size_t>(shoot.parent)] = 1;
+    }
     std::vector<std::uint32_t> attached_count(population_.shoots.size(), 0);
     count_whorls();
     for (const Shoot& shoot : population_.shoots) {
@@ -108,6 +118,8 @@ class FormBuilder {
         ordinals_.push_back(0);
         azimuths_.push_back(0);
       }
+      path.uncut = path.count;
+      if (!edits_.empty()) edit(path, has_branches[form_.paths.size()] != 0);
       nodes += path.count + 1;
       form_.paths.push_back(path);
     }
@@ -159,6 +171,48 @@ class FormBuilder {
               golden_angle * static_cast<float>(path.internode + 3 * whorl);
   }
 
+  // Applies edits to the path of the next shoot: a cut shortens it, and a cut below it removes it.
+  void edit(ShootPath& path, bool has_branches) {
+    const auto q = static_cast<std::uint32_t>(form_.paths.size());
+    const Shoot& shoot = population_.shoots[q];
+    EditedShoot state;
+    const ShootEdit* const own = edits_.of(q);
+    state.dead = own != nullptr && own->dead;
+    state.drawn = own != nullptr && !own->curve.empty();
+    if (shoot.parent >= 0 && !shoot.trunk) {
+      const auto parent = static_cast<std::size_t>(shoot.parent);
+      const EditedShoot& below = form_.edited[parent];
+      const ShootPath& on = form_.paths[parent];
+      state.dead |= below.dead;
+      if (below.carrier >= 0) {
+        state.carrier = below.carrier;
+        state.carrier_node = below.carrier_node;
+      } else if (path.internode >= on.count ||
+                 (below.cut && path.internode + 1 == on.count && path.along >= below.last)) {
+        state.carrier = below.cut ? shoot.parent : -1;
+        state.carrier_node = on.count;
+      } else if (below.cut && path.internode + 1 == on.count) {
+        path.along /= below.last;
+      }
+      const bool falls_off = state.carrier < 0 && below.dead && !has_branches &&
+                             random_unit(habit_.seed, stream_dead, population_.addresses[q]) >= kept_twigs;
+      if (falls_off) {
+        state.carrier = shoot.parent;
+        state.carrier_node = std::min(path.internode + 1, on.count);
+      }
+    }
+    if (state.carrier >= 0) {
+      path.count = 0;
+    } else if (own != nullptr && own->cut < 1 && path.count > 0) {
+      const float cut = own->cut * static_cast<float>(path.count);
+      path.count = std::max(1u, static_cast<std::uint32_t>(std::ceil(cut)));
+      state.last = cut - static_cast<float>(path.count - 1);
+      state.cut = true;
+      state.snapped = own->snapped;
+    }
+    form_.edited.push_back(state);
+  }
+
   // Adds an internode to each shoot that grows in a step.
   void grow(std::uint16_t step) {
     room_.set_nodes(placed_nodes_, std::max(cell_, 0.05f));
@@ -169,7 +223,8 @@ class FormBuilder {
     for (std::uint32_t q = 0; q < population_.shoots.size(); ++q) {
       const ShootPath& path = form_.paths[q];
       if (step < path.from || path.count == 0 || is_shed(q)) continue;
-      extend(q, step - path.from);
+      const std::uint32_t internode = step - path.from;
+      if (internode < path.count) extend(q, internode);
     }
   }
 
@@ -186,6 +241,9 @@ class FormBuilder {
       if (path.count == 0 || path.from >= step || is_shed(static_cast<std::uint32_t>(q))) continue;
       const std::uint32_t grown = std::min<std::uint32_t>(step - path.from, path.count);
       best_light_[q] = std::max(best_light_[q], light_.share(form_.nodes[path.first + grown]));
+      // Edited shoots stay, and so do those that carry them.
+      if (edits_.of(static_cast<std::uint32_t>(q)) != nullptr)
+        best_light_[q] = std::max(best_light_[q], habit_.shade_limit);
       const std::int32_t parent = population_.shoots[q].parent;
       if (parent >= 0) {
         float& of_parent = best_light_[static_cast<std::size_t>(parent)];
@@ -217,7 +275,7 @@ class FormBuilder {
     for (; leaf_ < population_.leaves.size() && population_.leaves[leaf_].born < step; ++leaf_) {
       const std::uint32_t shoot = population_.leaves[leaf_].shoot;
       const ShootPath& path = form_.paths[shoot];
-      if (path.count > 0 && path.from < step)
+      if (path.count > 0 && path.from < step && has_place(form_, population_.leaves[leaf_]))
         light_.put(form_.nodes[path.first + 1], leaf_shade * side(shoot) * side(shoot));
     }
     light_.update();
@@ -282,11 +340,11 @@ class FormBuilder {
     if (shoot.trunk) {
       if (habit_.cordon > 0)
         return internode == 0 ? habit_.cordon
-                              : 0.5f * volume.base / std::max(1.0f, static_cast<float>(form_.paths[q].count) - 1);
+                              : 0.5f * volume.base / std::max(1.0f, static_cast<float>(form_.paths[q].uncut) - 1);
       const float trunk_length = habit_.leader * volume.height;
       if (internode == 0)
-        return habit_.bole * trunk_length + (form_.paths[q].count == 1 ? (1 - habit_.bole) * trunk_length : 0);
-      return (1 - habit_.bole) * trunk_length / static_cast<float>(form_.paths[q].count - 1);
+        return habit_.bole * trunk_length + (form_.paths[q].uncut == 1 ? (1 - habit_.bole) * trunk_length : 0);
+      return (1 - habit_.bole) * trunk_length / static_cast<float>(form_.paths[q].uncut - 1);
     }
     const float by_habit = habit_.shoot * tenth_of_height * by_order_[shoot.order] * by_age_[internode];
     if (shoot.order > 1) return by_habit;
@@ -317,6 +375,13 @@ class FormBuilder {
       add_node(nodes[0], q);
     } else {
       forward = unit_or(nodes[internode] - nodes[internode - 1], forward);
+    }
+    const bool last = !form_.edited.empty() && form_.edited[q].cut && internode + 1 == path.count;
+    const float remains = last ? form_.edited[q].last : 1;
+    if (const ShootEdit* const own = edits_.of(q); own != nullptr && !own->curve.empty()) {
+      nodes[internode + 1] = nodes[0] + drawn_place(*own, q, internode, remains);
+      add_node(nodes[internode + 1], q);
+      return;
     }
     const glm::vec3 tip = nodes[internode];
     float length = length_of(q, internode, tip, forward);
@@ -363,8 +428,24 @@ class FormBuilder {
       const float floor = floor_share * population_.volumes[shoot.volume].height;
       if (tip.y + length * forward.y < floor) length = std::min(length, 0.02f * length + std::max(0.0f, tip.y - floor));
     }
-    nodes[internode + 1] = tip + length * forward;
+    nodes[internode + 1] = tip + remains * length * forward;
     add_node(nodes[internode + 1], q);
+  }
+
+  // The place on a drawn curve of the end of an internode, of which the share `remains` is left, relative to the base.
+  // Internodes have the same shares of the curve's length as of the shoot's own.
+  glm::vec3 drawn_place(const ShootEdit& edit, std::uint32_t q, std::uint32_t internode, float remains) const {
+    const std::uint32_t count = form_.paths[q].uncut;
+    const auto length_to = [&](std::uint32_t ends) {
+      if (!population_.shoots[q].trunk) {
+        float sum = 0;
+        for (std::uint32_t i = 0; i < ends; ++i) sum += by_age_[i];
+        return sum;
+      }
+      if (ends == 0 || count == 1) return static_cast<float>(ends);
+      return habit_.bole + (1 - habit_.bole) * static_cast<float>(ends - 1) / static_cast<float>(count - 1);
+    };
+    return place_on_curve(edit, glm::mix(length_to(internode), length_to(internode + 1), remains) / length_to(count));
   }
 
   // Records a placed node and its shoot, for the free room and the light of later steps.
@@ -375,6 +456,7 @@ class FormBuilder {
 
   const Population& population_;
   const FormHabit& habit_;
+  const ShootEdits& edits_;
   const RandomStream angles_, turns_, reaches_, crooks_, trunks_;
   Form form_;
   const Surroundings& surroundings_;
@@ -400,8 +482,17 @@ class FormBuilder {
 }  // namespace
 
 // Computes the places of all nodes of a population's shoots.
-Form form_of(const Population& population, const FormHabit& habit, const Surroundings& surroundings) {
-  return FormBuilder(population, habit, surroundings).run();
+Form form_of(const Population& population, const FormHabit& habit, const Surroundings& surroundings,
+             const ShootEdits& edits) {
+  return FormBuilder(population, habit, surroundings, edits).run();
+}
+
+bool has_place(const Form& form, const Leaf& leaf) {
+  if (form.edited.empty()) return true;
+  const EditedShoot& edited = form.edited[leaf.shoot];
+  const ShootPath& path = form.paths[leaf.shoot];
+  if (edited.dead || edited.snapped || path.count == 0) return false;
+  return !edited.cut || leaf.born < path.from + path.count;
 }
 
 }  // namespace panicle::growth

@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "models/growth/edits.hpp"
 #include "models/growth/population.hpp"
 #include "models/growth/surroundings.hpp"
 
@@ -33,10 +34,20 @@ struct FormHabit {
 struct ShootPath {
   std::uint32_t first = 0;  // index of its first node in Form::nodes
   std::uint32_t count = 0;  // number of internodes; there is one more node
+  std::uint32_t uncut = 0;  // the same without edits
   std::uint16_t from = 0;   // the step of its first internode
   // Index of the parent's internode that it is attached to, and the position along it, 0 … 1.
   std::uint32_t internode = 0;
   float along = 0;
+};
+
+// The effects of edits on a shoot.
+struct EditedShoot {
+  // The shoot that a removed one would grow on, and the node there that bears its weight; −1: not removed.
+  std::int32_t carrier = -1;
+  std::uint32_t carrier_node = 0;
+  float last = 1;  // share of the last internode that remains
+  bool cut = false, snapped = false, dead = false, drawn = false;
 };
 
 // The form after all steps. An earlier age is a part of it, since internodes never move.
@@ -46,8 +57,14 @@ struct Form {
   std::vector<ShootPath> paths;  // one a shoot
   std::vector<glm::vec3> nodes;
   std::vector<std::uint16_t> shed;  // the step at which each shoot is shed, with its branches; empty: none is
+  std::vector<EditedShoot> edited;  // one a shoot; empty without edits
 };
 
-Form form_of(const Population& population, const FormHabit& habit, const Surroundings& about = {});
+// A removed shoot has no internodes, and a cut one fewer; the others grow around them.
+Form form_of(const Population& population, const FormHabit& habit, const Surroundings& about = {},
+             const ShootEdits& edits = {});
+
+// Whether edits leave a leaf its place: its shoot is alive there.
+bool has_place(const Form& form, const Leaf& leaf);
 
 }  // namespace panicle::growth

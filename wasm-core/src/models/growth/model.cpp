@@ -22,6 +22,7 @@
 #include "models/growth/parameters.generated.hpp"
 #include "models/growth/population.hpp"
 #include "models/growth/rules.hpp"
+#include "models/growth/stubs.hpp"
 #include "models/growth/twig_shapes.hpp"
 #include "plant/fingerprint.hpp"
 #include "plant/wood_measures.hpp"
@@ -161,7 +162,7 @@ Leafage leafage_of(const GrowthValues& values, const LeafHabit& habit, const Fla
 }
 
 // Adds the columns of segments and volumes, which the header lists.
-void add_columns(Plant& plant, const Population& population, const Moment& moment) {
+void add_columns(Plant& plant, const Population& population, const Form& form, const Moment& moment) {
   std::vector<std::uint32_t> shoots, born;
   std::vector<std::uint8_t> orders;
   for (const std::int32_t axis : moment.axes) {
@@ -173,6 +174,15 @@ void add_columns(Plant& plant, const Population& population, const Moment& momen
   plant.columns.add("segments.shoot", std::move(shoots));
   plant.columns.add("segments.order", std::move(orders));
   plant.columns.add("segments.born", std::move(born));
+  plant.columns.add("shoots.address",
+                    column_of<std::uint32_t>(population.addresses, 2,
+                                             [](std::uint64_t address, std::uint32_t* at) {
+                                               at[0] = static_cast<std::uint32_t>(address);
+                                               at[1] = static_cast<std::uint32_t>(address >> 32);
+                                             }),
+                    2);
+  if (std::vector<std::uint8_t> dead = dead_segments(moment, form); !dead.empty())
+    plant.columns.add("segments.dead", std::move(dead));
   std::vector<std::uint8_t> child(population.volumes.size(), 0);
   for (const Shoot& shoot : population.shoots)
     if (shoot.trunk && shoot.parent >= 0) child[shoot.volume] = 1;
@@ -297,6 +307,14 @@ void add_meshes(Plant& plant, const Moment& moment, const Leafage& leafage, cons
   add_organ_mesh(plant, "blossoms", "petal", blossom.mesh, [](const Organ& organ) { return organ.tag == blossom_tag; });
 }
 
+// Adds the ends of cut and broken shoots.
+void add_stubs(Plant& plant, const Moment& moment, const Form& form, std::uint64_t seed) {
+  StubMeshes stubs = stub_meshes(moment, form, seed);
+  if (!stubs.cuts.indices.empty()) plant.meshes.push_back({"cuts", "cut", std::move(stubs.cuts), {}, {}});
+  if (!stubs.splinters.indices.empty())
+    plant.meshes.push_back({"splinters", "dead", std::move(stubs.splinters), {}, {}});
+}
+
 // Adds the levels of detail and the column of their tolerances.
 void add_levels(Plant& plant, const Moment& moment, const Leafage& leafage, std::size_t count) {
   // All organs of leaves count as equal: with the mean area of the shapes.
@@ -322,10 +340,11 @@ struct GrowthRequest : CommonRequest {
   FlatLeaf leaf;
   std::string_view rules;
   Surroundings surroundings;
+  std::vector<BranchEdit> edits;
   std::uint32_t levels = 0;  // number of requested levels
 };
 
-// Reads the blocks of a request. Errors: bad_request; those of check(FlatLeaf) and Surroundings::of.
+// Reads the blocks of a request. Errors: bad_request; those of check(FlatLeaf), read_edits and Surroundings::of.
 Result<GrowthRequest> read_request(Request& blocks) {
   GrowthRequest request(read_common(blocks));
   request.leaf = blocks.flat_leaf();
@@ -333,9 +352,12 @@ Result<GrowthRequest> read_request(Request& blocks) {
   const std::uint32_t levels = blocks.word("levels", level_count);
   if (blocks.wants("levels")) request.levels = levels;
   const std::span<const float> surroundings = blocks.floats("surroundings");
+  Result<std::vector<BranchEdit>> edits = read_edits(blocks.words("edits"), blocks.floats("edits.points"));
   if (Diagnostic error = blocks.trouble(); error.reason != Reason::none) return error;
   if (levels == 0 || levels > level_count) return bad_request(message(messages::growth::levels_out_of_range, levels));
   if (Diagnostic error = check(request.leaf); error.reason != Reason::none) return error;
+  if (!edits) return edits.error();
+  request.edits = std::move(edits.value());
   if (surroundings.empty()) return request;
   Result<Surroundings> read = Surroundings::of(surroundings);
   if (!read) return read.error();
@@ -382,7 +404,10 @@ Result<Plant> grow(Request& blocks, const Limits& limits) {
   if (!population) return population.error();
 
   const float time = values[age] / 100 * static_cast<float>(count);
-  const Form form = form_of(population.value(), form_habit(values, seed), request.surroundings);
+  const ShootEdits edits(population.value(), request.edits);
+  if (limits.budget != nullptr && !request.edits.empty()) limits.budget->spend(population.value().shoots.size());
+  if (edits.unknown() > 0) plant.notes.push_back(message(messages::growth::unknown_shoots, edits.unknown()));
+  const Form form = form_of(population.value(), form_habit(values, seed), request.surroundings, edits);
   const auto moment = moment_of(population.value(), form, time, {0.001f * values[twig], values[pipe]}, limits,
                                 curve_habit(values, seed));
   if (!moment) return moment.error();
@@ -396,16 +421,18 @@ Result<Plant> grow(Request& blocks, const Limits& limits) {
   const bool shapeless = leafage.blade.mesh.indices.empty() && leaves.twigs.foliage == TwigHabit::Leaf::flat;
   if (request.meshes && shapeless && std::any_of(plant.organs.begin(), plant.organs.end(), is_leaf))
     plant.notes.push_back(message(messages::foliage::leaves_without_shape));
-  add_columns(plant, population.value(), moment.value());
+  add_columns(plant, population.value(), form, moment.value());
   add_counts(plant, moment.value(), count, leafage);
   if (request.measures) measure(plant, leafage);
   if (request.levels > 0) add_levels(plant, moment.value(), leafage, request.levels);
   std::vector<PlantMesh> levels = std::move(plant.meshes);
   plant.meshes.clear();
-  if (request.meshes)
+  if (request.meshes) {
     add_meshes(plant, moment.value(), leafage, leaves.twigs, request.sky, {.flare = values[flare], .seed = seed});
-  else
+    add_stubs(plant, moment.value(), form, seed);
+  } else {
     for (Organ& organ : plant.organs) organ.mesh = -1;
+  }
   for (PlantMesh& level : levels) plant.meshes.push_back(std::move(level));
   set_fingerprints(plant, request.mesh_fingerprint);
   return plant;

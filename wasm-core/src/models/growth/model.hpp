@@ -4,12 +4,15 @@
 // the leaf of foliage/flat_leaf.hpp, except for needles; `surroundings` (float32 × 16), light and room around the tree:
 // eight heights of the horizon, in degrees above level, at the azimuths 0°, 45° … (from +X to +Z), then eight metres of
 // free room from the origin in those directions. Absent: nothing around it. `levels` (uint32): the number of levels to
-// make where they are requested, from near to far; absent: all four.
+// make where they are requested, from near to far; absent: all four. `edits` (uint32 × 5) and `edits.points` (float32):
+// edits of single branches by hand (edits.hpp); absent: none.
 //
 // Columns of a plant besides the common ones (exports/panicle.h):
 //   segments.shoot   uint32: the shoot of each
 //   segments.order   uint8: of that shoot, 0 of a trunk
 //   segments.born    uint16 as uint32: the step of that shoot's first internode
+//   segments.dead    uint8: 1 for dead wood without bark; absent where there is none
+//   shoots.address   uint32 × 2: of each shoot its address, by which edits name it, lower half first
 //   volumes.id       uint32, one a growth volume; child trunks' volumes come after the others
 //   volumes.shape    float32 × 5: wb, h and wt in metres; grad and towards in degrees
 //   volumes.middle   float32: wm, metres

@@ -137,6 +137,7 @@ struct MomentBuilder {
   // above, of which young ones count in part.
   void thicken() {
     std::vector<float> sums(moment.segments.size(), 0);
+    add_removed(sums);
     for (std::size_t i = moment.segments.size(); i-- > 0;) {
       const auto q = static_cast<std::uint32_t>(moment.axes[i]);
       if (!has_next(i)) sums[i] += grown_share(form.paths[q].from, time);
@@ -148,8 +149,8 @@ struct MomentBuilder {
       moment.segments[i].radius = twig * power(sums[i], 1 / habit.pipe);
     }
     for (std::size_t i = 0; i < moment.segments.size(); ++i)
-      moment.segments[i].radius_end =
-          has_next(i) ? moment.segments[next_[i]].radius : tapered * moment.segments[i].radius;
+      moment.segments[i].radius_end = has_next(i) ? moment.segments[next_[i]].radius
+                                                  : tapered_end(moment.axes[i], tapered) * moment.segments[i].radius;
     if (curves.pieces > 0) smooth_thickness();
   }
 
@@ -184,7 +185,7 @@ struct MomentBuilder {
     for (std::size_t k = 0; k <= count; ++k) {
       const float radius = segments[begin + std::min(k, count - 1)].radius;
       const float along_tail = k > tail ? (lengths_[k] - lengths_[tail]) / (whole - lengths_[tail]) : 0;
-      radii_[k] = radius * (1 + (curves.tip - 1) * along_tail);
+      radii_[k] = radius * (1 + (tapered_end(moment.axes[begin], curves.tip) - 1) * along_tail);
     }
     for (std::size_t k = 0; k < count; ++k)
       sums_[k + 1] = sums_[k] + 0.5f * (radii_[k] + radii_[k + 1]) * (lengths_[k + 1] - lengths_[k]);
@@ -220,6 +221,24 @@ struct MomentBuilder {
     const float length = lengths_[k + 1] - lengths_[k], share = length > 0 ? (distance - lengths_[k]) / length : 0;
     const float radius = radii_[k] + share * (radii_[k + 1] - radii_[k]);
     return sums_[k] + 0.5f * (radii_[k] + radius) * (distance - lengths_[k]);
+  }
+
+  // The thickness at the end of a shoot over that before its tip, which is `taper` where it is not cut.
+  float tapered_end(std::int32_t axis, float taper) const {
+    return !form.edited.empty() && form.edited[static_cast<std::size_t>(axis)].cut ? 1 : taper;
+  }
+
+  // Adds the shoots that edits removed to the segments that would carry them: wood is as thick as it grew before.
+  void add_removed(std::vector<float>& sums) const {
+    for (std::uint32_t q = 0; q < form.edited.size(); ++q) {
+      const EditedShoot& edited = form.edited[q];
+      if (edited.carrier < 0) continue;
+      const ShootPath& on = form.paths[static_cast<std::size_t>(edited.carrier)];
+      std::uint32_t node = edited.carrier_node;
+      while (node > 0 && moment.of_node[on.first + node] < 0) --node;
+      if (node > 0)
+        sums[static_cast<std::size_t>(moment.of_node[on.first + node])] += grown_share(form.paths[q].from, time);
+    }
   }
 
   // Whether a segment's shoot has a segment after it.

@@ -58,6 +58,7 @@ class PopulationBuilder {
     for (std::uint16_t step = 1; step <= steps; ++step)
       if (!grow(step)) return evaluation_.error();
     plant_.steps = steps;
+    for (const ShootState& state : shoot_states_) plant_.addresses.push_back(state.address);
     if (limits_.budget != nullptr) limits_.budget->spend(spent_ + evaluation_.work());
     return std::move(plant_);
   }

@@ -58,6 +58,8 @@ struct Environment {
 
 struct Population {
   std::vector<Shoot> shoots;  // parents first, by step
+  // One a shoot, by which edits name it: the same for any seed, number of steps and number of other shoots.
+  std::vector<std::uint64_t> addresses;
   std::vector<Deformation> deformations;
   std::vector<Leaf> leaves;
   std::vector<GrowthVolume> volumes;

@@ -42,7 +42,9 @@ void ShootCurve::set(const Population& population, const Form& form, const Curve
                               std::lround(static_cast<float>(habit.pieces) *
                                           order_share[std::min<std::size_t>(shoot.order, order_share.size() - 1)])),
       1);
-  const float amount = shoot.trunk ? trunk_wander * habit.gnarl : habit.gnarl;
+  // A drawn shoot keeps to its curve.
+  const bool drawn = !form.edited.empty() && form.edited[q].drawn;
+  const float amount = drawn ? 0 : shoot.trunk ? trunk_wander * habit.gnarl : habit.gnarl;
   // Branches near the ground sag less, so that they stay above it.
   const float sag =
       habit.sag * std::clamp(nodes[0].y / (low_share * population.volumes[shoot.volume].height), 0.0f, 1.0f);
@@ -50,7 +52,7 @@ void ShootCurve::set(const Population& population, const Form& form, const Curve
   for (std::uint32_t i = 0; i < path.count; ++i) {
     glm::vec3 whole = nodes[i + 1] - nodes[i];
     const float length = glm::length(whole);
-    if (!shoot.trunk && length > 0) {
+    if (!shoot.trunk && !drawn && length > 0) {
       const float share = (static_cast<float>(i) + 0.5f) / static_cast<float>(path.count);
       const float level = std::sqrt(whole.x * whole.x + whole.z * whole.z);
       whole.y += level * (habit.rise * share * share - sag * (1 - share));

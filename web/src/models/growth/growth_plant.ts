@@ -11,6 +11,8 @@ import type { GrowthVolume } from "./volumes/volume";
 export interface GrowthPlant extends Wooden {
 	/** For each segment its shoot, the shoot's order (0 of a trunk), and the shoot's first step. */
 	shoots: { shoot: Uint32Array; order: Uint8Array; born: Uint32Array };
+	/** Two words for each shoot of the plant: its address, the lower half first, by which edits name it. */
+	addresses: Uint32Array;
 	/** Growth volumes of the footprint, as evaluated. */
 	volumes: readonly GrowthVolume[];
 	/** Veins of every leaf, in its texture coordinates; absent if it has none. */
@@ -44,6 +46,8 @@ export function readGrowthPlant(answer: Answer, specimen: GrowthSpecimen): Growt
 			order: columns.uint8("segments.order"),
 			born: columns.uint32("segments.born"),
 		},
+		addresses: columns.uint32("shoots.address"),
+		...(columns.has("segments.dead") ? { deadSegments: columns.uint8("segments.dead") } : {}),
 		volumes: [...ids].flatMap((id, i) =>
 			child[i] === 1 ? [] : [volumeOf(id, shapes.subarray(5 * i), middles[i], places.subarray(2 * i))],
 		),

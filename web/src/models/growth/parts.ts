@@ -3,13 +3,23 @@ import { linear } from "../../plant/colour";
 import { leafTints } from "../../plant/leaf_colours";
 import type { Material } from "../../plant/material";
 import type { Part } from "../../plant/part";
-import type { Plant } from "../../plant/plant";
+import { partsOf } from "../../plant/parts_of";
+import { EMPTY_PLANT, type Plant } from "../../plant/plant";
 import { type BarkKind, barkPicture, barkRelief } from "../../plant/wood/bark_picture";
 import { attachedParts, type WoodMaterials, woodenParts } from "../../plant/wood/wooden_parts";
 import type { GrowthPlant } from "./growth_plant";
 import type { GrowthSpecimen } from "./specimen";
 import { GROWTH_TABLE } from "./table";
 import { leafSeason } from "./year";
+
+/** Colour of dead wood, weathered to grey. */
+const DEAD_WOOD = linear("9d968a");
+
+/** Materials of the ends of cut and broken branches, by the kind of their meshes. */
+const CUT_WOOD: Readonly<Record<string, Material>> = {
+	cut: { name: "Cut wood", colour: linear("c9a878"), roughness: 0.85 },
+	dead: { name: "Broken wood", colour: linear("a89a84"), roughness: 0.95 },
+};
 
 /** Colour of a birch's bark near the ground. */
 const FOOT = linear("2a2623");
@@ -25,7 +35,11 @@ export function* growthParts(plant: GrowthPlant, specimen: GrowthSpecimen): Gene
 	const season = leafSeason(parameters.season, evergreen);
 	const kind = GROWTH_TABLE.option(specimen, "leaf_kind");
 	const colours = { leaf: look.leaf, autumn: look.autumn, ...(kind === undefined ? {} : { kind }) };
-	yield* woodenParts(withOrgans(plant, ["leaf"]), {
+	// The ends of cut branches come after the meshes of organs, whose indices stay the same without them.
+	const cut = plant.meshes.filter(({ material }) => Object.hasOwn(CUT_WOOD, material));
+	const whole = cut.length > 0 ? { ...plant, meshes: plant.meshes.filter((mesh) => !cut.includes(mesh)) } : plant;
+	yield* partsOf({ meshes: cut, organs: EMPTY_PLANT.organs }, CUT_WOOD);
+	yield* woodenParts(withOrgans(whole, ["leaf"]), {
 		...dress,
 		tints: { blade: leafTints({ ...colours, season }, plant.veins), petal: [], twig: [] },
 	});
@@ -58,6 +72,7 @@ function woodOf(specimen: GrowthSpecimen): Omit<WoodMaterials, "tints"> {
 			young: linear(look.young_bark),
 			from: 0.15 * oldRadius,
 			to: oldRadius,
+			dead: DEAD_WOOD,
 			...(kind === "paper" ? { foot: FOOT } : {}),
 		},
 	};

@@ -3,6 +3,7 @@ import type { Block } from "../../core/container";
 import { leafBlocks } from "../../plant/leaf";
 import { requestBlocks, requireText } from "../../plant/request";
 import type { GrowthOptions } from "../model";
+import { type BranchEdit, EDIT_KINDS } from "./edits/branch_edit";
 import { leafOf } from "./growth_plant";
 import type { GrowthSpecimen } from "./specimen";
 import { GROWTH_TABLE } from "./table";
@@ -41,6 +42,24 @@ export function encodeGrowth(specimen: GrowthSpecimen, options: GrowthRequestOpt
 		...(levelCount === undefined ? [] : [{ name: "levels", data: Uint32Array.of(levelCount) }]),
 		{ name: "rules", data: text },
 		...(surroundings ? [{ name: "surroundings", data: Float32Array.from(surroundings) }] : []),
+		...editBlocks(specimen.edits),
 		...(leaf ? leafBlocks(leaf) : []),
+	];
+}
+
+/** Encodes edits of branches (wasm-core/src/models/growth/edits.hpp); none for a plant without. */
+function editBlocks(edits: readonly BranchEdit[]): Block[] {
+	if (edits.length === 0) return [];
+	const records = edits.flatMap((edit) => [
+		Number.parseInt(edit.shoot.slice(8), 16),
+		Number.parseInt(edit.shoot.slice(0, 8), 16),
+		EDIT_KINDS.indexOf(edit.kind),
+		"at" in edit ? Math.round(1000 * edit.at) : 0,
+		edit.kind === "curve" ? edit.points.length : 0,
+	]);
+	const points = edits.flatMap((edit) => (edit.kind === "curve" ? edit.points.flat() : []));
+	return [
+		{ name: "edits", data: Uint32Array.from(records) },
+		...(points.length > 0 ? [{ name: "edits.points", data: Float32Array.from(points) }] : []),
 	];
 }

@@ -3,6 +3,7 @@ import { grammarText } from "../../specimen/grammar_text";
 import type { ModelSchema } from "../../specimen/model_schema";
 import { surroundingsDetail } from "../../specimen/surroundings";
 import { translatedPresets } from "../../specimen/translated_tables";
+import { branchEdits } from "./edits/edits_field";
 import { PRESET_KINDS, PRESETS } from "./presets.generated";
 import type { GrowthSpecimen } from "./specimen";
 import { GROWTH_TABLE } from "./table";
@@ -18,5 +19,5 @@ export const GROWTH: ModelSchema<GrowthSpecimen> = {
 	name: "growth",
 	table: GROWTH_TABLE,
 	presets: translatedPresets("growth", PRESETS, PRESET_KINDS, DEFAULT_PRESET),
-	details: [grammarText((text) => OWN.test(text) && !AXIOM.test(text)), surroundingsDetail()],
+	details: [grammarText((text) => OWN.test(text) && !AXIOM.test(text)), surroundingsDetail(), branchEdits],
 };

@@ -12,6 +12,8 @@ export interface Bark {
 	readonly to: number;
 	/** The colour of old bark towards the ground, as on a birch. */
 	readonly foot?: Colour;
+	/** The colour of dead wood without bark. */
+	readonly dead?: Colour;
 }
 
 /** Number of radii with computed colours; radii between take the next below. */
@@ -22,7 +24,7 @@ const CLASSES = 64;
  * previews, which have little time. Undefined if the plant does not list the segments of its vertices.
  */
 export function woodColours(
-	{ segments, vertexSegments }: Wooden,
+	{ segments, vertexSegments, deadSegments }: Wooden,
 	mesh: PlantMesh,
 	bark: Bark,
 ): Float32Array | undefined {
@@ -39,6 +41,10 @@ export function woodColours(
 	}
 	const colours = new Float32Array(mesh.positions.length);
 	for (let vertex = 0, at = 0; vertex < vertexSegments.length; vertex++, at += 3) {
+		if (bark.dead && deadSegments?.[vertexSegments[vertex]]) {
+			weather(colours, at, mesh.positions, bark.dead);
+			continue;
+		}
 		const place = places[vertexSegments[vertex]];
 		colours[at] = palette[place];
 		colours[at + 1] = palette[place + 1];
@@ -46,6 +52,13 @@ export function woodColours(
 		if (bark.foot && mesh.sky) darken(colours, at, mesh.positions, bark.foot, place / (3 * (CLASSES - 1)));
 	}
 	return colours;
+}
+
+/** Colours a vertex of dead wood: weathered, lighter and darker in patches. */
+function weather(colours: Float32Array, at: number, positions: Float32Array, dead: Colour): void {
+	const [x, y, z] = positions.subarray(at, at + 3);
+	const light = 0.7 + 0.6 * noise(6 * x, 2 * y, 6 * z);
+	for (let k = 0; k < 3; k++) colours[at + k] = light * dead[k];
 }
 
 /**

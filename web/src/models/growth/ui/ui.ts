@@ -4,6 +4,7 @@ import { html } from "lit";
 import { gestureTool } from "../../../grammar_editor/gesture_tool";
 import { grammarTools } from "../../../grammar_editor/grammar_tool";
 import type { ModelUi, Tool } from "../../../ui/tool";
+import { editTool } from "../edits/edit_tool";
 import type { GrowthPlant } from "../growth_plant";
 import { text } from "../messages.generated";
 import type { GrowthSpecimen } from "../specimen";
@@ -18,6 +19,7 @@ export const modelUi: ModelUi<GrowthSpecimen, GrowthPlant> = {
 		...grammarTools<GrowthSpecimen, GrowthPlant>(source),
 		...volumeTools,
 		{ name: "volume-sizes", initial: undefined, quantities: () => VOLUME_SIZES },
+		editTool as Tool<GrowthSpecimen, GrowthPlant>,
 		age as Tool<GrowthSpecimen, GrowthPlant>,
 		neighbours as Tool<GrowthSpecimen, GrowthPlant>,
 		gestureTool<GrowthSpecimen, GrowthPlant>(source),
