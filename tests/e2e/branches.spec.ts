@@ -17,16 +17,14 @@ async function open(page: Page, search = TREE): Promise<StudioPage> {
 	return studio;
 }
 
-/** Clicks over the crown until a branch is chosen. */
+/** Clicks up the middle of the tree until a branch or the trunk is chosen. */
 async function clickBranch(page: Page, studio: StudioPage): Promise<void> {
 	const box = await studio.canvas.boundingBox();
 	if (!box) throw new Error("no canvas");
 	await expect(async () => {
-		for (let row = 0; row < 8; row++) {
-			for (let column = 0; column < 7; column++) {
-				await page.mouse.click(box.x + box.width * (0.3 + 0.06 * column), box.y + box.height * (0.25 + 0.05 * row));
-				if (/^Branch \d/.test(await chooser(page).innerText())) return;
-			}
+		for (let row = 0; row < 6; row++) {
+			await page.mouse.click(box.x + box.width * 0.5, box.y + box.height * (0.7 - 0.07 * row));
+			if (/^(Branch|Trunk) \d/.test(await chooser(page).innerText())) return;
 		}
 		throw new Error("no branch under the pointer");
 	}).toPass();

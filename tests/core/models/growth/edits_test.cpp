@@ -1,4 +1,4 @@
-// Edits of single branches by hand: what a cut removes, what it leaves alone, and how drawn curves are followed.
+// Edits of single branches by hand: cuts, dead wood and drawn curves.
 #include "models/growth/edits.hpp"
 
 #include <doctest/doctest.h>

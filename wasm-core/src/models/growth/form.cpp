@@ -44,7 +44,7 @@ constexpr int edge_samples = 24;
 constexpr float farthest = 1.2f, to_edge = 0.9f;
 // The greatest slope of canes, and their slope to both sides of the row by turns, so that bunches hang free of the
 // wood; the strength that bends canes back between the wires for a metre off the row, and an arm to its own wire.
-constexpr float kept_twigs = 0.3f;  // share of the last shoots of dead branches that have not fallen off
+constexpr float remaining_twigs = 0.3f;  // share of the last shoots of dead branches that have not fallen off
 constexpr float of_wire = 0.2f, of_row = 0.5f, held = 5, tied = 3;
 
 // The vector with length 1, or `otherwise` if it has no length.
@@ -195,7 +195,7 @@ class FormBuilder {
         path.along /= below.last;
       }
       const bool falls_off = state.carrier < 0 && below.dead && !has_branches &&
-                             random_unit(habit_.seed, stream_dead, population_.addresses[q]) >= kept_twigs;
+                             random_unit(habit_.seed, stream_dead, population_.addresses[q]) >= remaining_twigs;
       if (falls_off) {
         state.carrier = shoot.parent;
         state.carrier_node = std::min(path.internode + 1, on.count);

@@ -43,7 +43,7 @@ struct ShootPath {
 
 // The effects of edits on a shoot.
 struct EditedShoot {
-  // The shoot that a removed one would grow on, and the node there that bears its weight; −1: not removed.
+  // The shoot that a removed one would grow on, and the node there that carries it; −1: not removed.
   std::int32_t carrier = -1;
   std::uint32_t carrier_node = 0;
   float last = 1;  // share of the last internode that remains

@@ -43,7 +43,7 @@ export function editPoint(point: EditPoint): EditPoint {
 	return [x, y, z];
 }
 
-/** Returns what an edit of a kind replaces on the same branch: a cut another cut. */
+/** Returns the subject of a kind of edit: a later one of the same subject replaces it on the same branch. */
 const subjectOf = (kind: EditKind): string => (kind === "prune" || kind === "break" ? "cut" : kind);
 
 /** Returns the edits with one more, which replaces an earlier one of the same subject on the same branch. */

@@ -9,15 +9,15 @@ import {
 	choose,
 	chosenBranch,
 	type EditContext,
-	editTool,
+	editing,
 	hasEdit,
 	reset,
 	USUAL_CUT,
-} from "./edit_tool";
+} from "./edit_state";
 
 /** Draws the chooser and, with a chosen branch, its actions; nothing while the tool is off. */
 export function drawChip(context: EditContext): unknown {
-	const state = context.toolState(editTool);
+	const state = context.toolState(editing);
 	const { grown, specimen } = context.state;
 	if (!state.on || !grown) return nothing;
 	const branch = chosenBranch(context);
@@ -35,7 +35,7 @@ export function drawChip(context: EditContext): unknown {
 			${action(text("branch_prune"), () => act(context, "prune"))}
 			${action(text("branch_break"), () => act(context, "break"))}
 			${action(text("branch_dead"), () => act(context, "dead"), { pressed: hasEdit(specimen.edits, branch.address, "dead") })}
-			${action(text("branch_draw"), () => context.setToolState(editTool, { ...state, drawing: !state.drawing }), { pressed: state.drawing, disabled: !shaped })}
+			${action(text("branch_draw"), () => context.setToolState(editing, { ...state, drawing: !state.drawing }), { pressed: state.drawing, disabled: !shaped })}
 			${action(text("branch_reset"), () => reset(context), { disabled: !hasEdit(specimen.edits, branch.address) })}
 		</span>`
 				: nothing
@@ -59,7 +59,7 @@ function pressed(context: EditContext, event: KeyboardEvent): void {
 	const { grown } = context.state;
 	if (ctrlKey || metaKey || altKey || !grown) return;
 	if (key in DIRECTIONS) {
-		const { chosen } = context.toolState(editTool);
+		const { chosen } = context.toolState(editing);
 		const address = neighbourOf(branchesOf(grown), chosen?.address, DIRECTIONS[key as keyof typeof DIRECTIONS]);
 		if (address !== undefined) choose(context, { address, at: USUAL_CUT });
 	} else if (key === "p" || key === "Delete") act(context, "prune");

@@ -20,7 +20,7 @@ import {
 	placeUnderRay,
 	pointAt,
 } from "./branches";
-import { canShape, changeOf, choose, chosenBranch, type EditContext, editTool, leave } from "./edit_tool";
+import { canShape, changeOf, choose, chosenBranch, type EditContext, editing, leave } from "./edit_state";
 
 /** CSS pixels from a branch within which the pointer is on it. */
 const REACH = 10;
@@ -75,7 +75,7 @@ export class EditInteraction implements ToolInteraction<GrowthSpecimen, GrowthPl
 
 	/** Shows the branch under the pointer and the chosen one with its handles. */
 	update({ specimen, grown }: EditorState<GrowthSpecimen, GrowthPlant>): void {
-		const { on, chosen, marked, drawing } = this.#context.toolState(editTool);
+		const { on, chosen, marked, drawing } = this.#context.toolState(editing);
 		this.#drawing = on && drawing;
 		this.#pointer.enabled = on && !drawing;
 		this.#view.canvas.style.cursor = this.#drawing ? "crosshair" : "";
@@ -109,8 +109,8 @@ export class EditInteraction implements ToolInteraction<GrowthSpecimen, GrowthPl
 
 	/** Highlights a branch, or none. */
 	#mark(marked: string | undefined): void {
-		const state = this.#context.toolState(editTool);
-		if (state.marked !== marked) this.#context.setToolState(editTool, { ...state, marked });
+		const state = this.#context.toolState(editing);
+		if (state.marked !== marked) this.#context.setToolState(editing, { ...state, marked });
 	}
 
 	/** Returns the place on a branch at a point of the canvas, in CSS pixels. */
@@ -135,7 +135,7 @@ export class EditInteraction implements ToolInteraction<GrowthSpecimen, GrowthPl
 			return {
 				id: at === TIP ? "tip" : "middle",
 				label: text(at === TIP ? "branch_tip" : "branch_middle"),
-				value: text("branch_place", { x: place[0].toFixed(2), y: place[1].toFixed(2), z: place[2].toFixed(2) }),
+				value: `x ${place[0].toFixed(2)}, y ${place[1].toFixed(2)}, z ${place[2].toFixed(2)} m`,
 				...(at === TIP ? { kind: "chosen" as const } : {}),
 				at: place,
 				along: WAYS,
@@ -196,8 +196,8 @@ export class EditInteraction implements ToolInteraction<GrowthSpecimen, GrowthPl
 		if (!stroke) return;
 		this.#stroke = undefined;
 		this.#view.orbiting = true;
-		const { chosen } = this.#context.toolState(editTool);
-		this.#context.setToolState(editTool, { ...this.#context.toolState(editTool), drawing: false });
+		const { chosen } = this.#context.toolState(editing);
+		this.#context.setToolState(editing, { ...this.#context.toolState(editing), drawing: false });
 		if (!chosen || stroke.length < 3) return;
 		const points = evenPoints(stroke, DRAWN_POINTS).map(editPoint);
 		const { edits } = this.#context.state.specimen;
@@ -206,11 +206,11 @@ export class EditInteraction implements ToolInteraction<GrowthSpecimen, GrowthPl
 
 	/** Escape ends drawing, then the choice, then the tool; not in fields and dialogs. */
 	readonly #keyDown = (event: KeyboardEvent): void => {
-		const state = this.#context.toolState(editTool);
+		const state = this.#context.toolState(editing);
 		if (event.key !== "Escape" || event.defaultPrevented || !state.on || document.querySelector("dialog[open]")) return;
 		if ((event.target as Partial<Element> | null)?.closest?.("input, select, textarea, [contenteditable]")) return;
 		event.preventDefault();
-		if (state.drawing) this.#context.setToolState(editTool, { ...state, drawing: false });
+		if (state.drawing) this.#context.setToolState(editing, { ...state, drawing: false });
 		else if (state.chosen) choose(this.#context, undefined);
 		else leave(this.#context);
 	};

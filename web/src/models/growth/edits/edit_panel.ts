@@ -4,12 +4,12 @@ import { live } from "lit/directives/live.js";
 import { text } from "../messages.generated";
 import { type BranchEdit, cutShare } from "./branch_edit";
 import { branchesOf } from "./branches";
-import { branchInWords, changeOf, choose, type EditContext, editTool, USUAL_CUT } from "./edit_tool";
+import { branchInWords, changeOf, choose, type EditContext, editing, enter, USUAL_CUT } from "./edit_state";
 
 /** Draws the list; nothing where there are no edits and the tool is off. */
 export function drawEdits(context: EditContext): unknown {
 	const { edits } = context.state.specimen;
-	if (edits.length === 0) return context.toolState(editTool).on ? html`<p>${text("branch_usage")}</p>` : nothing;
+	if (edits.length === 0) return context.toolState(editing).on ? html`<p>${text("branch_usage")}</p>` : nothing;
 	return html`<h3>${text("branch_edits")}</h3>
 		<ol class="branch-edits" aria-label=${text("branch_edits")}>
 			${edits.map((edit, i) => html`<li>${drawEdit(context, edit, i)}</li>`)}
@@ -41,14 +41,14 @@ function drawEdit(context: EditContext, edit: BranchEdit, index: number): unknow
 
 /** Turns the tool on with the edit's branch chosen. */
 function show(context: EditContext, edit: BranchEdit): void {
-	if (!context.toolState(editTool).on) editTool.press?.(context);
+	if (!context.toolState(editing).on) enter(context);
 	choose(context, { address: edit.shoot, at: "at" in edit ? edit.at : USUAL_CUT });
 }
 
 /** Moves a cut to a share of its branch in percent; any other number changes nothing. */
 function moveCut(context: EditContext, index: number, percent: number): void {
 	const { edits } = context.state.specimen;
-	if (!(percent >= 1 && percent <= 99)) context.setToolState(editTool, { ...context.toolState(editTool) });
+	if (!(percent >= 1 && percent <= 99)) context.setToolState(editing, { ...context.toolState(editing) });
 	else
 		context.set(
 			changeOf(edits.map((each, i) => (i === index && "at" in each ? { ...each, at: cutShare(percent / 100) } : each))),
