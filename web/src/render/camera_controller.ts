@@ -54,6 +54,8 @@ export class CameraController {
 	keepsWhole = false;
 	/** Height of the ground, metres; undefined without ground. */
 	#ground: number | undefined;
+	/** Least elevation of the first view over the ground, degrees. */
+	#leastElevation = -90;
 	/** Whether the eye is placed by `look`, instead of orbiting the plant. */
 	#walking = false;
 	#glide: { from: Vector3; to: Vector3; fromDistance: number; toDistance: number; start: number } | undefined;
@@ -184,8 +186,10 @@ export class CameraController {
 	/**
 	 * Sets the height of the ground that the plant stands on, metres; undefined for none. The eye does not go below it,
 	 * and the first view is from the height of a person's eyes.
+	 * @param least least elevation of the first view, degrees; the eye is then higher
 	 */
-	setGround(level: number | undefined): void {
+	setGround(level: number | undefined, least = -90): void {
+		this.#leastElevation = least;
 		if (level === this.#ground) return;
 		this.#ground = level;
 		this.#keepAboveGround();
@@ -208,7 +212,7 @@ export class CameraController {
 			const rise = (this.#ground + EYE_HEIGHT - target[1]) / distance;
 			elevation = Math.min(STEEPEST, MathUtils.radToDeg(Math.asin(MathUtils.clamp(rise, -1, 1))));
 		}
-		return elevation;
+		return Math.max(this.#leastElevation, elevation);
 	}
 
 	/** Raises the eye on its sphere about the target to a little above the ground, if it is lower. */

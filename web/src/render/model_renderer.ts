@@ -78,6 +78,8 @@ export interface ModelRenderer<S, G> {
 	outdoorRig?(theme: Theme): LightRig;
 	/** Height of the ground that the shown plant stands on, metres; undefined where it does not stand. */
 	readonly groundLevel?: number | undefined;
+	/** Least elevation of the first view outdoors, degrees; absent: the eye is at the height of a person's eyes. */
+	readonly outdoorElevation?: number;
 	/**
 	 * Whether the camera is within the plant, as of the last `prepare`: the background is then a sky instead of paper.
 	 */

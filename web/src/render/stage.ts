@@ -150,6 +150,11 @@ export class Stage<S, G> implements Drawable {
 		return this.#renderer?.samples ?? 1;
 	}
 
+	/** Least elevation of the first view outdoors, degrees, if the renderer sets one. */
+	get outdoorElevation(): number | undefined {
+		return this.#renderer?.outdoorElevation;
+	}
+
 	/** Height of the ground outdoors, metres; undefined on paper, and for plants that do not stand. */
 	get groundLevel(): number | undefined {
 		return this.#setting.outdoors ? this.#renderer?.groundLevel : undefined;

@@ -85,7 +85,7 @@ export class Viewer<S, G> {
 	/** Shows a plant in place of the last. Fast enough for every step of a drag: buffers and programs are reused. */
 	show(grown: G, specimen: S): void {
 		this.#profile = boundingProfileOf(this.#stage.show(grown, specimen));
-		this.#cameraController.setGround(this.#stage.groundLevel);
+		this.#setGround();
 		this.#cameraController.follow(this.#profile, this.#held);
 		this.#loop.request(true);
 	}
@@ -113,7 +113,7 @@ export class Viewer<S, G> {
 	set outdoors(on: boolean) {
 		const before = this.#stage.groundLevel;
 		this.#stage.setOutdoors(on);
-		this.#cameraController.setGround(this.#stage.groundLevel);
+		this.#setGround();
 		if (before !== this.#stage.groundLevel) this.#cameraController.fit();
 		this.#loop.request();
 	}
@@ -381,6 +381,11 @@ export class Viewer<S, G> {
 		const moves = [this.#cameraController.advance(now), this.#stage.wind.blow(now)];
 		this.#draw(ratio);
 		return moves.includes(true);
+	}
+
+	/** Keeps the camera over the ground of the shown plant, if there is ground outdoors. */
+	#setGround(): void {
+		this.#cameraController.setGround(this.#stage.groundLevel, this.#stage.outdoorElevation);
 	}
 
 	/** Whether the canvas can be drawn on now. */

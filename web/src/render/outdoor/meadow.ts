@@ -12,7 +12,7 @@ import {
 	Vector4,
 	type WebGLProgramParametersWithUniforms,
 } from "three";
-import { linear } from "../../plant/colour";
+import { type Colour, linear } from "../../plant/colour";
 import { type Footing, MAX_STEMS } from "../../plant/footing";
 import { NOISE_CHUNK } from "../../plant/noise";
 import { float } from "../glsl";
@@ -105,6 +105,7 @@ if (grassy > 0.0) {
 	metres += normalize(sight.xz) * seen.x;
 	deep = mix(0.5, seen.y, grassy);
 }
+diffuseColor.rgb = mix(diffuseColor.rgb, ownGround, hasOwn * (1.0 - smoothstep(crown.z, 2.5 * crown.z, distance(metres, crown.xy))));
 float broad = flat_noise(0.19 * metres);
 float tufts = flat_noise(1.3 * metres);
 float fine = flat_noise(38.0 * metres);
@@ -145,6 +146,9 @@ export class Meadow {
 		crown: { value: new Vector4(0, 0, 1, 0) },
 		crownHeight: { value: 1 },
 		bareRadius: { value: 0 },
+		/** Colour of the ground up to the crown's radius, if the plants bring ground of their own; `hasOwn` is then 1. */
+		ownGround: { value: new Vector3() },
+		hasOwn: { value: 0 },
 		radius: { value: 1 },
 		outdoors: { value: 0 },
 		groundLevel: { value: 0 },
@@ -171,14 +175,19 @@ export class Meadow {
 		return this.#footing?.centre[1];
 	}
 
-	/** Places the ground under a plant; undefined hides it. */
-	show(footing: Footing | undefined): void {
+	/**
+	 * Places the ground under a plant; undefined hides it.
+	 * @param own colour of ground that the plants bring, which the meadow continues outdoors
+	 */
+	show(footing: Footing | undefined, own?: Colour): void {
 		this.#footing = footing;
 		if (!footing) {
 			this.mesh.visible = false;
 			return;
 		}
 		const { centre, stems, reach, height, cover } = footing;
+		this.#uniforms.hasOwn.value = own ? 1 : 0;
+		if (own) this.#uniforms.ownGround.value.fromArray(own);
 		this.#uniforms.stems.value.forEach((to, i) => {
 			to.set(stems[i]?.x ?? 0, stems[i]?.z ?? 0, stems[i]?.radius ?? 0);
 		});
@@ -285,6 +294,8 @@ uniform vec3 stems[${MAX_STEMS}];
 uniform vec4 crown;
 uniform float crownHeight;
 uniform float bareRadius;
+uniform vec3 ownGround;
+uniform float hasOwn;
 uniform float radius;
 uniform float outdoors;
 uniform vec3 hazeColour;

@@ -1,5 +1,6 @@
 /** The surroundings of a standing plant: its ground, and outdoors the sky. */
 import type { PerspectiveCamera } from "three";
+import type { Colour } from "../../plant/colour";
 import type { Footing } from "../../plant/footing";
 import type { Theme } from "../light";
 import type { RendererStage } from "../model_renderer";
@@ -30,9 +31,12 @@ export class Scenery {
 		return this.#ground.level;
 	}
 
-	/** Places the ground under a plant; undefined for none. */
-	show(footing: Footing | undefined): void {
-		this.#ground.show(footing);
+	/**
+	 * Places the ground under a plant; undefined for none.
+	 * @param own colour of ground that the plants bring
+	 */
+	show(footing: Footing | undefined, own?: Colour): void {
+		this.#ground.show(footing, own);
 	}
 
 	/** Updates ground and sky for the next frame. */

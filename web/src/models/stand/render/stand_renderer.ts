@@ -1,5 +1,6 @@
 /** Renders a stand: its ground, and its plants as they arrive. */
 import { type PerspectiveCamera, Vector3 } from "three";
+import { linear } from "../../../plant/colour";
 import type { Footing } from "../../../plant/footing";
 import type { Sway } from "../../../plant/sway";
 import type { Bodies } from "../../../render/camera_fit";
@@ -23,6 +24,8 @@ export class StandRenderer implements ModelRenderer<StandSpecimen, StandPlant> {
 	readonly modes = ["whole"];
 	readonly elevation = 24;
 	readonly outdoorRig = outdoorRig;
+	/** Low enough for a strip of sky, and high enough to look over the first row. */
+	readonly outdoorElevation = 9;
 	readonly #stage: RendererStage;
 	readonly #lights = new StandardLights();
 	readonly #materials: MaterialCache;
@@ -47,6 +50,7 @@ export class StandRenderer implements ModelRenderer<StandSpecimen, StandPlant> {
 		this.#trellis = new PartMeshes([], this.#materials);
 		this.#ground = new GroundRenderer(stage.light.uniforms);
 		this.#scenery = new Scenery(stage, { patch: false });
+		this.#lights.onGround = true;
 		stage.root.add(this.#lights.group, this.#crowd.group, this.#ground.object, this.#ring.object);
 	}
 
@@ -63,7 +67,7 @@ export class StandRenderer implements ModelRenderer<StandSpecimen, StandPlant> {
 		this.#trellis = new PartMeshes(trellis, this.#materials);
 		for (const object of this.#trellis.objects) this.#stage.root.add(object);
 		this.#crowd.show(grown);
-		this.#scenery.show(meadowOf(grown));
+		this.#scenery.show(meadowOf(grown), linear(specimen.look.soil));
 		this.#bounds = bodiesOf(grown);
 		this.#wholeBall = ballOf(this.#bounds);
 		this.#shaded = undefined;
@@ -72,6 +76,11 @@ export class StandRenderer implements ModelRenderer<StandSpecimen, StandPlant> {
 	/** Returns the bounds of the whole stand. */
 	bounds(): Bodies {
 		return this.#bounds;
+	}
+
+	/** Height of the meadow about the stand, metres; undefined without a stand. */
+	get groundLevel(): number | undefined {
+		return this.#scenery.level;
 	}
 
 	/** Whether the camera is inside the stand, at a walker's eye level. */
