@@ -66,11 +66,11 @@ describe("what cannot be used", () => {
 
 	it("is said in one line: files", async () => {
 		expect(await complaint(["--out", "bunch.fbx"])).toBe(
-			"--out bunch.fbx: The file name must end in .glb, .usdz, .ply, .3mf, .stl, .obj, .json, .csv or .measures.csv.",
+			"--out bunch.fbx: The file name must end in .glb, .zip, .usdz, .ply, .3mf, .stl, .obj, .json, .csv or .measures.csv.",
 		);
 		expect(await complaint(["--out", "x.PNG"])).toMatch(/^--out x.PNG: Pictures need a graphics card/);
 		expect(await complaint(["--out", "x.glb", "--form", "tiny"])).toBe(
-			"--form tiny: There is no such form. The forms are detailed, web, low, instanced, growth, wind, lod.",
+			"--form tiny: There is no such form. The forms are detailed, web, low, instanced, growth, wind, lod, game.",
 		);
 		expect(await complaint(["--set", "procedure=paper", "--out", "x.glb", "--form", "growth"])).toBe(
 			"--form growth: This plant has no age data, so its growth cannot be shown. Choose another form.",

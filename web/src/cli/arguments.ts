@@ -73,6 +73,7 @@ export function readArguments(words: readonly string[]): CommandCall {
 			...fileOption("points", last(values.points)),
 			...(values.translucent ? { translucent: true } : {}),
 			...(values.textures ? { textures: true } : {}),
+			...(values["wind-colours"] ? { windColours: true } : {}),
 		},
 		batch,
 	};
@@ -96,6 +97,7 @@ const OPTIONS = {
 	points: { type: "string", multiple: true },
 	translucent: { type: "boolean" },
 	textures: { type: "boolean" },
+	"wind-colours": { type: "boolean" },
 	...BATCH_OPTIONS,
 } as const;
 

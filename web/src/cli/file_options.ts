@@ -15,6 +15,9 @@ export function refuseUnused(options: FileOptions, formats: readonly string[]): 
 		const users = PLANT_FILES.filter(({ uses = [] }) => uses.includes(option)).map(({ key }) => key);
 		if (formats.some((format) => users.includes(format))) continue;
 		const named = { users: formatList(users), files: formatList(formats) };
-		throw optionError(`--${option}`, text.message("option_unused", named));
+		throw optionError(
+			`--${option.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}`,
+			text.message("option_unused", named),
+		);
 	}
 }

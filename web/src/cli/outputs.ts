@@ -62,7 +62,8 @@ export async function outputFiles(
 	const about = await aboutPlant(model, grown, specimen);
 	const meshes = plantFile(ending, form);
 	const parts = model.parts(grown, specimen);
-	if (meshes) return [[file, await meshes.make(parts, about, options, { ...further, sway: swayed(model, grown) })]];
+	if (meshes)
+		return [[file, await meshes.make(parts, about, options, { ...further, sway: swayed(model, grown), plant: grown })]];
 	const stem = file.slice(0, -".obj".length);
 	const { obj, mtl, pictures } = writeObj(parts, about, basename(stem));
 	return [

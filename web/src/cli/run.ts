@@ -66,12 +66,12 @@ async function growAndWrite(call: CommandCall, limit: TimeLimit, world: CommandE
 	const { model, specimen: from, notes, textName } = await requestedSpecimen(call, world);
 	const goals = readTargets(model, from, call.targets);
 	const aims = aimsOf(model.table, goals, literalDraws(), from.seed);
-	const { out } = call;
+	const out = call.out ?? defaultFile(call.form, from);
 	const ending = out === undefined ? "json" : endingOf(model, out);
 	if (out?.toLowerCase().endsWith(".png")) throw optionError(`--out ${out}`, text.message("no_pictures"));
 	if (ending === undefined)
 		throw optionError(`--out ${out}`, text.message("ending_unknown", { endings: endingsOf(model) }));
-	await checkForm(call, ending, model, from);
+	await checkForm({ ...call, out }, ending, model, from);
 	refuseUnused(call.files, [plantFile(ending, call.form)?.key ?? ending]);
 	checkTraceable(call, model, ending);
 	const cores = new CoreCache((wasm) => world.loadCore(wasm, limit.passed));
@@ -165,6 +165,11 @@ async function searchForTargets(
 	const changes = changesInWords(model, from, answer.specimen);
 	if (changes) printError(text("target_changes", { changes, tries: growthsInWords(answer) }));
 	return { specimen: answer.specimen, missed: answer.reached.some(({ isReached }) => !isReached) };
+}
+
+/** Returns the name of a file that a form alone determines: `oak-7-game.zip`; undefined for forms of several endings. */
+function defaultFile(form: string | undefined, { preset, seed }: Specimen): string | undefined {
+	return form === "game" ? `${preset}-${seed}-game.zip` : undefined;
 }
 
 /**

@@ -13,6 +13,8 @@ export interface FileOptions {
 	 * materials.
 	 */
 	readonly textures?: boolean;
+	/** Whether the first vertex colours of the form *game* hold wind data, in place of shade. */
+	readonly windColours?: boolean;
 	/** Least thickness of any part in files for printers, in millimetres. */
 	readonly thickness?: number;
 	/** Number of points of a point cloud. */

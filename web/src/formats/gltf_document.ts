@@ -26,6 +26,7 @@ const VIEWS: Record<string, ViewLayout> = {
 	uvs: { target: "vertices", stride: 8 },
 	shortUvs: { target: "vertices", stride: 4 },
 	colours: { target: "vertices", stride: 4 },
+	winds: { target: "vertices", stride: 4 },
 	shortIndices: { target: "indices" },
 	longIndices: { target: "indices" },
 	swings: { target: "vertices", stride: 12 },
@@ -60,6 +61,20 @@ export interface MeshOptions {
 	tangents?: Float32Array;
 	/** 3 × vertices each: displacement by a sine and a cosine of time. */
 	swing?: readonly [sine: Float32Array, cosine: Float32Array];
+}
+
+/** One of several draw calls of a mesh, with data for shaders of games. */
+export interface Primitive {
+	readonly mesh: Mesh;
+	/** Index of the material. */
+	readonly material: number;
+	/** 4 × vertices: the first vertex colours, which multiply the material's colour, and the second ones, which are data. */
+	readonly colours?: Uint8Array | undefined;
+	readonly data?: Uint8Array | undefined;
+	/** 4 × vertices (tangents.ts). */
+	readonly tangents?: Float32Array | undefined;
+	/** 2 × vertices each, 0 … 65535 for 0 … 1: the second and third texture coordinates. */
+	readonly furtherUvs?: readonly Uint16Array[] | undefined;
 }
 
 /** A mesh to draw by a node: its index, origin, and unit of its coordinates. */
@@ -187,13 +202,33 @@ export class GltfDocument {
 		return { mesh: index, ...place };
 	}
 
-	/** Writes the whole file; `roots` are the scene's nodes. */
-	finish(roots: number[], extras: Json): Uint8Array<ArrayBuffer> {
+	/** Appends a mesh of several materials; texture coordinates within one picture take half the size. */
+	meshOf(name: string, primitives: readonly Primitive[]): number {
+		const written = primitives.map(({ mesh, material, colours, data, tangents, furtherUvs = [] }) => {
+			const { attributes } = this.#fullAttributes(mesh);
+			if (tangents) attributes.TANGENT = this.#tangents(tangents);
+			const bytes = (values: Uint8Array) => this.#binary.add("winds", values, "VEC4", { normalized: true });
+			if (mesh.uvs.length > 0) attributes.TEXCOORD_0 = this.#textureCoordinates(mesh.uvs, true);
+			for (const [i, uvs] of furtherUvs.entries())
+				attributes[`TEXCOORD_${i + 1}`] = this.#binary.add("shortUvs", uvs, "VEC2", { normalized: true });
+			if (colours) attributes.COLOR_0 = bytes(colours);
+			if (data) attributes.COLOR_1 = bytes(data);
+			return { attributes, indices: this.#triangles(mesh.indices, mesh.positions.length / 3), material };
+		});
+		return this.#meshes.push({ name, primitives: written }) - 1;
+	}
+
+	/**
+	 * Writes the whole file.
+	 * @param roots nodes of the scene that programs show
+	 * @param further other scenes, for programs that read more than one
+	 */
+	finish(roots: number[], extras: Json, further: readonly Json[] = []): Uint8Array<ArrayBuffer> {
 		return this.#binary.finish({
 			asset: { version: "2.0", generator: GENERATOR, extras },
 			...withoutEmpty({ extensionsUsed: [...this.#used], extensionsRequired: [...this.#required] }),
 			scene: 0,
-			scenes: [{ nodes: roots }],
+			scenes: [{ nodes: roots }, ...further],
 			nodes: this.#nodes,
 			...withoutEmpty({
 				meshes: this.#meshes,
@@ -235,9 +270,9 @@ export class GltfDocument {
 		return list;
 	}
 
-	/** Writes texture coordinates; in compact meshes, those within one picture take half the size. */
-	#textureCoordinates(uvs: Float32Array): number {
-		const within = this.compact && uvs.every((value) => value >= 0 && value <= 1);
+	/** Writes texture coordinates; in short ones, those within one picture take half the size. */
+	#textureCoordinates(uvs: Float32Array, short = this.compact): number {
+		const within = short && uvs.every((value) => value >= 0 && value <= 1);
 		if (!within) return this.#binary.add("uvs", uvs, "VEC2");
 		return this.#binary.add(
 			"shortUvs",

@@ -23,6 +23,8 @@ export interface GltfMaterial {
 	normalTexture?: TextureInfo;
 	occlusionTexture?: TextureInfo;
 	doubleSided?: boolean;
+	alphaMode?: "MASK";
+	alphaCutoff?: number;
 	extensions?: Record<string, object>;
 }
 
@@ -37,7 +39,7 @@ export function gltfMaterial(
 	thickness: number,
 	textures: TextureIndices = {},
 ): GltfMaterial {
-	const { name, roughness, doubleSided } = material;
+	const { name, roughness, doubleSided, cutout } = material;
 	const extensions = extensionsOf(material, thickness, textures);
 	return {
 		name,
@@ -51,6 +53,7 @@ export function gltfMaterial(
 		...(textures.normal === undefined ? {} : { normalTexture: { index: textures.normal } }),
 		...(textures.surface === undefined ? {} : { occlusionTexture: { index: textures.surface } }),
 		...(doubleSided ? { doubleSided } : {}),
+		...(cutout ? { alphaMode: "MASK", alphaCutoff: 0.5 } : {}),
 		...(Object.keys(extensions).length > 0 ? { extensions } : {}),
 	};
 }

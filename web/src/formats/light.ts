@@ -3,12 +3,16 @@
  * material is one mesh, and single parts lose their names. For parts of any model.
  */
 import type { Material, Picture, Textures } from "../plant/material";
-import type { Part, Vector } from "../plant/part";
+import { everyPart, type Part, type Shape, TRANSFORM, type Vector } from "../plant/part";
+import type { Wooden } from "../plant/wood/wooden";
+import type { Card } from "./cards/card";
+import { type CardTree, cardTree, FINEST_LEVEL } from "./cards/card_tree";
 import { drawCalls } from "./draw_calls";
 import { Cover } from "./hidden";
 import { mergedBodies, solidGroups } from "./merged_bodies";
 import { agreement, outlinesBeside } from "./outline";
 import { extentOf, type Piece, piecesOf } from "./piece";
+import { shrunk } from "./shrunk";
 import { simplified } from "./simplified";
 import { sparse } from "./sparse";
 
@@ -32,10 +36,54 @@ export interface Light {
 	still?: Vector | undefined;
 	/** The most pixels along an edge of a picture. */
 	pixels: number;
+	/** The plant of the parts. With a budget of triangles, the leaves of a tree become cards attached to its wood. */
+	plant?: Wooden | undefined;
 }
 
+/** The edge of the atlas of a tree's cards, in pixels. */
+const ATLAS = 512;
+/** The share of the triangles for parts of a tree besides wood and leaves, such as bunches. */
+const OTHER_SHARE = 0.15;
+
 /** Simplifies the parts and merges them into one per draw call, at most 5. */
-export async function lightParts(parts: Iterable<Part>, { triangles, pixels, still }: Light): Promise<Part[]> {
+export async function lightParts(parts: Iterable<Part>, light: Light): Promise<Part[]> {
+	const { triangles, plant } = light;
+	if (triangles === undefined || !plant) return lightPieces(parts, light);
+	const own = [...parts];
+	const tree = treeOfCards(own, plant, triangles);
+	if (!tree) return lightPieces(own, light);
+	const { levels, bark, leaves, others } = tree;
+	const [{ tubes, mesh, cards }] = levels;
+	const drawn = [
+		{ name: bark.name, shape: { mesh: tubes.mesh, material: bark } },
+		{ name: leaves.name, shape: { mesh: light.still ? { ...mesh, feet: feetOf(cards) } : mesh, material: leaves } },
+	];
+	const left = triangles - (tubes.mesh.indices.length + mesh.indices.length) / 3;
+	return others.length > 0 ? [...drawn, ...(await lightPieces(others, { ...light, triangles: left }))] : drawn;
+}
+
+/** Returns a tree as tubes and cards; undefined for plants with few leaves, or whose parts fit the budget as they are. */
+function treeOfCards(parts: readonly Part[], plant: Wooden, triangles: number): CardTree | undefined {
+	const isLeaf = ({ shape }: Part) => shape?.instances !== undefined && shape.material.doubleSided === true;
+	const all = [...everyPart(parts)].filter(({ shape }) => shape !== undefined);
+	const count = all.reduce((sum, { shape }) => sum + (shape ? trianglesOf(shape) : 0), 0);
+	if (count <= triangles) return undefined;
+	const hasOthers = all.filter((part) => !isLeaf(part)).length > 1;
+	const room = hasOthers ? Math.floor((1 - OTHER_SHARE) * triangles) : triangles;
+	return cardTree(parts, plant, [{ ...FINEST_LEVEL, triangles: room, share: 1 }], ATLAS);
+}
+
+/** Returns the number of triangles of all instances of a shape. */
+const trianglesOf = ({ mesh, instances }: Shape) =>
+	(mesh.indices.length / 3) * (instances ? instances.transforms.length / TRANSFORM : 1);
+
+/** Returns the fixed points of the cards' corners. */
+function feetOf(cards: readonly Card[]): Float32Array {
+	return Float32Array.from(cards.flatMap(({ corners, anchor }) => corners.flatMap(() => anchor)));
+}
+
+/** Simplifies any parts. */
+async function lightPieces(parts: Iterable<Part>, { triangles, pixels, still }: Light): Promise<Part[]> {
 	const all = triangles === undefined ? parts : sparse([...parts], triangles);
 	const pieces = [...piecesOf(all, still)];
 	const light =
@@ -95,27 +143,4 @@ function withPictures(material: Material, change: (picture: Picture) => Picture)
 	const { repeats, ...pictures } = material.textures;
 	const entries = Object.entries(pictures).map(([kind, picture]) => [kind, change(picture)]);
 	return { ...material, textures: { ...(Object.fromEntries(entries) as Textures), ...(repeats ? { repeats } : {}) } };
-}
-
-/** Halves a picture until no side is longer than `most` pixels, each pixel the mean of four. */
-export function shrunk(picture: Picture, most: number): Picture {
-	const { width, height, pixels } = picture;
-	if (Math.max(width, height) <= most) return picture;
-	const channels = pixels.length / (width * height);
-	const [w, h] = [Math.max(1, width >> 1), Math.max(1, height >> 1)];
-	const half = new Uint8Array(channels * w * h);
-	for (let y = 0, to = 0; y < h; y++) {
-		const upper = channels * width * 2 * y;
-		const lower = channels * width * Math.min(height - 1, 2 * y + 1);
-		for (let x = 0; x < w; x++) {
-			const left = channels * 2 * x;
-			const right = channels * Math.min(width - 1, 2 * x + 1);
-			for (let k = 0; k < channels; k++, to++) {
-				const sum =
-					pixels[upper + left + k] + pixels[upper + right + k] + pixels[lower + left + k] + pixels[lower + right + k];
-				half[to] = Math.round(sum / 4);
-			}
-		}
-	}
-	return shrunk({ width: w, height: h, pixels: half }, most);
 }

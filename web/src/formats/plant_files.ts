@@ -1,6 +1,7 @@
 /** Files with meshes for every plant: their names, and their writers, loaded on demand. */
 import type { Part } from "../plant/part";
 import type { Sway } from "../plant/sway";
+import type { Wooden } from "../plant/wood/wooden";
 import type { About } from "./about";
 import type { FileOptions } from "./file_options";
 import type { Aged } from "./growth_glb";
@@ -16,6 +17,8 @@ export interface Further {
 	readonly sway?: Sway | undefined;
 	/** The plant at several levels of detail; absent for models without levels. */
 	readonly levels?: Levels | undefined;
+	/** The plant of the parts: files with few triangles attach its leaves to its wood. */
+	readonly plant?: Wooden | undefined;
 	/** Receives a sentence for each way in which the file differs from the request. */
 	readonly note?: ((text: string) => void) | undefined;
 }
@@ -46,6 +49,8 @@ export interface PlantFile {
 	readonly blown?: true;
 	/** Whether it has levels of detail: only for models that make them. */
 	readonly levelled?: true;
+	/** Whether it is only for trees with leaves (game/has_crown.ts). */
+	readonly crowned?: true;
 	/** How it writes instances, for its limits (limits.ts); absent for files that simplify the parts. */
 	readonly instances?: WrittenInstances;
 	/**
@@ -101,7 +106,8 @@ const FILES: readonly PlantFile[] = [
 		instances: "meshes",
 		suffix: "-low.glb",
 		uses: ["triangles"],
-		make: async (parts, about, { triangles }) => (await import("./low_glb")).lowGlb(parts, about, triangles),
+		make: async (parts, about, { triangles }, { plant } = {}) =>
+			(await import("./low_glb")).lowGlb(parts, about, triangles, plant),
 	},
 	{
 		...GLB,
@@ -143,8 +149,8 @@ const FILES: readonly PlantFile[] = [
 		uses: ["triangles"],
 		blown: true,
 		slow: true,
-		make: async (parts, about, { triangles }, { sway } = {}) =>
-			(await import("./wind_glb")).windGlb(parts, about, sway, triangles),
+		make: async (parts, about, { triangles }, { sway, plant } = {}) =>
+			(await import("./wind_glb")).windGlb(parts, about, sway, triangles, plant),
 	},
 	{
 		...GLB,
@@ -160,6 +166,20 @@ const FILES: readonly PlantFile[] = [
 		},
 	},
 	{
+		key: "zip-game",
+		ending: "zip",
+		form: "game",
+		title: () => text("zip_game_title"),
+		about: () => text("zip_game_about"),
+		suffix: "-game.zip",
+		type: "application/zip",
+		uses: ["windColours"],
+		crowned: true,
+		slow: true,
+		make: async (parts, about, { windColours = false }, { plant } = {}) =>
+			(await import("./game/game_tree")).gameTree(parts, about, plant, windColours),
+	},
+	{
 		key: "usdz",
 		ending: "usdz",
 		type: "model/vnd.usdz+zip",
@@ -167,7 +187,7 @@ const FILES: readonly PlantFile[] = [
 		about: () => text("usdz_about"),
 		instances: "meshes",
 		suffix: ".usdz",
-		make: async (parts, about) => (await import("./usdz")).usdz(parts, about),
+		make: async (parts, about, _, { plant } = {}) => (await import("./usdz")).usdz(parts, about, plant),
 	},
 	{
 		key: "ply",

@@ -3,21 +3,22 @@ import { zlibSync } from "fflate";
 import type { Picture } from "../plant/material";
 import { PNG_SIGNATURE, pngChunk } from "./png_chunks";
 
-const TRUE_COLOUR = 2;
-const CHANNELS = 3;
+/** Types of colour by the number of channels. */
+const COLOUR_TYPES: Readonly<Record<number, number>> = { 1: 0, 3: 2, 4: 6 };
 /** The filter "up": differences from the row above, a third smaller for gradients, hardly larger for flat colours. */
 const UP = 2;
 /** Compression level: the highest, 9, takes twice as long and saves a fiftieth. */
 const LEVEL = 6;
 
-/** Encodes a picture; `pixels` are rows of red, green and blue, from the top. */
+/** Encodes a picture; `pixels` are rows from the top: of grey, of red, green and blue, or of these and coverage. */
 export function png({ width, height, pixels }: Picture): Uint8Array<ArrayBuffer> {
+	const channels = pixels.length / (width * height);
 	const header = new Uint8Array(13);
 	const view = new DataView(header.buffer);
 	view.setUint32(0, width);
 	view.setUint32(4, height);
-	header.set([8, TRUE_COLOUR], 8);
-	const row = CHANNELS * width;
+	header.set([8, COLOUR_TYPES[channels]], 8);
+	const row = channels * width;
 	// Each row begins with its filter. The row above the first one is 0.
 	const rows = new Uint8Array((row + 1) * height);
 	for (let y = 0; y < height; y++) {

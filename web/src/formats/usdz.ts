@@ -6,6 +6,7 @@ import { type Zippable, zipSync } from "fflate";
 import { meanColour } from "../plant/colour";
 import type { Material } from "../plant/material";
 import type { Part, PartMesh } from "../plant/part";
+import type { Wooden } from "../plant/wood/wooden";
 import type { About } from "./about";
 import { GENERATOR } from "./generator";
 import { lightParts } from "./light";
@@ -29,8 +30,8 @@ const CLOSE = 0x29;
  * Writes parts as a USDZ file: simplified to TRIANGLES triangles, with pictures of PIXELS pixels, so that phones open
  * it.
  */
-export async function usdz(parts: Iterable<Part>, about: About): Promise<Uint8Array<ArrayBuffer>> {
-	const light = paletted(await lightParts(parts, { triangles: TRIANGLES, pixels: PIXELS }));
+export async function usdz(parts: Iterable<Part>, about: About, plant?: Wooden): Promise<Uint8Array<ArrayBuffer>> {
+	const light = paletted(await lightParts(parts, { triangles: TRIANGLES, pixels: PIXELS, plant }));
 	const out = new TextBuffer();
 	const pictures: [string, Uint8Array][] = [];
 	out.text(`#usda 1.0
@@ -136,7 +137,7 @@ function writeMaterial(out: TextBuffer, index: number, material: Material, mesh:
             float inputs:ior = ${short(ior)}
             float inputs:clearcoat = ${short(clearcoat?.factor ?? 0)}
             float inputs:clearcoatRoughness = ${short(clearcoat?.roughness ?? 0)}
-            token outputs:surface
+${picture && material.cutout ? `            float inputs:opacity.connect = <${path}/Colour.outputs:a>\n            float inputs:opacityThreshold = 0.5\n` : ""}            token outputs:surface
         }
 `);
 	if (picture) {
@@ -159,7 +160,7 @@ function writeMaterial(out: TextBuffer, index: number, material: Material, mesh:
             token inputs:wrapS = "${wrap}"
             token inputs:wrapT = "${wrap}"
             float3 outputs:rgb
-        }
+${material.cutout ? "            float outputs:a\n" : ""}        }
 `);
 	}
 	out.text("    }\n");

@@ -107,7 +107,7 @@ export async function measures(model?: string): Promise<MeasureInfo[]> {
 
 /**
  * The kinds of file that `toFile` makes of a model's plants. Some do not suit all plants: `glb-growth` needs an age,
- * `glb-lod` a model with levels.
+ * `glb-lod` a model with levels, and `zip-game` a tree with leaves.
  * @param model - its name; the default model's where absent
  * @throws SpecimenError where there is no such model
  */

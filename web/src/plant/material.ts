@@ -7,7 +7,10 @@ export interface Picture {
 	width: number;
 	/** In pixels. */
 	height: number;
-	/** 3 × width × height: red, green, blue; 4 × where it is only for drawing (plant/picture.ts). */
+	/**
+	 * 3 × width × height: red, green, blue; 4 × with coverage for materials that are cut out, and where it is only for
+	 * drawing (plant/picture.ts).
+	 */
 	pixels: Uint8Array;
 }
 
@@ -44,6 +47,8 @@ export interface Material {
 	still?: true;
 	/** For sheets without thickness. */
 	doubleSided?: boolean;
+	/** Whether pixels whose colour picture has less than half coverage are left out. For files only. */
+	cutout?: true;
 	/**
 	 * For sheets: transmitted light, as a factor on the light that the colour lets pass (`lightThrough`), and the
 	 * colour of the reverse, as a factor on this side's, which files cannot hold.

@@ -28,5 +28,8 @@ export function tinted(picture: Picture, by: Colour): Picture {
 			return Math.round(255 * clamp(encoded([light, light, light])[0]));
 		}),
 	);
-	return { ...picture, pixels: picture.pixels.map((value, at) => shades[at % 3][value]) };
+	const channels = picture.pixels.length / (picture.width * picture.height);
+	// Coverage stays as it is.
+	const pixels = picture.pixels.map((value, at) => shades[at % channels]?.[value] ?? value);
+	return { ...picture, pixels };
 }

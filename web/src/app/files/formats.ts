@@ -2,6 +2,7 @@
 
 import { coreAddress } from "../../core/core_address";
 import type { FileOptions } from "../../formats/file_options";
+import { hasCrown } from "../../formats/game/has_crown";
 import { PLANT_FILES } from "../../formats/plant_files";
 import { withLink } from "../../formats/png_link";
 import { hasAges } from "../../generate/files/aged";
@@ -63,8 +64,12 @@ export function downloadFormats(
 	const ages = core !== undefined && hasAges(model, shown.from);
 	const levels = core !== undefined && model.levels !== undefined;
 	const meshes = PLANT_FILES.filter(
-		({ shared, life, blown, levelled }) =>
-			(!shared || hasInstances(shown)) && (!life || ages) && !(blown && model.still) && (!levelled || levels),
+		({ shared, life, blown, levelled, crowned }) =>
+			(!shared || hasInstances(shown)) &&
+			(!life || ages) &&
+			!(blown && model.still) &&
+			(!levelled || levels) &&
+			(!crowned || hasCrown(grown)),
 	);
 	const titled = meshes.map((file) => ({ ...file, title: file.title(), about: file.about() }));
 	const listed: FormatEntry[] = [...titled, ...formatsOfEveryPlant(), ...own];

@@ -10,7 +10,7 @@ export type Purpose = (typeof PURPOSES)[number];
 const SUITABLE: Readonly<Record<Purpose, readonly string[]>> = {
 	program: ["glb", "obj"],
 	website: ["glb-web"],
-	game: ["glb-low"],
+	game: ["zip-game", "glb-low"],
 	printing: ["3mf", "stl"],
 	ar: ["usdz"],
 	picture: ["png"],
@@ -33,6 +33,7 @@ const OPENED_BY: Readonly<Record<string, () => string>> = {
 	obj: () => text("opened_by_obj"),
 	"glb-web": () => text("opened_by_glb_web"),
 	"glb-low": () => text("opened_by_glb_low"),
+	"zip-game": () => text("opened_by_zip_game"),
 	"3mf": () => text("opened_by_3mf"),
 	stl: () => text("opened_by_3mf"),
 	usdz: () => text("opened_by_usdz"),

@@ -34,6 +34,7 @@ const NUMBERS: Partial<Record<keyof DownloadOptions, NumberField>> = {
 const SWITCHES: Partial<Record<keyof DownloadOptions, () => string>> = {
 	translucent: () => text("options_translucent"),
 	textures: () => text("options_textures"),
+	windColours: () => text("options_wind_colours"),
 };
 
 /**

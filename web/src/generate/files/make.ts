@@ -30,7 +30,7 @@ export async function makeFile(model: Model, request: FileRequest, grow?: GrowSp
 	if (file) {
 		const aged = file.life && grow ? agedOf(model, specimen, grow) : undefined;
 		const levels = file.levelled && grow ? levelledOf(model, specimen, grow) : undefined;
-		const further = { aged, levels, sway: swayed(model, grown) };
+		const further = { aged, levels, sway: swayed(model, grown), plant: grown };
 		return new Blob([await file.make(parts, about, options ?? {}, further)], { type: file.type });
 	}
 	if (format !== "obj") throw new MessageError(text.message("format_unknown", { format }));
