@@ -112,8 +112,8 @@ func check_pictures(tree: Node3D, levels: Array[Node], height: float) -> void:
 		part.visible = false
 	impostor.visible = true
 	var flat := await picture(view)
-	check("the impostor has the shape of the tree", difference(covered, coverage(flat)) < 0.35,
-			difference(covered, coverage(flat)))
+	var apart := distance_of(squares(covered), squares(coverage(flat)))
+	check("the impostor has the shape of the tree", apart < 0.35, apart)
 	report("tree", calm)
 	report("impostor", flat)
 
@@ -147,6 +147,27 @@ func difference(one: Array[bool], other: Array[bool]) -> float:
 		both += 1 if one[index] and other[index] else 0
 		any += 1 if one[index] or other[index] else 0
 	return 1.0 - float(both) / maxf(1.0, any)
+
+
+## The numbers of covered pixels in squares of 16 pixels.
+func squares(covered: Array[bool]) -> Array[int]:
+	var counts: Array[int] = []
+	counts.resize(SIDE * SIDE / 256)
+	counts.fill(0)
+	for index in covered.size():
+		if covered[index]:
+			counts[(index / SIDE / 16) * (SIDE / 16) + index % SIDE / 16] += 1
+	return counts
+
+
+## The sum of all differences, as a share of the sum of the larger values.
+func distance_of(one: Array[int], other: Array[int]) -> float:
+	var apart := 0
+	var whole := 0
+	for index in one.size():
+		apart += absi(one[index] - other[index])
+		whole += maxi(one[index], other[index])
+	return float(apart) / maxf(1.0, whole)
 
 
 ## Prints a picture for people to look at.

@@ -58,9 +58,10 @@ async function engine() {
  * Runs the checks of godot.gd with a game tree.
  * @param {import("./game_tree.mjs").TreeFiles} tree
  * @param {string} folder receives pictures
+ * @param {string} name of the tree, in the names of pictures and checks
  * @returns {Promise<import("./checks.mjs").Check[]>}
  */
-export async function inGodot(tree, folder) {
+export async function inGodot(tree, folder, name) {
 	const files = new Map([
 		["project.godot", Buffer.from(PROJECT)],
 		["test.tscn", Buffer.from(SCENE)],
@@ -76,16 +77,17 @@ export async function inGodot(tree, folder) {
 	const lines = await play(await engine(), packed(files));
 	for (const line of lines) {
 		const [, title, data] = /^PICTURE (\w+) (.*)$/.exec(line) ?? [];
-		if (title) writeFileSync(join(folder, `godot-${title}.png`), Buffer.from(data, "base64"));
+		if (title) writeFileSync(join(folder, `godot-${name}-${title}.png`), Buffer.from(data, "base64"));
 	}
 	const errors = lines.filter(
 		(line) => /(SCRIPT |SHADER )?ERROR/.test(line) && !EXPECTED.some((each) => line.includes(each)),
 	);
-	return [
+	const checks = [
 		...checksIn(lines.join("\n")),
 		{ title: "all checks run", passed: lines.includes("DONE"), found: lines.slice(-5).join(" | ") },
 		{ title: "scripts and shaders have no errors", passed: errors.length === 0, found: errors.join(" | ") },
 	];
+	return checks.map((check) => ({ ...check, title: `${name}: ${check.title}` }));
 }
 
 /** Errors that do not matter: the project has no global classes, and a check loads a file that is missing. */

@@ -9,7 +9,7 @@ import { fileURLToPath } from "node:url";
 import { buildFolder } from "../../wasm-core/tools/repository.mjs";
 import { inBlender } from "./blender.mjs";
 import { checkUnity, checkUnreal } from "./compile.mjs";
-import { gameTree } from "./game_tree.mjs";
+import { growOak, writeSmallTree } from "./game_tree.mjs";
 import { inGodot } from "./godot.mjs";
 
 const folder = join(buildFolder, "integrations");
@@ -17,8 +17,11 @@ const folder = join(buildFolder, "integrations");
 const PROGRAMS = {
 	unity: () => checkUnity(folder),
 	unreal: () => checkUnreal(),
-	godot: async () => inGodot(gameTree(folder), folder),
-	blender: async () => inBlender(gameTree(folder)),
+	godot: async () => [
+		...(await inGodot(writeSmallTree(folder), folder, "small")),
+		...(await inGodot(await growOak(folder), folder, "oak")),
+	],
+	blender: async () => inBlender(await growOak(folder)),
 };
 
 /**

@@ -135,7 +135,9 @@ Shader "Panicle/Impostor"
                     colour += shares[i] * half4(picture.a * picture.rgb, picture.a);
                     normal += shares[i] * FrameNormal(nearest[i], at);
                 }
-                clip(colour.a - 0.5);
+                // Of pixels that are partly covered, a share is drawn: distant crowns stay as open as they are.
+                float grain = frac(52.9829189 * frac(dot(input.clip.xy, float2(0.06711056, 0.00583715))));
+                clip(colour.a - lerp(0.15, 0.75, grain));
 #ifdef LOD_FADE_CROSSFADE
                 LODFadeCrossFade(input.clip);
 #endif

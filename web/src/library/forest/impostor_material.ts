@@ -10,8 +10,11 @@ import type { Impostor } from "./game_tree";
 /** Returns the square of an impostor: its corners are at −1 and 1. */
 export const impostorGeometry = (): BufferGeometry => new PlaneGeometry(2, 2);
 
-/** Pixels with less coverage are left out. */
-const CUTOFF = 0.5;
+/**
+ * Pixels with less coverage than the lower limit are left out, and those with more than the upper one are drawn. Of those
+ * between, a share is drawn, in the pattern of fading: distant crowns stay as open as they are.
+ */
+const LIMITS = [0.15, 0.75] as const;
 
 const VERTEX = /* glsl */ `
 #include <begin_vertex>
@@ -85,7 +88,7 @@ vec4 mixedColour = vec4(
 	(shares.x * c0.a * c0.rgb + shares.y * c1.a * c1.rgb + shares.z * c2.a * c2.rgb),
 	dot(shares, vec3(c0.a, c1.a, c2.a))
 );
-if (mixedColour.a < ${CUTOFF}) discard;
+if (mixedColour.a < mix(${LIMITS[0]}, ${LIMITS[1]}, grain)) discard;
 diffuseColor.rgb *= mixedColour.rgb / mixedColour.a;
 `;
 
