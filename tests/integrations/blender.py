@@ -4,6 +4,7 @@ FOLDER contains the repository, GAME.glb is a game tree of HEIGHT metres, and AD
 """
 
 import json
+import math
 import os
 import sys
 import tempfile
@@ -97,7 +98,9 @@ def moved(one, other):
 calm, blown, later = at(1), at(40), at(1 + 10 * scene.render.fps)
 distances = moved(calm, blown)
 check("the wind moves it", 0.005 < max(distances) < 0.2 * float(height), max(distances))
-foot = max(d for d, point in zip(distances, calm) if point.z < 0.02 * float(height))
+# Low branches may hang beside the foot of the trunk.
+near = 0.04 * float(height)
+foot = max(d for d, point in zip(distances, calm) if point.z < 0.5 * near and math.hypot(point.x, point.y) < near)
 check("its foot does not move", foot < 0.002 * float(height), foot)
 check("the motion repeats after 10 seconds", max(moved(calm, later)) < 1e-3, max(moved(calm, later)))
 bpy.ops.panicle.level(plant="Tree", level=found[-1])
