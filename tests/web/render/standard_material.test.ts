@@ -12,6 +12,7 @@ import { describe, expect, it } from "vitest";
 import type { Material } from "../../../web/src/plant/material";
 import { lightUniforms } from "../../../web/src/render/light_shader";
 import {
+	crownUniforms,
 	type StandardOptions,
 	setPicture,
 	setSheet,
@@ -93,6 +94,35 @@ describe("standardMaterial", () => {
 		const made = standardMaterial(sheet, { light });
 		setSheet(made, { ...sheet, sheet: { through: [0, 0, 0], reverse: [1, 1, 1] } });
 		expect(made.userData.sheet.sheetReverse.value.toArray()).toEqual([1, 1, 1]);
+	});
+
+	it("transmits the light of a lamp only where the other side is not in its shadow", () => {
+		const sheet = { ...rich, sheet: { through: [1, 1, 1], reverse: [1, 1, 1] } } satisfies Material;
+		const { vertexShader, fragmentShader } = programOf(sheet, { sky: true });
+		const [shadow, behind] = ["getShadow( directionalShadowMap", "lampsBehind += directLight.color"].map((text) =>
+			fragmentShader.indexOf(text),
+		);
+		expect(shadow).toBeGreaterThan(0);
+		expect(behind).toBeGreaterThan(shadow);
+		expect(fragmentShader.split("lampsBehind += directLight.color")).toHaveLength(2);
+		// A leaf lit from behind is not in its own shadow.
+		expect(vertexShader).toContain("shadowWorldNormal *= dot(shadowWorldNormal, keyDirection)");
+	});
+
+	it("bends the normals of sheets outwards from a crown, and leaves those of wood", () => {
+		const crown = crownUniforms();
+		const sheet = { ...rich, sheet: { through: [1, 1, 1], reverse: [1, 1, 1] } } satisfies Material;
+		const bent = programOf(sheet, { crown });
+		expect(bent.fragmentShader).toContain("normal = normalize(mix(normal, crownOut, 0.5));");
+		expect(bent.uniforms.crownCentre).toBe(crown.crownCentre);
+		expect(programOf(rich, { crown }).fragmentShader).not.toContain("crownOut");
+	});
+
+	it("widens tubes that are thinner than a pixel, after the position is projected", () => {
+		const { vertexShader } = programOf({ name: "Bark", colour: [1, 1, 1], roughness: 1 }, { thin: true });
+		expect(vertexShader).toContain("attribute float width;");
+		expect(vertexShader.indexOf("float lacking")).toBeGreaterThan(vertexShader.indexOf("#include <project_vertex>"));
+		expect(programOf(rich, {}).vertexShader).not.toContain("lacking");
 	});
 
 	it("shows a material's picture in place of its colour, until the picture changes", () => {
