@@ -6,6 +6,7 @@ import { StudioPage } from "./studio_page";
 const TREE = "?v=2&model=growth&preset=apple&season=0&steps=5";
 
 const editsIn = (page: Page) => new URL(page.url()).searchParams.get("edit") ?? "";
+const view = (page: Page) => page.getByRole("application");
 const chooser = (page: Page) => page.getByRole("spinbutton", { name: "Branch", exact: true });
 
 /** Opens the tree and starts to edit it. */
@@ -18,8 +19,8 @@ async function open(page: Page, search = TREE): Promise<StudioPage> {
 }
 
 /** Clicks up the middle of the tree until a branch or the trunk is chosen. */
-async function clickBranch(page: Page, studio: StudioPage): Promise<void> {
-	const box = await studio.canvas.boundingBox();
+async function clickBranch(page: Page): Promise<void> {
+	const box = await view(page).boundingBox();
 	if (!box) throw new Error("no canvas");
 	await expect(async () => {
 		for (let row = 0; row < 6; row++) {
@@ -36,7 +37,7 @@ test("a branch is pruned by the mouse; undo, reload and the link in another wind
 }) => {
 	const studio = await open(page);
 	const whole = await studio.fingerprint.innerText();
-	await clickBranch(page, studio);
+	await clickBranch(page);
 	const pruned = await studio.regrown(() => studio.button("Prune").click());
 	await expect.poll(() => editsIn(page)).toMatch(/^1\.p[\w-]{12}$/);
 	await studio.button("Undo").click();
@@ -96,7 +97,7 @@ test("the trunk is bent by its tip, by keys and by the mouse, and drawn with a s
 	await expect.poll(() => editsIn(page)).not.toBe(before);
 	const bent = editsIn(page);
 	await studio.button("Draw").click();
-	const canvas = await studio.canvas.boundingBox();
+	const canvas = await view(page).boundingBox();
 	const [left, top] = [(canvas?.x ?? 0) + (canvas?.width ?? 0) / 2, (canvas?.y ?? 0) + (canvas?.height ?? 0) * 0.6];
 	await page.mouse.move(left, top);
 	await page.mouse.down();
