@@ -4,7 +4,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "foundation/mathematics.hpp"
 #include "foundation/vectors.hpp"
+#include "models/growth/coarse_leaf.hpp"
 #include "models/growth/foliage.hpp"
 #include "models/growth/texts.hpp"
 #include "models/growth/twig_shapes.hpp"
@@ -181,4 +183,32 @@ TEST_CASE("more twigs than the limit are an error") {
   Limits limits;
   limits.copies = 100;
   CHECK(add_leaves(plant, population, form, moment, 6, habit, limits).reason == Reason::limit);
+}
+
+TEST_CASE("a coarse leaf has fewer triangles, almost the same area and its petiole; a small leaf stays as it is") {
+  // A lobed disc: a fan around its middle, which is not on its outline.
+  std::vector<float> points{0, 0}, between{0}, uvs{0.5f, 1};
+  std::vector<std::uint32_t> triangles;
+  constexpr std::uint32_t corners = 24;
+  for (std::uint32_t i = 0; i < corners; ++i) {
+    const SinCos turn = sincos_degrees(360.0f * static_cast<float>(i) / corners - 90);
+    const float radius = i % 4 == 2 ? 0.4f : 0.5f;
+    points.insert(points.end(), {radius * turn.cosine, 0.5f + radius * turn.sine});
+    between.push_back(0.5f);
+    uvs.insert(uvs.end(), {0.5f, 0.5f});
+    triangles.insert(triangles.end(), {0, 1 + i, 1 + (i + 1) % corners});
+  }
+  const FlatLeaf leaf{points, between, uvs, triangles};
+  const auto area = [](const FlatLeaf& of) { return make_blade(of, 1, 0).area; };
+  const CoarseLeaf coarse = coarse_leaf(leaf, 12);
+  CHECK(coarse.triangles.size() <= 3 * std::size_t{12});
+  CHECK(coarse.triangles.size() >= 3 * std::size_t{6});
+  CHECK(coarse.points[0] == 0);
+  CHECK(coarse.points[1] == 0);
+  CHECK(coarse.uvs.size() == coarse.points.size());
+  CHECK(coarse.between.size() == coarse.points.size() / 2);
+  CHECK(check(coarse.view(leaf)).reason == Reason::none);
+  CHECK(area(coarse.view(leaf)) == doctest::Approx(area(leaf)).epsilon(0.2));
+  CHECK(coarse_leaf(leaf, 100).triangles == triangles);
+  CHECK(coarse_leaf({}, 12).triangles.empty());
 }

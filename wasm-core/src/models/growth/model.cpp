@@ -13,6 +13,7 @@
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
 #include "light/sky_visibility.hpp"
+#include "models/growth/coarse_leaf.hpp"
 #include "models/growth/foliage.hpp"
 #include "models/growth/form.hpp"
 #include "models/growth/levels.hpp"
@@ -39,7 +40,8 @@ using enum Parameter;
 constexpr std::uint16_t usual_steps = 8;
 // kinds of leaf; the shape of all others comes with the request
 constexpr std::uint32_t no_leaf = 0, needle = 1, spray = 2;
-constexpr float bare_from = 0.75f;  // of the year: leaves fall, and buds show
+constexpr std::uint32_t max_leaf_triangles = 12;  // of a leaf of a twig, of which a tree has hundreds of thousands
+constexpr float bare_from = 0.75f;                // of the year: leaves fall, and buds show
 
 // Collects the parameters that the shoots' form depends on.
 FormHabit form_habit(const GrowthValues& values, std::uint64_t seed) {
@@ -154,7 +156,9 @@ struct Leafage {
 Leafage leafage_of(const GrowthValues& values, const LeafHabit& habit, const FlatLeaf& flat) {
   if (habit.twigs.shapes == 0) return {blade_of(values, flat), {}, leaves_on_twig(values)};
   const bool flat_leaves = habit.twigs.foliage == TwigHabit::Leaf::flat;
-  Leafage leafage{flat_leaves ? make_blade(flat, values[leaf_breadth], values[leaf_fold]) : Blade{}, {}, 1};
+  const CoarseLeaf coarse = coarse_leaf(flat, max_leaf_triangles);
+  Leafage leafage{
+      flat_leaves ? make_blade(coarse.view(flat), values[leaf_breadth], values[leaf_fold]) : Blade{}, {}, 1};
   const std::vector<float> unfolded = unfolded_by_shape(habit);
   const bool with_buds = !habit.evergreen && (unfolded.back() < 1 || habit.season > bare_from);
   leafage.shapes = twig_shapes(habit.twigs, leafage.blade, unfolded, with_buds);
