@@ -64,7 +64,7 @@ export async function lightParts(parts: Iterable<Part>, light: Light): Promise<P
 
 /** Returns a tree as tubes and cards; undefined for plants with few leaves, or whose parts fit the budget as they are. */
 function treeOfCards(parts: readonly Part[], plant: Wooden, triangles: number): CardTree | undefined {
-	const isLeaf = ({ shape }: Part) => shape?.instances !== undefined && shape.material.doubleSided === true;
+	const isLeaf = ({ shape }: Part) => shape?.instances !== undefined && !shape.instances.each;
 	const all = [...everyPart(parts)].filter(({ shape }) => shape !== undefined);
 	const count = all.reduce((sum, { shape }) => sum + (shape ? trianglesOf(shape) : 0), 0);
 	if (count <= triangles) return undefined;

@@ -12,7 +12,7 @@ import { AtlasPicture, packed, SAMPLES, type Tile } from "./atlas";
 import { type Card, cardMesh, middleOf } from "./card";
 import { type CrownFoliage, foliageOf } from "./foliage";
 import { type Plane, planesOf } from "./planes";
-import { Canvas, linearPicture } from "./raster";
+import { Canvas, linearPicture, type OrthographicView } from "./raster";
 import { Skeleton } from "./skeleton";
 import { buildTubes, type Tubes } from "./tubes";
 import { type CardOutline, outlineOf, twigCards } from "./twig_cards";
@@ -117,34 +117,33 @@ function finest(
 	strip: Tile,
 ): Card[] {
 	const isTriangle = 2 * foliage.leaves.length > triangles;
-	const outlines = foliage.kinds.map(({ shape }) => outlineOf(shape.mesh, isTriangle));
+	const outlines = foliage.kinds.map(({ shape, twig }) => {
+		const all = [...shape.mesh.positions, ...(twig?.mesh.positions ?? [])];
+		return outlineOf({ ...shape.mesh, positions: Float32Array.from(all) }, isTriangle);
+	});
 	const tiles = kindTiles(outlines, strip);
 	// A flat card shows less than a bent leaf from most sides: half of the difference is made up for by its size.
 	const factors: number[] = [];
 	const pictures = new Map<Picture, ReturnType<typeof linearPicture>>();
-	for (const [i, { shape }] of foliage.kinds.entries()) {
-		const { mesh, material } = shape;
+	for (const [i, { shape, twig }] of foliage.kinds.entries()) {
+		const { mesh } = shape;
 		const { low, high } = outlines[i];
 		const canvas = new Canvas(SAMPLES * tiles[i].width, SAMPLES * tiles[i].height);
-		const picture = material.textures?.colour;
-		const linear = picture && (pictures.get(picture) ?? linearPicture(shrunk(picture, LEAF_PIXELS)));
-		if (picture && linear) pictures.set(picture, linear);
-		canvas.draw(
-			{
-				...mesh,
-				colour: mesh.colours ? [1, 1, 1] : plainBase(material),
-				picture: linear,
-				doubleSided: true,
-			},
-			{
-				middle: [0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]), 0],
-				right: [1, 0, 0],
-				up: [0, 1, 0],
-				towards: [0, 0, 1],
-				halfWidth: 0.5 * (high[0] - low[0]),
-				halfHeight: 0.5 * (high[1] - low[1]),
-			},
-		);
+		const view: OrthographicView = {
+			middle: [0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]), 0],
+			right: [1, 0, 0],
+			up: [0, 1, 0],
+			towards: [0, 0, 1],
+			halfWidth: 0.5 * (high[0] - low[0]),
+			halfHeight: 0.5 * (high[1] - low[1]),
+		};
+		for (const { mesh: each, material } of twig ? [shape, twig] : [shape]) {
+			const picture = material.textures?.colour;
+			const linear = picture && (pictures.get(picture) ?? linearPicture(shrunk(picture, LEAF_PIXELS)));
+			if (picture && linear) pictures.set(picture, linear);
+			const colour = each.colours ? ([1, 1, 1] as const) : plainBase(material);
+			canvas.draw({ ...each, colour: [...colour], picture: linear, doubleSided: true }, view);
+		}
 		atlas.copy(canvas, tiles[i]);
 		const shown = canvas.covered.reduce((sum, value) => sum + value, 0) / canvas.covered.length;
 		const flat = shown * (high[0] - low[0]) * (high[1] - low[1]);

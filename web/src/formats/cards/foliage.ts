@@ -6,6 +6,8 @@ import { LEAST_LEAVES } from "../game/has_crown";
 /** A kind of leaves, or of twigs with leaves: one mesh in one material. */
 export interface CrownLeafKind {
 	readonly shape: Shape & { readonly instances: Instances };
+	/** The wood of its twig, an instance at the same places; its card shows both. */
+	readonly twig?: Shape | undefined;
 }
 
 /** One leaf, or one twig with leaves. */
@@ -32,13 +34,30 @@ export interface CrownFoliage {
 export function foliageOf(parts: readonly Part[]): CrownFoliage | undefined {
 	const kinds: CrownLeafKind[] = [];
 	const others: Part[] = [];
+	const instanced: Part[] = [];
 	for (const part of everyPart(parts)) {
 		const { shape } = part;
 		if (shape?.instances && shape.material.doubleSided) kinds.push({ shape: { ...shape, instances: shape.instances } });
+		else if (shape?.instances && !shape.instances.each) instanced.push(part);
 		else if (shape) others.push(part);
 	}
+	// The wood of twigs has instances at the same places as their leaves.
+	const twigAt = new Map(
+		instanced.flatMap(({ shape }) => (shape ? placesOf(shape).map((place) => [place, shape] as const) : [])),
+	);
+	const dressed = kinds.map(({ shape }): CrownLeafKind => ({ shape, twig: twigAt.get(placesOf(shape)[0]) }));
+	const twigs = new Set(dressed.map(({ twig }) => twig));
+	others.push(...instanced.filter(({ shape }) => !twigs.has(shape)));
 	const leaves = kinds.flatMap(({ shape }, kind) => leavesOf(shape.instances, kind));
-	return leaves.length < LEAST_LEAVES ? undefined : { kinds, leaves, others };
+	return leaves.length < LEAST_LEAVES ? undefined : { kinds: dressed, leaves, others };
+}
+
+/** Returns the transform of each instance as text. */
+function placesOf({ instances }: Shape): string[] {
+	const { transforms = new Float32Array(0) } = instances ?? {};
+	return Array.from({ length: transforms.length / TRANSFORM }, (_, i) =>
+		transforms.subarray(TRANSFORM * i, TRANSFORM * (i + 1)).join(),
+	);
 }
 
 /** Returns the leaves of a kind. */
