@@ -13,7 +13,12 @@ export interface HintTarget {
 	readonly marked: boolean;
 }
 
-const CONTROLS = "button, a[href], input, select, textarea, summary, [role=button], [role=slider], .switch";
+/**
+ * Controls in the views and in notices over them. Those beside the views are left out: presets that are scrolled out of
+ * the strip have places within the views.
+ */
+const CONTROLS =
+	":is(main, .notices) :is(button, a[href], input, select, textarea, summary, [role=button], [role=slider], .switch)";
 const OTHERS = ".caption, .scale-bar, .stage-warnings p, .stage-chip, .growing, .editor, .notice, .explain";
 
 /** Returns the target of a hint; undefined if the page does not show one, since the plant has none or a view is hidden. */
@@ -30,9 +35,8 @@ export function obstaclesOn(page: HTMLElement): {
 	readonly others: readonly ScreenBox[];
 } {
 	const boxes = (elements: Iterable<HTMLElement>) => [...elements].filter(isVisible).map(boxOf);
-	const own = [...page.querySelectorAll<HTMLElement>(CONTROLS)].filter((each) => !each.closest("panicle-hints"));
 	return {
-		controls: boxes([...own, ...handlesIn(page)]),
+		controls: boxes([...page.querySelectorAll<HTMLElement>(CONTROLS), ...handlesIn(page)]),
 		others: boxes(page.querySelectorAll<HTMLElement>(OTHERS)),
 	};
 }
