@@ -22,6 +22,9 @@ function coveredBy(hint: Locator): Promise<string[]> {
 			.filter((each) => !card.contains(each) && each.checkVisibility({ visibilityProperty: true }))
 			.filter((each) => {
 				const { left, top, right, bottom } = each.getBoundingClientRect();
+				// Presets that are scrolled out of the strip are not seen.
+				const strip = each.closest(".strip")?.getBoundingClientRect();
+				if (strip && own.right <= strip.left) return false;
 				return right > left && left < own.right && own.left < right && top < own.bottom && own.top < bottom;
 			})
 			.map((each) => each.getAttribute("aria-label") ?? each.textContent ?? each.tagName);

@@ -43,7 +43,7 @@ test("the constants of a flower’s grammar are labelled basics with units, and 
 	await expect(length).toHaveValue("325");
 	await expect(page.getByRole("textbox", { name: "Flower size", exact: false })).toHaveValue("1");
 	await studio.regrown(() => length.fill("250").then(() => length.press("Enter")));
-	await expect(page).toHaveURL(/length=250/);
+	await expect(page).toHaveURL(/define=length:250/);
 	await expect(page.locator("panicle-readout .notes")).toHaveCount(0);
 });
 
