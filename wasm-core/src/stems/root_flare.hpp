@@ -1,5 +1,5 @@
-// The lower ends of trunks and roots at their targets: a trunk is level with the ground and widens into its roots; a
-// root hangs from the stump of its stem.
+// The lower ends of trunks and roots at their targets: a trunk widens at the ground into its roots; a root hangs from
+// the stump of its stem.
 #pragma once
 
 #include <cstdint>
@@ -8,15 +8,16 @@
 #include <vector>
 
 #include "stems/segment.hpp"
+#include "stems/stem_rings.hpp"
 #include "stems/tubes.hpp"
 
 namespace panicle {
 
 struct RootFlareOptions {
-  float flare = 0;         // of a trunk: how much wider it stands on the ground than it is
+  float flare = 0;         // of a trunk: how much it widens at the ground; 0: not at all
   float stump = 0;         // of a root: how much of its stem is above ground, metres
   bool standing = true;    // a trunk; a root hangs from its stem
-  std::uint64_t seed = 1;  // by which its ridges stand
+  std::uint64_t seed = 1;  // of its spurs
 };
 
 // Returns for each target the thickest segment that begins there; −1 for none.
@@ -26,18 +27,21 @@ std::vector<std::int32_t> trunk_bases(std::span<const Segment> segments, std::sp
 // root's stem.
 std::vector<Segment> base_pieces(const Segment& base, const RootFlareOptions& options);
 
-// The centre line of a trunk: the segments of its axis, from its base on.
-struct TrunkLine {
-  std::span<const Segment> segments;
-  std::span<const std::int32_t> axes;
-  std::size_t base = 0;
+// Returns the root flare of a trunk whose axis begins with the segment `number`, in metres.
+RootFlare root_flare_of(const Segment& base, std::uint32_t number, const RootFlareOptions& options);
 
-  // The centre at a height above its base, interpolated between segments.
-  glm::vec3 at(float height) const;
+// The part of a trunk's tube that its root flare replaces: the rings from the ground up to where it widens.
+struct TrunkFoot {
+  RootFlare flare;
+  std::uint32_t sides = 0;  // of the tube
+  std::vector<Ring> rings;
 };
 
-// Cuts the trunk's tube off level with the ground, and adds a flared surface around it that widens towards the ground
-// in ridges.
-void add_root_flare(StemMesh& stems, const StemPart& tube, const TrunkLine& trunk, const RootFlareOptions& options);
+// Cuts a tube off where its root flare begins. A foot without rings if the tube is too short for it.
+TrunkFoot take_foot(Tube& tube, const RootFlare& flare, std::uint32_t sides);
+
+// Adds the surface of a trunk's foot: it continues the tube and widens into spurs towards the ground, goes on below
+// the ground, and is closed.
+void add_root_flare(StemMesh& stems, const TrunkFoot& foot, float scale);
 
 }  // namespace panicle

@@ -36,7 +36,12 @@ class Finder {
     set_finest();
     find_parents();
     find_successors();
+    node_of_.assign(segments_.size(), 0);
     for (const std::int32_t first : axis_heads()) trace_axis(first);
+    for (StemAxis& axis : result_.axes) {
+      const std::int32_t parent = parents_[static_cast<std::size_t>(result_.nodes[axis.first].segment)];
+      if (axis.origin.attached) axis.origin.node = node_of_[static_cast<std::size_t>(parent)];
+    }
     return std::move(result_);
   }
 
@@ -136,6 +141,7 @@ class Finder {
       const float radius = next == none ? segment.radius_end : 0.5f * (segment.radius_end + segments_[next].radius);
       const float step = glm::length(segment.end - nodes.back().position);
       if (step > std::max(result_.finest, 0.25f * radius)) nodes.push_back({segment.end, {}, radius, step, i});
+      node_of_[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(nodes.size()) - 1;
     }
     axis.count = static_cast<std::uint32_t>(nodes.size()) - axis.first;
     if (axis.count < 2) {
@@ -179,7 +185,8 @@ class Finder {
   std::vector<std::int32_t> parents_;
   std::vector<glm::vec3> directions_;
   std::vector<std::int32_t> successor_;
-  std::vector<std::uint8_t> corners_;  // whether a line ends where the one that goes on begins at a corner
+  std::vector<std::uint32_t> node_of_;  // the node at which a segment ends
+  std::vector<std::uint8_t> corners_;   // whether a line ends where the one that goes on begins at a corner
   StemAxes result_;
 };
 

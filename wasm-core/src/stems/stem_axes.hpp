@@ -27,6 +27,7 @@ struct Origin {
   bool corner = false;     // it meets another there, end to end (Stems::corner)
   glm::vec3 direction{0};  // of the parent, unit
   float radius = 0;        // of the parent
+  std::uint32_t node = 0;  // of the parent's axis at which it comes out: an index of StemAxes::nodes
 };
 
 // A run of segments that one tube covers, as a range of StemAxes::nodes. At least two nodes.

@@ -6,11 +6,13 @@
 
 #include "foundation/mathematics.hpp"
 #include "foundation/rotation.hpp"
+#include "stems/collar.hpp"
 
 namespace panicle {
 namespace {
 
 constexpr float max_bends = 4;  // most rings added for bends on thin axes with few rings
+constexpr std::uint32_t collar_rows = 6, thin_collar_rows = 4;
 constexpr float cap_degrees[] = {35, 65}, thin_cap_degrees[] = {50};  // from the rim; the pole is at 90
 
 // A cubic Hermite curve from node to node, as powers of t.
@@ -30,6 +32,10 @@ struct Curve {
   glm::vec3 at(float t) const { return constant + (linear + (square + cube * t) * t) * t; }
   glm::vec3 slope(float t) const { return linear + (square * 2.0f + cube * (3 * t)) * t; }
 };
+
+// By how many quarters of the bark's picture a tube may be too thin before one vanishes, and along how many of their
+// widths it does.
+constexpr float most_excess = 0.6f, quarter_fade = 4;
 
 constexpr float steep = 0.8f;  // cosine of the angle to the vertical from which directions count as vertical
 
@@ -107,10 +113,9 @@ float distance_between(const Ring& a, const Ring& b) {
 
 }  // namespace
 
-// Prepares making tubes. Axes thinner than `thin` have fewer rings, with `few_rings_on_thin` as few as possible.
-// `crowding_` moves rings towards the nodes, by a sine.
-TubeMaker::TubeMaker(const Stems& stems, const StemAxes& axes, float thin, bool few_rings_on_thin)
-    : stems_(stems), axes_(axes), thin_(thin), few_rings_on_thin_(few_rings_on_thin) {
+// Prepares making tubes. `crowding_` moves rings towards the nodes, by a sine.
+TubeMaker::TubeMaker(const Stems& stems, const StemAxes& axes, const TubeOptions& options)
+    : stems_(stems), axes_(axes), options_(options) {
   for (std::uint32_t n = 1; n <= max_steps; ++n) {
     for (std::uint32_t k = 0; k <= n; ++k) {
       const float turn = static_cast<float>(k) / static_cast<float>(n);
@@ -140,15 +145,29 @@ std::uint32_t TubeMaker::rings_between(const StemAxis& axis, std::uint32_t i) co
   const bool thin = is_thin(axis);
   const float bend = glm::length(a.tangent - along) + glm::length(b.tangent - along);
   const float by_bend = (thin ? 4 : 6) * bend;  // a ring about every 15° on thin axes, every 10° on others
-  if (thin && few_rings_on_thin_) return 1 + static_cast<std::uint32_t>(std::min(3 * bend, max_bends));
+  if (thin && options_.thin_plain) return 1 + static_cast<std::uint32_t>(std::min(3 * bend, max_bends));
   const float limit = thin ? (changes_shape ? 6.0f : 3.0f) : (changes_shape ? 10.0f : 7.0f);
   const float wanted = std::max(std::min(limit, by_length), by_bend);
   const auto steps = static_cast<std::uint32_t>(std::min(wanted, static_cast<float>(max_steps)));
   return coarse_ ? 1 + steps / 8 : steps;
 }
 
-// The number of an axis' rings, with those of its rounded ends.
+// Whether a branch begins with a collar: if its parent continues.
+bool TubeMaker::has_collar(const StemAxis& axis) const { return options_.collars && axis.origin.passing; }
+
+const RootFlare* TubeMaker::flare_of(const StemAxis& axis) const {
+  if (axis.origin.attached || axis.origin.corner) return nullptr;
+  for (const RootFlare& flare : options_.flares)
+    if (static_cast<std::uint32_t>(axes_.nodes[axis.first].segment) == flare.segment) return &flare;
+  return nullptr;
+}
+
 std::uint32_t TubeMaker::count_rings(const StemAxis& axis) const {
+  return rings_of(axis) + (has_collar(axis) ? (is_thin(axis) ? thin_collar_rows : collar_rows) : 0);
+}
+
+// The number of an axis' rings, with those of its rounded ends.
+std::uint32_t TubeMaker::rings_of(const StemAxis& axis) const {
   std::uint32_t rings = 1 + static_cast<std::uint32_t>(cap_of(axis).size()) * (axis.origin.attached ? 1 : 2);
   for (std::uint32_t i = 1; i < axis.count; ++i) rings += rings_between(axis, i);
   return rings;
@@ -157,7 +176,8 @@ std::uint32_t TubeMaker::count_rings(const StemAxis& axis) const {
 // Sets the rings between the two ends of an axis. A branch begins with its right in the plane of branch and parent.
 void TubeMaker::sweep(const StemAxis& axis, Ring* rings) const {
   const std::span<const Node> nodes(&axes_.nodes[axis.first], axis.count);
-  Thickness thickness(nodes, axis.origin, end_of(axis), stems_.jointed, stems_.tapering);
+  const Foot foot = has_collar(axis) ? Foot::inside : flare_of(axis) ? Foot::plain : Foot::spread;
+  Thickness thickness(nodes, axis.origin, end_of(axis), {stems_.jointed, stems_.tapering, foot});
   glm::vec3 centre = nodes[0].position;
   glm::vec3 right = axis.origin.attached ? axis.origin.direction : axis_across(nodes[0].tangent, steep);
   // Adds the ring at the fraction `t` of a segment, turned as little as possible from the ring before.
@@ -194,10 +214,39 @@ void TubeMaker::sweep(const StemAxis& axis, Ring* rings) const {
   }
 }
 
-// Makes the tube of an axis: rings, rounded ends and texture coordinates.
-void TubeMaker::make(const StemAxis& axis, Tube& tube) const {
+// Sets v along a tube: one unit to one circumference, without swellings, or by the scale of the bark, with the turns
+// around. `front` and `back`: the first ring of the body, and the first one behind it.
+void TubeMaker::set_texture(const StemAxis& axis, std::span<Ring> rings, std::size_t front, std::size_t back) const {
+  const float radius = axes_.nodes[axis.first].radius;
+  const float per_circumference = 1 / (2 * pi * radius);
+  const auto [width, height] = options_.bark;
+  const float quarter = 0.25f * width;
+  float held = 1, quarters = 1;  // those that are aimed at, and those so far
+  if (width > 0) held = quarters = std::max(1.0f, std::round(2 * pi * radius / quarter));
+  rings[0].v = 0;
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    const bool body = i > front && i < back;
+    const float distance = i == 0 ? 0 : body ? rings[i].run : distance_between(rings[i - 1], rings[i]);
+    if (width > 0) {
+      // Rounded ends keep the scale of their rim.
+      const float around = 2 * pi * rings[std::clamp(i, front, back - 1)].radius;
+      if (around < (held - most_excess) * quarter) held = std::max(1.0f, std::round(around / quarter));
+      quarters = std::max(held, quarters - distance * quarters / (quarter_fade * around));
+      rings[i].turns = 0.25f * quarters;
+      rings[i].v_rate = rings[i].turns * width / (around * height);
+      if (i > 0) rings[i].v = rings[i - 1].v + 0.5f * distance * (rings[i - 1].v_rate + rings[i].v_rate);
+    } else {
+      rings[i].turns = 1;
+      if (i > 0) rings[i].v = rings[i - 1].v + distance * per_circumference;
+    }
+  }
+}
+
+// Makes the tube of an axis: rings, rounded ends, texture coordinates and collar.
+void TubeMaker::make(const StemAxis& axis, std::uint32_t sides, Tube& tube) const {
+  tube.collar.clear();
   std::vector<Ring>& rings = tube.rings;
-  rings.resize(count_rings(axis));
+  rings.resize(rings_of(axis));
   tube.parent_point = axes_.nodes[axis.first].position;
   tube.parent_direction = axis.origin.direction;
   tube.parent_radius = std::max(axis.origin.radius, axes_.finest);
@@ -217,14 +266,11 @@ void TubeMaker::make(const StemAxis& axis, Tube& tube) const {
   tube.first_pole = first.centre - first.tangent * first_height;
   tube.last_pole = last.centre + last.tangent * last_height;
 
-  // One unit of v to one circumference, without swellings.
-  const float per_circumference = 1 / (2 * pi * axes_.nodes[axis.first].radius);
-  rings[0].v = 0;
-  for (std::size_t i = 1; i < rings.size(); ++i) {
-    const bool body = i > front && i < back;
-    const float distance = body ? rings[i].run : distance_between(rings[i - 1], rings[i]);
-    rings[i].v = rings[i - 1].v + distance * per_circumference;
-  }
+  set_texture(axis, rings, front, back);
+  if (!has_collar(axis)) return;
+  const std::uint32_t fork = axis.origin.node;
+  add_collar(tube, ParentSurface(axes_, fork), static_cast<std::uint32_t>(axes_.nodes[fork].segment), sides,
+             is_thin(axis) ? thin_collar_rows : collar_rows, back);
 }
 
 }  // namespace panicle

@@ -32,8 +32,8 @@ float ridge(float x) { return smooth(x < 1 ? x : (collar_end - x) / (collar_end 
 
 // Finds how far from its start the branch comes out of its parent's surface: the farther, the narrower the angle
 // between both.
-Thickness::Thickness(std::span<const Node> nodes, const Origin& origin, const StemEnd& end, bool jointed, bool tapering)
-    : nodes_(nodes), origin_(origin), end_(end), jointed_(jointed), tapering_(tapering) {
+Thickness::Thickness(std::span<const Node> nodes, const Origin& origin, const StemEnd& end, const ThicknessForm& form)
+    : nodes_(nodes), origin_(origin), end_(end), form_(form) {
   for (const Node& node : nodes) length_ += node.length;
   emergence_ = 1.5f * nodes[0].radius;
   if (origin.attached) {
@@ -54,7 +54,7 @@ void Thickness::enter(std::size_t i) {
   step_ = b.length;
   radius_ = a.radius;
   gain_ = b.radius - a.radius;
-  if (tapering_) {
+  if (form_.tapering) {
     taper_ = step_ * taper_at(i - 1);
     next_taper_ = step_ * taper_at(i);
   }
@@ -76,8 +76,8 @@ float Thickness::taper_at(std::size_t node) const {
 // tapers as slopes), with swellings at the nodes.
 Section Thickness::at(float t) const {
   float radius = radius_ + gain_ * smooth(t);
-  if (tapering_) radius += t * (1 - t) * ((1 - t) * taper_ - t * next_taper_);
-  if (jointed_) {
+  if (form_.tapering) radius += t * (1 - t) * ((1 - t) * taper_ - t * next_taper_);
+  if (form_.jointed) {
     const float swelling = wide_hill(t * per_swelling_) + wide_hill((1 - t) * per_next_swelling_);
     radius *= between_nodes + node_swelling * swelling;
   }
@@ -100,6 +100,12 @@ float Thickness::end_factor(float from_end) const {
 // parent's surface then. Across the plane of both it is never wider than the parent.
 Section Thickness::collar(float radius, float from_start, float from_end) const {
   const float x = from_start * per_emergence_;
+  if (form_.foot == Foot::plain) return {radius, radius, 0, 0};
+  if (form_.foot == Foot::inside) {
+    const float room = widest_in_parent * origin_.radius + std::max(0.0f, from_start - emergence_);
+    const float narrow = std::min(radius, std::max(room, 0.1f * radius));
+    return {narrow, narrow, 0, 0};
+  }
   if (!origin_.attached && !origin_.corner) radius *= 1 + foot_spread * wide_hill(x);
   if (!origin_.attached || x >= collar_end) return {radius, radius, 0, 0};
   const float fade = smooth(std::min(1.0f, from_end * per_end_radius_ * (1 / 1.5f)));

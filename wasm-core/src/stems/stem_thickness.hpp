@@ -17,12 +17,25 @@ struct Section {
   float blend = 0;   // share of the parent's normals in those of the branch, so that no edge shows between them
 };
 
+// How an axis begins.
+enum class Foot : std::uint8_t {
+  spread,  // into its parent, or wider in the open
+  plain,   // as thick as it is
+  inside,  // no wider than its parent as long as it is within that
+};
+
+// How thickness runs along an axis (Stems).
+struct ThicknessForm {
+  bool jointed = true, tapering = false;
+  Foot foot = Foot::spread;
+};
+
 // The radius along an axis. It is interpolated smoothly from node to node, for tapering stems without a halt there
 // (Fritsch & Carlson 1980: never beyond the radii of both nodes), and is, for jointed ones, a little less between them.
 // A branch spreads into its parent, within whose surface it begins; its end widens or narrows by StemEnd.
 class Thickness {
  public:
-  Thickness(std::span<const Node> nodes, const Origin& origin, const StemEnd& end, bool jointed, bool tapering = false);
+  Thickness(std::span<const Node> nodes, const Origin& origin, const StemEnd& end, const ThicknessForm& form);
 
   // Moves on to the segment that ends at node i: 1, 2, …
   void enter(std::size_t i);
@@ -37,7 +50,7 @@ class Thickness {
   std::span<const Node> nodes_;
   Origin origin_;
   StemEnd end_;
-  bool jointed_, tapering_;
+  ThicknessForm form_;
   float length_ = 0;                         // of the whole axis
   float per_emergence_ = 0, emergence_ = 0;  // how far from its start a branch leaves its parent's surface
   float per_end_radius_ = 0;

@@ -82,8 +82,9 @@ void TubeWriter::write(const Tube& tube, const RingPattern& pattern, float scale
   pattern_ = &pattern;
   const Ring& first = tube.rings.front();
   const Ring& last = tube.rings.back();
-  write_triangles(vertices_, static_cast<std::uint32_t>(tube.rings.size()));
+  write_triangles(vertices_, tube.collar.rows + static_cast<std::uint32_t>(tube.rings.size()));
   write_pole(tube.first_pole * scale, -first.tangent, first);
+  write_collar(tube.collar, scale);
   for (const Ring& ring : tube.rings) write_ring(tube, ring, scale);
   write_pole(tube.last_pole * scale, last.tangent, last);
 }
@@ -94,10 +95,24 @@ void TubeWriter::write_pole(const glm::vec3& position, const glm::vec3& normal, 
     stem_.mesh.positions[3 * vertices_ + axis] = position[axis];
     stem_.mesh.normals[3 * vertices_ + axis] = normal[axis];
   }
-  stem_.mesh.uvs[2 * vertices_] = 0.5f;
+  stem_.mesh.uvs[2 * vertices_] = 0.5f * ring.turns;
   stem_.mesh.uvs[2 * vertices_ + 1] = ring.v;
   stem_.segment[vertices_] = ring.segment;
   ++vertices_;
+}
+
+// Writes the rows of a collar.
+void TubeWriter::write_collar(const Collar& collar, float scale) {
+  for (std::size_t i = 0; i < collar.positions.size(); ++i, ++vertices_) {
+    const glm::vec3 position = collar.positions[i] * scale;
+    for (int axis = 0; axis < 3; ++axis) {
+      stem_.mesh.positions[3 * vertices_ + axis] = position[axis];
+      stem_.mesh.normals[3 * vertices_ + axis] = collar.normals[i][axis];
+    }
+    stem_.mesh.uvs[2 * vertices_] = collar.uvs[i].x;
+    stem_.mesh.uvs[2 * vertices_ + 1] = collar.uvs[i].y;
+    stem_.segment[vertices_] = collar.segments[i];
+  }
 }
 
 // Writes the vertices of a ring: positions, normals, texture coordinates and segment, four numbers at a time. The
@@ -115,7 +130,7 @@ void TubeWriter::write_ring(const Tube& tube, const Ring& ring, float scale) {
   float* uvs = &stem_.mesh.uvs[2 * vertices_];
   const Four v{0, ring.v, 0, ring.v};
   const float* u = pattern_->u.data();
-  for (const float* end = u + pattern_->u.size(); u < end; u += 4, uvs += 4) store(uvs, load(u) + v);
+  for (const float* end = u + pattern_->u.size(); u < end; u += 4, uvs += 4) store(uvs, load(u) * ring.turns + v);
   std::uint32_t* segments = &stem_.segment[vertices_];
   const FourWords segment{ring.segment, ring.segment, ring.segment, ring.segment};
   for (std::uint32_t k = 0; k <= pattern_->sides; k += 4) store(segments + k, segment);

@@ -44,6 +44,7 @@ class TubeWriter {
 
  private:
   void write_pole(const glm::vec3& position, const glm::vec3& normal, const Ring& ring);
+  void write_collar(const Collar& collar, float scale);
   void write_ring(const Tube& tube, const Ring& ring, float scale);
   void write_ellipse(float* out, const glm::vec3& centre, const glm::vec3& right, const glm::vec3& forward) const;
   void write_normals(const Tube& tube, const Ring& ring, float* out) const;

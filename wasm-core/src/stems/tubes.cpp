@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "stems/root_flare.hpp"
 #include "stems/stem_axes.hpp"
 #include "stems/stem_rings.hpp"
 #include "stems/tube_writer.hpp"
@@ -11,7 +12,7 @@ namespace panicle {
 // Sweeps tubes along all axes of stems, with as many sides and rings as the limit of vertices allows.
 StemMesh sweep_stems(const Stems& stems, const TubeOptions& options, float scale) {
   const StemAxes axes = find_stem_axes(stems);
-  TubeMaker maker(stems, axes, options.thin, options.thin_plain);
+  TubeMaker maker(stems, axes, options);
   const auto count = [&](bool thin) {
     TubeCount all;
     for (const StemAxis& axis : axes.axes) {
@@ -39,17 +40,21 @@ StemMesh sweep_stems(const Stems& stems, const TubeOptions& options, float scale
   const RingPattern pattern(sides), thin_pattern(thin_sides);
   TubeWriter writer(stem, vertices(), 2 * (thick.rings * sides + thin.rings * thin_sides));
   Tube tube;
+  std::vector<TrunkFoot> feet;
   for (const StemAxis& axis : axes.axes) {
     if (stem.parts.empty() || stem.parts.back().group != axis.group) {
       stem.parts.push_back({{writer.vertices(), 0, writer.indices(), 0}, axis.group});
     }
-    maker.make(axis, tube);
-    writer.write(tube, maker.is_thin(axis) ? thin_pattern : pattern, scale);
+    const RingPattern& used = maker.is_thin(axis) ? thin_pattern : pattern;
+    maker.make(axis, used.sides, tube);
+    if (const RootFlare* flare = maker.flare_of(axis)) feet.push_back(take_foot(tube, *flare, used.sides));
+    writer.write(tube, used, scale);
     StemPart& part = stem.parts.back();
     part.vertex_count = writer.vertices() - part.first_vertex;
     part.index_count = writer.indices() - part.first_index;
   }
   writer.finish();
+  for (const TrunkFoot& foot : feet) add_root_flare(stem, foot, scale);
   return stem;
 }
 

@@ -33,7 +33,7 @@ glm::vec3 perpendicular_part(const glm::vec3& v, const glm::vec3& tangent) {
 
 class Writer {
  public:
-  explicit Writer(StemMesh& stem) : stem_(stem) {}
+  Writer(StemMesh& stem, float turns) : stem_(stem), turns_(turns) {}
 
   // Adds a vertex; returns its index.
   std::uint32_t vertex(const glm::vec3& place, const glm::vec3& normal, const glm::vec2& uv, std::size_t segment) {
@@ -51,7 +51,7 @@ class Writer {
     const auto first = static_cast<std::uint32_t>(stem_.segment.size());
     for (std::uint32_t k = 0; k < sides; ++k) {
       const glm::vec3 out = corners[k].x * right + corners[k].y * forward;
-      vertex(place + radius * out, out, {static_cast<float>(k) / sides, v}, segment);
+      vertex(place + radius * out, out, {turns_ * static_cast<float>(k) / sides, v}, segment);
     }
     return first;
   }
@@ -59,6 +59,7 @@ class Writer {
 
  private:
   StemMesh& stem_;
+  float turns_;  // u once around
 };
 
 // The ring at the end of a segment: its first vertex, the direction of its first corner, and the texture coordinate.
@@ -71,14 +72,17 @@ struct End {
 }  // namespace
 
 // Adds segments thinner than `fine` as tubes with three sides, without rounded joints.
-void add_twigs(StemMesh& stem, std::span<const Segment> segments, std::span<const std::int32_t> axes, float fine) {
+void add_twigs(StemMesh& stem, std::span<const Segment> segments, std::span<const std::int32_t> axes, float fine,
+               const BarkScale& bark) {
   // For each segment, the one that continues its axis.
   std::vector<std::int32_t> onward(segments.size(), none);
   for (std::size_t i = 0; i < segments.size(); ++i)
     if (const std::int32_t parent = segments[i].parent;
         parent >= 0 && axes[static_cast<std::size_t>(parent)] == axes[i])
       onward[static_cast<std::size_t>(parent)] = static_cast<std::int32_t>(i);
-  Writer writer(stem);
+  // A quarter of the bark's picture lies around a twig.
+  const float turns = bark.width > 0 ? 0.25f : 1, stretch = bark.width > 0 ? turns * bark.width / bark.height : 1;
+  Writer writer(stem, turns);
   std::vector<End> ends(segments.size());
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const Segment& segment = segments[i];
@@ -94,10 +98,10 @@ void add_twigs(StemMesh& stem, std::span<const Segment> segments, std::span<cons
       from.right = perpendicular_part(carries_on ? direction_of(segments[parent]) : glm::vec3(0, 1, 0), way);
       from.ring = writer.ring(segment.start, way, from.right, segment.radius, 0, i);
     }
-    const float v = from.v + glm::distance(segment.start, segment.end) / (2 * pi * segment.radius);
+    const float v = from.v + stretch * glm::distance(segment.start, segment.end) / (2 * pi * segment.radius);
     // The last segment of an axis ends in a point.
     if (onward[i] == none) {
-      const std::uint32_t tip = writer.vertex(segment.end, way, {0.5f, v}, i);
+      const std::uint32_t tip = writer.vertex(segment.end, way, {0.5f * turns, v}, i);
       for (std::uint32_t k = 0; k < sides; ++k) writer.triangle(from.ring + k, from.ring + (k + 1) % sides, tip);
       continue;
     }

@@ -12,25 +12,32 @@
 namespace panicle {
 namespace {
 
-constexpr std::uint32_t sides = 10, thin_sides = 6;
+constexpr std::uint32_t sides = 16, thin_sides = 7;
+// The picture of bark lies half a metre across and a metre along a trunk (web/src/plant/wood/bark_picture.ts).
+constexpr BarkScale bark_scale{.width = 0.5f, .height = 1};
 // Axes thinner than this share of the thickest are thin; segments thinner than that share of the whole plant are twigs:
 // where all of it is seen, they are a pixel or two wide.
 constexpr float thin = 0.3f, fine_of_all = 0.002f;
 
 // Repairs normals that look into the wood: where a branch leaves at a narrow angle, its first rings fold over each
-// other and over the parent, which shows as black facets. Such vertices get the normals of their triangles.
+// other and over the parent, which shows as black facets. Such vertices get the normals of their triangles. Ends of
+// tubes, where one normal agrees, are as they should be.
 void repair_normals(Mesh& mesh) {
   std::vector<std::uint8_t> opposed(mesh.positions.size() / 3, 0);
   bool any = false;
   for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
-    const glm::vec3 face =
-        triangle_normal(vector_at(mesh.positions, mesh.indices[t]), vector_at(mesh.positions, mesh.indices[t + 1]),
-                        vector_at(mesh.positions, mesh.indices[t + 2]));
-    for (std::size_t k = t; k < t + 3; ++k) {
-      if (!(glm::dot(face, vector_at(mesh.normals, mesh.indices[k])) < 0)) continue;
-      opposed[mesh.indices[k]] = 1;
-      any = true;
+    const std::uint32_t* corners = &mesh.indices[t];
+    const glm::vec3 face = triangle_normal(vector_at(mesh.positions, corners[0]), vector_at(mesh.positions, corners[1]),
+                                           vector_at(mesh.positions, corners[2]));
+    float sum = 0, most = 0;
+    for (int k = 0; k < 3; ++k) {
+      const float cosine = glm::dot(face, vector_at(mesh.normals, corners[k]));
+      sum += cosine;
+      most = std::max(most, cosine);
     }
+    if (sum >= 0 || most > 0.5f * glm::length(face)) continue;
+    for (int k = 0; k < 3; ++k) opposed[corners[k]] = 1;
+    any = true;
   }
   if (!any) return;
   const std::vector<glm::vec3> sums = sum_normals(mesh);
@@ -92,19 +99,26 @@ StemMesh sweep_wood(std::span<const Segment> segments, std::span<const std::int3
   const std::vector<std::int32_t> bases = trunk_bases(segments, targets);
   const Branches branches = branches_of(segments, axes, bases, flare, fine);
   // Stems are thinner from fork to fork: every parent of branches is one. Wood does not swell where its pieces meet.
-  const TubeOptions options{.sides = sides, .thin = thin * thickest, .thin_sides = thin_sides, .thin_plain = true};
+  std::vector<RootFlare> flares;
+  for (const std::int32_t base : bases) {
+    if (base < 0 || !flare.standing) continue;
+    const auto whole = static_cast<std::uint32_t>(base);
+    const auto number = std::find(branches.whole.begin(), branches.whole.end(), whole) - branches.whole.begin();
+    flares.push_back(root_flare_of(segments[whole], static_cast<std::uint32_t>(number), flare));
+  }
+  const BarkScale bark = flare.standing ? bark_scale : BarkScale{};
+  const TubeOptions options{.sides = sides,
+                            .thin = thin * thickest,
+                            .thin_sides = thin_sides,
+                            .thin_plain = true,
+                            .collars = true,
+                            .bark = bark,
+                            .flares = flares};
   StemMesh stems = sweep_stems(
       {.segments = branches.segments, .groups = branches.groups, .jointed = false, .tapering = true}, options, 1.0f);
   for (std::uint32_t& segment : stems.segment) segment = branches.whole[segment];
   repair_normals(stems.mesh);
-  const std::vector<StemPart> parts = stems.parts;
-  for (std::size_t k = 0; k < bases.size(); ++k) {
-    if (bases[k] < 0) continue;
-    const auto base = static_cast<std::size_t>(bases[k]);
-    for (const StemPart& part : parts)
-      if (part.group == axes[base]) add_root_flare(stems, part, {segments, axes, base}, flare);
-  }
-  add_twigs(stems, segments, axes, fine);
+  add_twigs(stems, segments, axes, fine, bark);
   return stems;
 }
 

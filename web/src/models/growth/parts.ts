@@ -5,7 +5,7 @@ import type { Material } from "../../plant/material";
 import type { Part } from "../../plant/part";
 import { partsOf } from "../../plant/parts_of";
 import { EMPTY_PLANT, type Plant } from "../../plant/plant";
-import { type BarkKind, barkPicture, barkRelief } from "../../plant/wood/bark_picture";
+import { type BarkKind, barkPictures } from "../../plant/wood/bark_picture";
 import { attachedParts, type WoodMaterials, woodenParts } from "../../plant/wood/wooden_parts";
 import type { GrowthPlant } from "./growth_plant";
 import type { GrowthSpecimen } from "./specimen";
@@ -59,17 +59,19 @@ function woodOf(specimen: GrowthSpecimen): Omit<WoodMaterials, "tints"> {
 	const { look } = specimen;
 	const kind = BARKS[GROWTH_TABLE.option(specimen, "bark_kind") ?? ""] ?? "furrowed";
 	const old = linear(look.bark);
+	const { textures, mean, roughness } = barkPictures(kind);
 	const oldRadius = 0.005 * look.bark_from;
 	return {
 		wood: {
 			name: "Bark",
-			colour: old,
-			roughness: kind === "paper" || kind === "smooth" ? 0.75 : 0.92,
-			textures: { colour: barkPicture(kind), normal: barkRelief(kind), repeats: true },
+			colour: mean,
+			roughness,
+			textures,
 		},
 		bark: {
 			old,
 			young: linear(look.young_bark),
+			mean,
 			from: 0.15 * oldRadius,
 			to: oldRadius,
 			dead: DEAD_WOOD,

@@ -1,7 +1,7 @@
 /** The parts of a root: the roots, and moving particles. */
 import { linear, mixed } from "../../plant/colour";
 import type { Part } from "../../plant/part";
-import { barkPicture } from "../../plant/wood/bark_picture";
+import { barkPictures } from "../../plant/wood/bark_picture";
 import { woodenParts } from "../../plant/wood/wooden_parts";
 import { obstacleParts } from "../particles/boundary/obstacle_parts";
 import { particleMaterial } from "../particles/boundary/particle_material";
@@ -18,14 +18,10 @@ const FINE = linear("d9c7a0");
 export function* rootParts(plant: WoodenPlant, specimen: RootSpecimen): Generator<Part> {
 	const { look } = specimen;
 	const old = linear(look.root);
+	const { textures, mean, roughness } = barkPictures(specimen.parameters.storage > 0 ? "ringed" : "fibrous");
 	yield* woodenParts(plant, {
-		wood: {
-			name: "Root",
-			colour: old,
-			roughness: 0.85,
-			textures: { colour: barkPicture(specimen.parameters.storage > 0 ? "ringed" : "fibrous"), repeats: true },
-		},
-		bark: { old, young: mixed(old, FINE, 0.55), from: 0.0005, to: 0.008 },
+		wood: { name: "Root", colour: mean, roughness, textures },
+		bark: { old, mean, young: mixed(old, FINE, 0.55), from: 0.0005, to: 0.008 },
 		tints: { skin: [particleMaterial] },
 	});
 	yield* obstacleParts(specimen);

@@ -2,7 +2,7 @@
 import { linear, mixed, toLch } from "../../plant/colour";
 import { leafTints } from "../../plant/leaf_colours";
 import type { Part } from "../../plant/part";
-import { barkPicture } from "../../plant/wood/bark_picture";
+import { barkPictures } from "../../plant/wood/bark_picture";
 import { woodenParts } from "../../plant/wood/wooden_parts";
 import { obstacleParts } from "../particles/boundary/obstacle_parts";
 import { particleMaterial } from "../particles/boundary/particle_material";
@@ -23,14 +23,10 @@ export function* treeParts(plant: TreePlant, specimen: TreeSpecimen): Generator<
 	const { look } = specimen;
 	const old = linear(look.bark);
 	const pale = toLch(old).lightness > PALE;
+	const { textures, mean, roughness } = barkPictures(pale ? "paper" : "furrowed");
 	yield* woodenParts(plant, {
-		wood: {
-			name: "Bark",
-			colour: old,
-			roughness: pale ? 0.75 : 0.92,
-			textures: { colour: barkPicture(pale ? "paper" : "furrowed"), repeats: true },
-		},
-		bark: { old, young: mixed(old, TWIG, 0.8), from: 0.008, to: 0.05, ...(pale ? { foot: FOOT } : {}) },
+		wood: { name: "Bark", colour: mean, roughness, textures },
+		bark: { old, young: mixed(old, TWIG, 0.8), mean, from: 0.008, to: 0.05, ...(pale ? { foot: FOOT } : {}) },
 		tints: { blade: leafTints(look, plant.veins), skin: [particleMaterial] },
 	});
 	yield* obstacleParts(specimen);
