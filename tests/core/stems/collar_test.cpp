@@ -107,7 +107,7 @@ TEST_CASE("tubes with collars are closed, and their normals look out") {
         mean += vector_at(mesh.normals, corners[k]);
         middle += vector_at(mesh.positions, corners[k]) / 3.0f;
       }
-      // What is within the trunk is hidden.
+      // Triangles within the trunk are hidden.
       if (std::hypot(middle.x, middle.z) < 0.29f) continue;
       opposed += glm::dot(face, mean) < 0;
     }

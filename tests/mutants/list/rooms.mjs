@@ -273,8 +273,8 @@ export default [
 			},
 			{
 				id: "thickness-joints-everywhere",
-				find: "if (jointed_) {",
-				replace: "if (jointed_ || t >= 0) {",
+				find: "if (form_.jointed) {",
+				replace: "if (form_.jointed || t >= 0) {",
 				breaks: "petioles are strings of beads",
 			},
 		],

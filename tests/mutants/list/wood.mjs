@@ -178,10 +178,28 @@ export default [
 		suites: ["tests/core/models/particles/root_flare_test.cpp"],
 		faults: [
 			{
-				id: "foot-cut-aslant",
-				find: "std::max(positions[3 * v + 1], base.start.y)",
-				replace: "positions[3 * v + 1]",
-				breaks: "a swaying trunk is cut aslant below the ground",
+				id: "flare-twice-as-wide",
+				find: "scale_ *= widening / (mean_width() - 1);",
+				replace: "scale_ *= 1;",
+				breaks: "trunks are more than twice as wide at the ground as above",
+			},
+			{
+				id: "flare-ends-at-the-ground",
+				find: "const glm::vec3 sunk(0, -below * foot_.flare.depth, 0);",
+				replace: "const glm::vec3 sunk(0, 0 * below, 0);",
+				breaks: "on a slope there is a gap below the trunk",
+			},
+		],
+	},
+	{
+		file: "wasm-core/src/stems/collar.cpp",
+		suites: ["tests/core/stems/collar_test.cpp"],
+		faults: [
+			{
+				id: "collar-off-its-parent",
+				find: "edge.away * (edge.value + sunk * parent.radius());",
+				replace: "edge.away * 0.0f;",
+				breaks: "collars hang over the parent's surface",
 			},
 		],
 	},
