@@ -15,7 +15,7 @@ namespace {
 // angle to the parent is acute.
 constexpr float fillet = 0.9f, crotch = 0.6f;
 // The fillet's greatest length in radii of the parent, and how far its edge lies within the parent's surface.
-constexpr float fillet_limit = 0.5f, sunk = 0.02f;
+constexpr float fillet_limit = 0.5f, sunk = 0.045f;
 // Normals turn from the parent's to the branch's within this distance from the parent, in lengths of the fillet.
 constexpr float normal_reach = 0.45f;
 // The height of the branch bark ridge on the upper side, in radii of the branch.

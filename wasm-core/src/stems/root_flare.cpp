@@ -28,7 +28,7 @@ constexpr std::uint32_t fewest_spurs = 4, most_spurs = 7;
 constexpr float hollow = 0.25f;
 constexpr float spur_spread = 0.6f;  // by how much spurs run out below the ground, per unit of depth
 // The flare has three times as many sides as the tube; rows of vertices above and below the ground.
-constexpr std::uint32_t finer = 3, rows = 14, buried_rows = 2;
+constexpr std::uint32_t finer = 3, rows = 11, buried_rows = 1;
 
 // The spurs of one trunk: at directions of their own, some larger and higher than others.
 class Spurs {

@@ -237,6 +237,7 @@ void TubeMaker::set_texture(const StemAxis& axis, std::span<Ring> rings, std::si
       if (i > 0) rings[i].v = rings[i - 1].v + 0.5f * distance * (rings[i - 1].v_rate + rings[i].v_rate);
     } else {
       rings[i].turns = 1;
+      rings[i].v_rate = per_circumference;
       if (i > 0) rings[i].v = rings[i - 1].v + distance * per_circumference;
     }
   }

@@ -25,7 +25,7 @@ struct Ring {
   bool round = true;  // both half-axes of that radius and slope, at right angles to the tangent
   float run = 0;      // distance from the ring before
   float v = 0;        // texture coordinate along the axis
-  float v_rate = 0;   // its change per unit of length; only with a BarkScale
+  float v_rate = 0;   // its change per unit of length
   float turns = 1;    // texture coordinate around at the end of the ring
   std::uint32_t segment = 0;
 };

@@ -12,7 +12,7 @@
 namespace panicle {
 namespace {
 
-constexpr std::uint32_t sides = 16, thin_sides = 7;
+constexpr std::uint32_t sides = 12, thin_sides = 6;
 // The picture of bark lies half a metre across and a metre along a trunk (web/src/plant/wood/bark_picture.ts).
 constexpr BarkScale bark_scale{.width = 0.5f, .height = 1};
 // Axes thinner than this share of the thickest are thin; segments thinner than that share of the whole plant are twigs:

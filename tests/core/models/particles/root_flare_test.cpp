@@ -134,7 +134,7 @@ TEST_CASE("a root flare's normals look out, and it continues the trunk without a
   // Where the flare begins, each of its vertices is on an edge of the tube's polygon, and has the same bark.
   const auto positions = vectors_of(mesh.positions);
   const std::size_t flare = stems.parts.back().first_vertex + stems.parts.back().vertex_count;
-  for (std::size_t v = flare; v < flare + 48; v += 3) {
+  for (std::size_t v = flare; v < flare + 36; v += 3) {
     bool found = false;
     for (std::size_t other = 0; other < flare && !found; ++other)
       found = glm::distance(positions[v], positions[other]) < 1e-4f &&

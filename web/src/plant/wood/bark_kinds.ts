@@ -157,7 +157,7 @@ export const BARK_PAINTERS: Readonly<Record<BarkKind, () => BarkPainter>> = {
 			const x = u + 0.04 * besideSeams(u) * shift;
 			const flake = flakes(u, v);
 			const jag = 0.1 * (flake - 0.5);
-			const side = smoothstep(0.03, 0.22, ridge(0.62 * long(x, v) + 0.38 * longer(x, v)) + jag);
+			const side = smoothstep(0.02, 0.17, ridge(0.62 * long(x, v) + 0.38 * longer(x, v)) + jag);
 			const end = smoothstep(0.0, 0.13, ridge(across(u, v + 0.02 * shift)) + jag);
 			const plate = side * (0.4 + 0.6 * end);
 			const fine = grain(u, v) - 0.5;
@@ -187,12 +187,12 @@ export const BARK_PAINTERS: Readonly<Record<BarkKind, () => BarkPainter>> = {
 			const band = smoothstep(0.35, 0.65, bands(u, wave));
 			const cork = Math.max(rows[pixel], 0.8 * loose[pixel]);
 			const edge = smoothstep(0.04, 0.008, ridge(bands(u, wave))) * smoothstep(0.55, 0.7, peel(u, v));
-			const lit = 0.62 + 0.2 * band + 0.1 * cloud(u, v) + 0.06 * hairs(u, wave) - 0.25 * edge;
+			const lit = 0.46 + 0.14 * band + 0.1 * cloud(u, v) + 0.06 * hairs(u, wave) - 0.2 * edge;
 			point.height = 0.0022 * cork + 0.0006 * band + 0.0002 * hairs(u, wave) - 0.0008 * edge;
-			// Cork is dull and ochre.
-			point.red = mix(lit, 0.78 * lit + 0.12, cork);
-			point.green = mix(lit * (0.97 + 0.03 * band), 0.72 * lit + 0.08, cork);
-			point.blue = mix(lit * (0.96 + 0.04 * band), 0.55 * lit, cork);
+			// Cork is dull and ochre, and lighter than the bark.
+			point.red = mix(lit, 0.86, cork);
+			point.green = mix(lit * (0.97 + 0.03 * band), 0.7, cork);
+			point.blue = mix(lit * (0.96 + 0.04 * band), 0.5, cork);
 			point.roughness = 0.5 + 0.4 * cork + 0.1 * (1 - band);
 		};
 	},
