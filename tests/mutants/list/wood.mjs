@@ -175,7 +175,7 @@ export default [
 	},
 	{
 		file: "wasm-core/src/stems/root_flare.cpp",
-		suites: ["tests/core/models/particles/root_flare_test.cpp"],
+		suites: ["tests/core/stems/root_flare_test.cpp"],
 		faults: [
 			{
 				id: "flare-twice-as-wide",
