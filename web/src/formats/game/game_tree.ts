@@ -33,9 +33,10 @@ export const GAME_LEVELS: readonly LevelOptions[] = [
 ];
 /** The least share of the view's area at which each level is shown, as in `MSFT_screencoverage`. */
 const COVERAGE = [0.25, 0.04, 0.005, 0];
-/** The edge of the atlas, and of pictures of bark, in pixels. */
+/** The edge of the atlas, and of pictures of bark and of its normals, in pixels. */
 const ATLAS = 512;
 const BARK = 256;
+const NORMALS = 128;
 /** Positions are multiples of a 256th of a metre, normals of a 256th: archives become a third smaller. */
 const PLACE_STEPS = 256;
 const NORMAL_STEPS = 256;
@@ -143,9 +144,9 @@ class GameTreeWriter {
 	/** Writes a material and its pictures. */
 	#material(name: string, material: Material, base: [number, number, number] | undefined, pixels: number): number {
 		const { colour, normal, repeats } = material.textures ?? {};
-		const texture = (kind: string, picture: Picture | undefined) =>
-			picture && this.#document.texture(`${name}_${kind}`, png(shrunk(picture, pixels)), repeats);
-		const [colourIndex, normalIndex] = [texture("Colour", colour), texture("Normal", normal)];
+		const texture = (kind: string, picture: Picture | undefined, most: number) =>
+			picture && this.#document.texture(`${name}_${kind}`, png(shrunk(picture, most)), repeats);
+		const [colourIndex, normalIndex] = [texture("Colour", colour, pixels), texture("Normal", normal, NORMALS)];
 		const factor = base ?? (colour ? [1, 1, 1] : material.colour);
 		const textures = {
 			...(colourIndex === undefined ? {} : { colour: colourIndex }),
