@@ -4,6 +4,7 @@ import { exportJson } from "../../../../web/src/formats/json";
 import { splineThrough } from "../../../../web/src/models/particles/boundary/editor/outline";
 import { model } from "../../../../web/src/models/tree/index";
 import type { TreeSpecimen } from "../../../../web/src/models/tree/specimen";
+import { linear } from "../../../../web/src/plant/colour";
 import type { PartMesh } from "../../../../web/src/plant/part";
 import { woodColours } from "../../../../web/src/plant/wood/wood_colours";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
@@ -173,13 +174,15 @@ describe("a tree", () => {
 			const plant = grow(specimen);
 			const [{ shape }] = [...model.parts(plant, specimen)];
 			const { colours = new Float32Array(), positions = new Float32Array() } = shape?.mesh ?? {};
-			const { colour = [1], textures } = shape?.material ?? {};
+			// Vertices have the bark's colour over the picture's mean, which is the material's colour.
+			const { colour: pictureMean = [1], textures } = shape?.material ?? {};
+			const own = linear(String(specimen.look.bark))[0];
 			expect(textures?.repeats).toBe(true);
 			// Vertices around the trunk.
 			const thick = Array.from(plant.vertexSegments ?? [], (segment, i) => ({
 				height: positions[3 * i + 1],
 				radius: plant.segments.radii[2 * segment + 1],
-				shade: colours[3 * i] / colour[0],
+				shade: (colours[3 * i] * pictureMean[0]) / own,
 			})).filter(({ radius }) => radius > 0.06);
 			const shades = (low: number, high: number) =>
 				thick.filter(({ height }) => height >= low && height <= high).map(({ shade }) => shade);

@@ -76,7 +76,7 @@ export const BARK_PAINTERS: Readonly<Record<BarkKind, () => BarkPainter>> = {
 			const edge = edges[pixel];
 			const stain = smoothstep(0.5, 0.95, bands(u, wave)) * smoothstep(0.3, 0.8, cloud(u, v));
 			const fresh = 0.94 + 0.06 * cloud(u, v) - 0.05 * hairs(u, wave) - 0.1 * stain;
-			const dark = Math.max(0.72 * lenticel, 0.9 * scar, 0.6 * edge);
+			const dark = Math.min(1, Math.max(0.8 * lenticel, 1.15 * scar, 0.6 * edge));
 			point.height =
 				0.0012 * lenticel - 0.0015 * edge - 0.002 * scar + 0.0003 * hairs(u, wave) + 0.0005 * bands(u, wave);
 			point.red = fresh * (1 - dark) + 0.012 * dark;
