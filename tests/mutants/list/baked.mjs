@@ -155,8 +155,8 @@ export default [
 		faults: [
 			{
 				id: "low-by-vertices-alone",
-				find: "exportGlb(paletted(await lightParts(parts, { triangles, pixels: PIXELS })), about)",
-				replace: "exportGlb(await lightParts(parts, { triangles, pixels: PIXELS }), about)",
+				find: "exportGlb(paletted(await lightParts(parts, { triangles, pixels: PIXELS, plant })), about)",
+				replace: "exportGlb(await lightParts(parts, { triangles, pixels: PIXELS, plant }), about)",
 				breaks: "the low form is grey in F3D and in engines that leave colours of vertices out",
 			},
 		],

@@ -118,8 +118,8 @@ export default [
 		faults: [
 			{
 				id: "light-of-the-day-at-night",
-				find: "this.#rig = rigOf(theme);\n\t\tsetRig(this.uniforms, this.#rig);",
-				replace: "this.#rig = rigOf(theme);",
+				find: "this.#rig = rig;\n\t\tsetRig(this.uniforms, rig);",
+				replace: "this.#rig = rig;",
 				breaks: "the dark theme is lit like the light one",
 			},
 		],

@@ -59,7 +59,7 @@ describe("a grown specimen", () => {
 		expect(got.bunch_length).toBeCloseTo(160, -1);
 		expect(notes).toEqual([]);
 		const far = await grow(SMALL, { meshes: false, targets: { bunch_weight: 1e6 } });
-		expect(far.notes.join()).toMatch(/wanted 1000000 g, /);
+		expect(far.notes.join()).toMatch(/wanted 1,000,000 g, /);
 		await expect(grow(SMALL, { targets: { beauty: 1 } })).rejects.toThrow(
 			/^beauty: No such measure can be a target for this plant\. Its possible targets are bunch_length, /,
 		);
