@@ -2,10 +2,10 @@
 import type { Token, TokenKind } from "./scan";
 import type { Word } from "./words.generated";
 
-/** Syntax of a language, in addition to the comments, strings, numbers, arrows and operators that all languages share. */
+/** Syntax of such a language. */
 export interface StatementSyntax {
-	/** Patterns of its own tokens, such as names, as sources of regular expressions with the flag "u". */
-	readonly tokens: readonly string[];
+	/** Matches any token or blanks, as a literal with the flags "gu": tests check that it does not backtrack. */
+	readonly token: RegExp;
 	/**
 	 * Returns the kind of one of its own tokens; undefined for all others.
 	 * @param isFirst whether the token is the first of its line, besides comments
@@ -14,20 +14,10 @@ export interface StatementSyntax {
 	kindOf(token: string, isFirst: boolean, isCalled: boolean): TokenKind | undefined;
 }
 
-const BLANKS = String.raw`\n|[ \t\r\f\v]+`;
-const SHARED_TOKENS = [
-	String.raw`\/\*[\s\S]*?(?:\*\/|$)`,
-	BLANKS,
-	"-->|->|→",
-	String.raw`"[^"\n]*"?`,
-	String.raw`(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?`,
-	String.raw`[<>=!]=|&&|\|\|`,
-];
 const OPERATOR = /^(?:[<>=!]=|&&|\|\||[-+*/%^!<>=|])$/;
 
 /** Creates the scanner of a language: it splits a text into tokens, without blanks. */
-export function statementScanner({ tokens, kindOf }: StatementSyntax): (text: string) => Token[] {
-	const pattern = new RegExp([...SHARED_TOKENS, ...tokens, String.raw`[\s\S]`].join("|"), "gu");
+export function statementScanner({ token: pattern, kindOf }: StatementSyntax): (text: string) => Token[] {
 	return (text) => {
 		const found: Token[] = [];
 		let line = 1;

@@ -262,7 +262,7 @@ function addLight(
 	}
 	if (sheet && !shares) {
 		const own = ShaderChunk.shadowmap_vertex.replace(
-			/vec3 shadowWorldNormal = transformNormalByInverseViewMatrix[^;]*;/,
+			"vec3 shadowWorldNormal = transformNormalByInverseViewMatrix( transformedNormal, viewMatrix );",
 			TOWARDS_KEY,
 		);
 		shader.vertexShader = shader.vertexShader

@@ -6,7 +6,8 @@ import { text as message } from "../messages.generated";
 
 /** Splits a text into tokens, without blanks. A comment may also stand between two at signs. */
 export const scan = statementScanner({
-	tokens: ["@[^@]*@?", String.raw`#[ \t]*\p{L}+`, String.raw`\p{L}[\p{L}\p{N}_]*(?:\.\p{L}+)?`],
+	token:
+		/\/\*[\s\S]*?(?:\*\/|$)|@[^@]*@?|\n|[ \t\r\f\v]+|-->|->|→|"[^"\n]*"?|#[ \t]*\p{L}+|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|\p{L}[\p{L}\p{N}_]*(?:\.\p{L}+)?|[<>=!]=|&&|\|\||[\s\S]/gu,
 	kindOf(token, _, isCalled) {
 		if (token.startsWith("@")) return "comment";
 		if (token.startsWith("#")) return "statement";

@@ -7,7 +7,8 @@ import { text as message } from "../messages.generated";
 const STATEMENTS = new Set(["footprint", "tree", "gs", "bud"]);
 
 const scan = statementScanner({
-	tokens: [String.raw`\p{L}[\p{L}\p{N}_]*(?:\.\p{L}+)?`],
+	token:
+		/\/\*[\s\S]*?(?:\*\/|$)|\n|[ \t\r\f\v]+|-->|->|→|"[^"\n]*"?|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|\p{L}[\p{L}\p{N}_]*(?:\.\p{L}+)?|[<>=!]=|&&|\|\||[\s\S]/gu,
 	kindOf(token, isFirst, isCalled) {
 		if (!isName(token)) return undefined;
 		if (isFirst && STATEMENTS.has(token.split(".")[0])) return "statement";

@@ -12,7 +12,8 @@ const ITEMS = new Set(
 );
 
 const scan = statementScanner({
-	tokens: [String.raw`\p{L}[\p{L}\p{N}_]*(?:\/[\p{L}\p{N}_-]*)?`],
+	token:
+		/\/\*[\s\S]*?(?:\*\/|$)|\n|[ \t\r\f\v]+|"[^"\n]*"?|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|\p{L}[\p{L}\p{N}_]*(?:\/[\p{L}\p{N}_-]*)?|[\s\S]/gu,
 	kindOf(token, isFirst) {
 		if (!isName(token)) return undefined;
 		if (isFirst) return STATEMENTS.has(token) ? "statement" : "symbol";
