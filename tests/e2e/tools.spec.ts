@@ -78,7 +78,7 @@ test.describe("on a phone", () => {
 		const studio = await new StudioPage(page).open("?v=2&model=growth&preset=figure-5");
 		await studio.button("Show tool names").tap();
 		const names = page.locator(".tool-name:visible");
-		await expect(names).toHaveCount(9);
+		await expect(names).toHaveCount(11);
 		const hidden = await names.evaluateAll((all) =>
 			all
 				.filter((name) => {
