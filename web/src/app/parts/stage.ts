@@ -79,11 +79,11 @@ export class StagePart extends StudioPart {
 
 	/** Renders the 3-D view's canvas with caption, messages, tools and progress over it. */
 	protected override draw(studio: Studio): unknown {
-		const { failure, growing, shown } = studio.state;
+		const { failure, growing, shown, model, ui } = studio.state;
 		// While the next plant grows, the last one is dimmed, since the page already has the next one's title.
 		const isLeaving = growing && isOther(studio);
 		return html`<canvas
-				class="stage-surface" ?data-leaving=${isLeaving} tabindex="0" role="application" aria-roledescription=${text("stage_3d")} aria-label=${described(studio)} aria-describedby=${this.idOf("keys")}
+				class="stage-surface" ?data-leaving=${isLeaving} ?data-outdoors=${model.outdoors && ui.outdoors} tabindex="0" role="application" aria-roledescription=${text("stage_3d")} aria-label=${described(studio)} aria-describedby=${this.idOf("keys")}
 				@keydown=${this.#turnByKey}
 			></canvas>
 			<div class="view-aids"></div>
